@@ -1,337 +1,3779 @@
 	.file	"caller.c"
 	.text
-	.section	.rodata.str1.1,"aMS",@progbits,1
-.LC0:
-	.string	"%s %.17g\n"
-	.text
-	.type	bits, @function
-bits:
+	.type	hear, @function
+hear:
+	addl	$1, (%rdi)
+	comisd	.LC0(%rip), %xmm0
+	seta	%al
+	movzbl	%al, %eax
+	ret
+	.size	hear, .-hear
+	.type	counted, @function
+counted:
+	movq	%rdi, %rax
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, -32(%rsp)
+	leaq	blocks(%rip), %rcx
+	movq	%rcx, -56(%rsp)
+	leaq	take(%rip), %rsi
+	movq	%rsi, -48(%rsp)
+	leaq	release(%rip), %rdx
+	movq	%rdx, -40(%rsp)
+	movdqa	-56(%rsp), %xmm1
+	movups	%xmm1, (%rdi)
+	movdqa	-40(%rsp), %xmm2
+	movups	%xmm2, 16(%rdi)
+	movq	-24(%rsp), %rdx
+	movq	%rdx, 32(%rdi)
+	ret
+	.size	counted, .-counted
+	.type	wrc_config_default, @function
+wrc_config_default:
+	pushq	%rbp
+	pushq	%rbx
+	subq	$1192, %rsp
+	movq	%rdi, %rbp
+	movq	%rsp, %rbx
+	movl	$148, %ecx
+	movl	$0, %eax
+	movq	%rbx, %rdi
+	rep stosq
+	movl	$1184, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_config_init@PLT
+	movl	$148, %ecx
+	movq	%rbp, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	movq	%rbp, %rax
+	addq	$1192, %rsp
+	popq	%rbx
+	popq	%rbp
+	ret
+	.size	wrc_config_default, .-wrc_config_default
+	.type	standard, @function
+standard:
+	pushq	%rbp
+	pushq	%rbx
+	subq	$1256, %rsp
+	movq	%rdi, %rbx
+	leaq	64(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	wrc_config_default
+	movq	%rsp, %rdi
+	pxor	%xmm0, %xmm0
+	movaps	%xmm0, (%rsp)
+	movaps	%xmm0, 16(%rsp)
+	movaps	%xmm0, 32(%rsp)
+	movaps	%xmm0, 48(%rsp)
+	call	wrc_material_init@PLT
+	movsd	8(%rsp), %xmm0
+	movsd	%xmm0, 304(%rsp)
+	movsd	16(%rsp), %xmm0
+	movsd	%xmm0, 312(%rsp)
+	movsd	24(%rsp), %xmm0
+	movsd	%xmm0, 320(%rsp)
+	movsd	32(%rsp), %xmm0
+	movsd	%xmm0, 328(%rsp)
+	movsd	40(%rsp), %xmm0
+	movsd	%xmm0, 336(%rsp)
+	movsd	48(%rsp), %xmm0
+	movsd	%xmm0, 344(%rsp)
+	movsd	56(%rsp), %xmm0
+	movsd	%xmm0, 352(%rsp)
+	movsd	.LC1(%rip), %xmm0
+	movsd	%xmm0, 296(%rsp)
+	movdqu	296(%rsp), %xmm1
+	movups	%xmm1, 232(%rsp)
+	movdqu	312(%rsp), %xmm2
+	movups	%xmm2, 248(%rsp)
+	movdqu	328(%rsp), %xmm3
+	movups	%xmm3, 264(%rsp)
+	movdqu	344(%rsp), %xmm4
+	movups	%xmm4, 280(%rsp)
+	movl	$2, 72(%rsp)
+	movl	$3, 152(%rsp)
+	movsd	%xmm0, 232(%rsp)
+	movq	.LC2(%rip), %rax
+	movq	%rax, 424(%rsp)
+	movsd	368(%rsp), %xmm0
+	movsd	%xmm0, 432(%rsp)
+	movsd	376(%rsp), %xmm0
+	movsd	%xmm0, 440(%rsp)
+	movsd	384(%rsp), %xmm0
+	movsd	%xmm0, 448(%rsp)
+	movsd	392(%rsp), %xmm0
+	movsd	%xmm0, 456(%rsp)
+	movsd	400(%rsp), %xmm0
+	movsd	%xmm0, 464(%rsp)
+	movsd	408(%rsp), %xmm0
+	movsd	%xmm0, 472(%rsp)
+	movsd	416(%rsp), %xmm0
+	movsd	%xmm0, 480(%rsp)
+	movq	.LC3(%rip), %rax
+	movq	%rax, 488(%rsp)
+	movq	.LC4(%rip), %rax
+	movq	%rax, 560(%rsp)
+	movq	.LC5(%rip), %rax
+	movq	%rax, 576(%rsp)
+	movl	$24, 776(%rsp)
+	movl	$148, %ecx
+	movq	%rbx, %rdi
+	movq	%rbp, %rsi
+	rep movsq
+	movq	%rbx, %rax
+	addq	$1256, %rsp
+	popq	%rbx
+	popq	%rbp
+	ret
+	.size	standard, .-standard
+	.type	release, @function
+release:
+	pushq	%rbx
+	movq	%rdi, %rbx
+	movq	-8(%rsi), %rdi
+	call	free@PLT
+	subl	$1, (%rbx)
+	popq	%rbx
+	ret
+	.size	release, .-release
+	.type	take, @function
+take:
+	pushq	%rbp
+	pushq	%rbx
 	subq	$8, %rsp
+	movq	%rdi, %rbp
+	movq	%rdx, %rbx
+	leaq	8(%rdx,%rsi), %rdi
+	call	malloc@PLT
+	movq	%rax, %rsi
+	testq	%rax, %rax
+	je	.L9
+	leaq	8(%rax), %rcx
+	movq	%rcx, %rax
+	movl	$0, %edx
+	divq	%rbx
+	movq	%rbx, %rax
+	subq	%rdx, %rax
+	movl	$0, %edx
+	divq	%rbx
+	leaq	(%rcx,%rdx), %rax
+	movq	%rsi, -8(%rax)
+	addl	$1, 0(%rbp)
+.L9:
+	addq	$8, %rsp
+	popq	%rbx
+	popq	%rbp
+	ret
+	.size	take, .-take
+	.section	.rodata.str1.1,"aMS",@progbits,1
+.LC7:
+	.string	"%s"
+.LC8:
+	.string	" %.17g"
+	.text
+	.type	show, @function
+show:
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$8, %rsp
+	movq	%rsi, %r12
+	movq	%rdx, %rbp
 	movq	%rdi, %rsi
-	leaq	.LC0(%rip), %rdi
+	leaq	.LC7(%rip), %rdi
+	movl	$0, %eax
+	call	printf@PLT
+	testq	%rbp, %rbp
+	jle	.L14
+	movl	$0, %ebx
+	leaq	.LC8(%rip), %r13
+.L15:
+	movsd	(%r12,%rbx,8), %xmm0
+	movq	%r13, %rdi
 	movl	$1, %eax
 	call	printf@PLT
+	addq	$1, %rbx
+	cmpq	%rbx, %rbp
+	jne	.L15
+.L14:
+	movl	$10, %edi
+	call	putchar@PLT
 	addq	$8, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
 	ret
-	.size	bits, .-bits
-	.section	.rodata.str1.1
-.LC5:
-	.string	"y"
-.LC6:
-	.string	"peak pressure"
-.LC7:
-	.string	"fy"
-.LC8:
-	.string	"t_gamma"
+	.size	show, .-show
+	.section	.rodata.str1.8,"aMS",@progbits,1
+	.align 8
 .LC9:
-	.string	"patch"
+	.string	"patches %d strips %d iterations %d\n"
+	.section	.rodata.str1.1
 .LC10:
-	.string	"traction"
+	.string	"solution->ellipse.a"
+.LC11:
+	.string	"*solution.normal_force"
+	.text
+	.type	show_solution, @function
+show_solution:
+	pushq	%rbx
+	movq	%rdi, %rbx
+	movl	8(%rdi), %ecx
+	movl	4(%rdi), %edx
+	movl	(%rdi), %esi
+	leaq	.LC9(%rip), %rdi
+	movl	$0, %eax
+	call	printf@PLT
+	leaq	16(%rbx), %rsi
+	movl	$5, %edx
+	leaq	.LC10(%rip), %rdi
+	call	show
+	leaq	80(%rbx), %rsi
+	movl	$10, %edx
+	leaq	.LC11(%rip), %rdi
+	call	show
+	popq	%rbx
+	ret
+	.size	show_solution, .-show_solution
+	.section	.rodata.str1.1
+.LC12:
+	.string	"*each[i].stress"
+	.text
+	.type	show_peaks, @function
+show_peaks:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$32, %rsp
+	movq	%rdi, (%rsp)
+	leaq	48(%rdi), %rax
+	movq	%rax, 8(%rsp)
+	addq	$96, %rdi
+	movq	%rdi, 16(%rsp)
+	movq	%rsp, %rbx
+	leaq	24(%rsp), %r12
+	leaq	.LC12(%rip), %rbp
+.L21:
+	movq	(%rbx), %rsi
+	movl	$4, %edx
+	movq	%rbp, %rdi
+	call	show
+	addq	$8, %rbx
+	cmpq	%r12, %rbx
+	jne	.L21
+	addq	$32, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+	.size	show_peaks, .-show_peaks
+	.section	.rodata.str1.1
+.LC13:
+	.string	"("
+.LC14:
+	.string	"%.*s %d\n"
 .LC15:
-	.string	"force"
+	.string	"%s: %s: %s\n"
+	.text
+	.type	done, @function
+done:
+	pushq	%rbp
+	pushq	%rbx
+	subq	$8, %rsp
+	movl	%edi, %ebp
+	movq	%rsi, %rbx
+	leaq	.LC13(%rip), %rsi
+	movq	%rbx, %rdi
+	call	strcspn@PLT
+	movl	%ebp, %ecx
+	movq	%rbx, %rdx
+	movl	%eax, %esi
+	leaq	.LC14(%rip), %rdi
+	movl	$0, %eax
+	call	printf@PLT
+	testl	%ebp, %ebp
+	js	.L29
+	addq	$8, %rsp
+	popq	%rbx
+	popq	%rbp
+	ret
+.L29:
+	cmpb	$0, text(%rip)
+	jne	.L26
+	movq	spoken(%rip), %rdi
+	testq	%rdi, %rdi
+	je	.L26
+	movl	$400, %edx
+	leaq	text(%rip), %rsi
+	call	wrc_contact_last_error@PLT
+.L26:
+	movl	%ebp, %edi
+	call	wrc_status_name@PLT
+	movq	%rax, %rcx
+	leaq	text(%rip), %r8
+	movq	%rbx, %rdx
+	leaq	.LC15(%rip), %rsi
+	movq	stderr@GOTPCREL(%rip), %rax
+	movq	(%rax), %rdi
+	movl	$0, %eax
+	call	fprintf@PLT
+	movl	$1, %edi
+	call	exit@PLT
+	.size	done, .-done
+	.section	.rodata.str1.8
+	.align 8
 .LC16:
-	.string	"steepest"
+	.string	"wrc_config_check(config, text, sizeof text)"
+	.align 8
 .LC17:
-	.string	"stiffness"
+	.string	"wrc_model_create(config, &allocator, &model, text, sizeof text)"
+	.text
+	.type	model_of, @function
+model_of:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$64, %rsp
+	movq	%rdi, %rbx
+	leaq	16(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	counted
+	movq	$0, 8(%rsp)
+	movl	$400, %edx
+	leaq	text(%rip), %r12
+	movq	%r12, %rsi
+	movq	%rbx, %rdi
+	call	wrc_config_check@PLT
+	movl	%eax, %edi
+	leaq	.LC16(%rip), %rsi
+	call	done
+	leaq	8(%rsp), %rdx
+	movl	$400, %r8d
+	movq	%r12, %rcx
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	wrc_model_create@PLT
+	movl	%eax, %edi
+	leaq	.LC17(%rip), %rsi
+	call	done
+	movq	8(%rsp), %rax
+	addq	$64, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+	.size	model_of, .-model_of
+	.section	.rodata.str1.8
+	.align 8
 .LC18:
-	.string	"spin"
+	.string	"wrc_contact_create(model, side, &allocator, &contact, text, sizeof text)"
+	.text
+	.type	contact_of, @function
+contact_of:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$64, %rsp
+	movq	%rdi, %rbx
+	movl	%esi, %ebp
+	leaq	16(%rsp), %r12
+	movq	%r12, %rdi
+	call	counted
+	movq	$0, 8(%rsp)
+	leaq	8(%rsp), %rcx
+	movl	$400, %r9d
+	leaq	text(%rip), %r8
+	movq	%r12, %rdx
+	movl	%ebp, %esi
+	movq	%rbx, %rdi
+	call	wrc_contact_create@PLT
+	movl	%eax, %edi
+	leaq	.LC18(%rip), %rsi
+	call	done
+	movq	8(%rsp), %rax
+	addq	$64, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+	.size	contact_of, .-contact_of
+	.section	.rodata.str1.8
+	.align 8
+.LC20:
+	.string	"wrc_contact_region(contact, i, &region)"
+	.align 8
+.LC21:
+	.string	"strips %d cells %d surface %d available %u\n"
+	.section	.rodata.str1.1
+.LC22:
+	.string	"region.point[0]"
+.LC23:
+	.string	"region.creepage.longitudinal"
+.LC24:
+	.string	"region.ellipse.a"
+.LC25:
+	.string	"region.area"
+	.section	.rodata.str1.8
+	.align 8
+.LC26:
+	.string	"wrc_contact_field(contact, i, field, values, sizeof values / sizeof values[0], counts)"
+	.section	.rodata.str1.1
+.LC27:
+	.string	"sum"
+	.section	.rodata.str1.8
+	.align 8
+.LC28:
+	.string	"wrc_contact_damage(contact, i, &damage)"
+	.section	.rodata.str1.1
+.LC29:
+	.string	"damage.power"
+	.text
+	.type	show_regions, @function
+show_regions:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$584, %rsp
+	movq	%rsi, 8(%rsp)
+	cmpl	$0, 8(%rsi)
+	jle	.L34
+	movq	%rdi, %rbp
+	movl	$0, %r12d
+	jmp	.L39
+.L36:
+	leaq	24(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC27(%rip), %rdi
+	call	show
+	addl	$1, %ebx
+	cmpl	$20, %ebx
+	je	.L44
+.L38:
+	movq	$0x000000000, 24(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbp, spoken(%rip)
+	movq	%r15, %r9
+	movl	$12800, %r8d
+	movq	%r14, %rcx
+	movl	%ebx, %edx
+	movl	%r12d, %esi
+	movq	%rbp, %rdi
+	call	wrc_contact_field@PLT
+	movl	%eax, %edi
+	movq	%r13, %rsi
+	call	done
+	movq	32(%rsp), %rdx
+	imulq	40(%rsp), %rdx
+	testq	%rdx, %rdx
+	je	.L36
+	leaq	values.13(%rip), %rax
+	leaq	(%rax,%rdx,8), %rdx
+	pxor	%xmm0, %xmm0
+.L37:
+	addsd	(%rax), %xmm0
+	addq	$8, %rax
+	cmpq	%rdx, %rax
+	jne	.L37
+	movsd	%xmm0, 24(%rsp)
+	jmp	.L36
+.L44:
+	movb	$0, text(%rip)
+	movq	%rbp, spoken(%rip)
+	leaq	32(%rsp), %rbx
+	movq	%rbx, %rdx
+	movl	%r12d, %esi
+	movq	%rbp, %rdi
+	call	wrc_contact_damage@PLT
+	movl	%eax, %edi
+	leaq	.LC28(%rip), %rsi
+	call	done
+	movl	$9, %edx
+	movq	%rbx, %rsi
+	leaq	.LC29(%rip), %rdi
+	call	show
+	addl	$1, %r12d
+	movq	8(%rsp), %rax
+	cmpl	%r12d, 8(%rax)
+	jle	.L34
+.L39:
+	leaq	160(%rsp), %rdi
+	movl	$51, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$408, 160(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbp, spoken(%rip)
+	leaq	160(%rsp), %rdx
+	movl	%r12d, %esi
+	movq	%rbp, %rdi
+	call	wrc_contact_region@PLT
+	movl	%eax, %edi
+	leaq	.LC20(%rip), %rsi
+	call	done
+	movl	164(%rsp), %r8d
+	movl	176(%rsp), %ecx
+	movl	172(%rsp), %edx
+	movl	168(%rsp), %esi
+	leaq	.LC21(%rip), %rdi
+	movl	$0, %eax
+	call	printf@PLT
+	leaq	184(%rsp), %rsi
+	movl	$22, %edx
+	leaq	.LC22(%rip), %rdi
+	call	show
+	leaq	360(%rsp), %rsi
+	movl	$6, %edx
+	leaq	.LC23(%rip), %rdi
+	call	show
+	leaq	440(%rsp), %rsi
+	movl	$5, %edx
+	leaq	.LC24(%rip), %rdi
+	call	show
+	leaq	504(%rsp), %rsi
+	movl	$8, %edx
+	leaq	.LC25(%rip), %rdi
+	call	show
+	movl	$0, %ebx
+	leaq	32(%rsp), %r15
+	leaq	values.13(%rip), %r14
+	leaq	.LC26(%rip), %r13
+	jmp	.L38
+.L34:
+	addq	$584, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+	.size	show_regions, .-show_regions
+	.section	.rodata.str1.8
+	.align 8
+.LC30:
+	.string	"wrc_model_size(config, &bytes, &alignment)"
+	.align 8
+.LC31:
+	.string	"wrc_model_init(config, for_model, bytes, &model, text, sizeof text)"
+	.align 8
+.LC32:
+	.string	"wrc_contact_size(model, &bytes, &alignment)"
+	.align 8
+.LC33:
+	.string	"wrc_contact_init(model, WRC_SIDE_RIGHT, for_contact, bytes, &contact, text, sizeof text)"
+	.align 8
+.LC34:
+	.string	"wrc_contact_wrench(contact, input, &wrench)"
+	.section	.rodata.str1.1
+.LC35:
+	.string	"wrench.force[0]"
+	.text
+	.type	in_own_memory, @function
+in_own_memory:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$232, %rsp
+	movq	%rdi, %r12
+	movq	%rsi, 8(%rsp)
+	movl	$0, 204(%rsp)
+	movq	$0, 192(%rsp)
+	movq	$0, 184(%rsp)
+	leaq	208(%rsp), %r14
+	leaq	216(%rsp), %r13
+	movq	%r14, %rdx
+	movq	%r13, %rsi
+	call	wrc_model_size@PLT
+	movl	%eax, %edi
+	leaq	.LC30(%rip), %rsi
+	call	done
+	movq	216(%rsp), %r15
+	leaq	204(%rsp), %rbx
+	movq	208(%rsp), %rdx
+	movq	%r15, %rsi
+	movq	%rbx, %rdi
+	call	take
+	movq	%rax, %rbp
+	leaq	192(%rsp), %rcx
+	movl	$400, %r9d
+	leaq	text(%rip), %r8
+	movq	%r15, %rdx
+	movq	%rax, %rsi
+	movq	%r12, %rdi
+	call	wrc_model_init@PLT
+	movl	%eax, %edi
+	leaq	.LC31(%rip), %rsi
+	call	done
+	movq	%r14, %rdx
+	movq	%r13, %rsi
+	movq	192(%rsp), %rdi
+	call	wrc_contact_size@PLT
+	movl	%eax, %edi
+	leaq	.LC32(%rip), %rsi
+	call	done
+	movq	216(%rsp), %r13
+	movq	208(%rsp), %rdx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	take
+	movq	%rax, %r12
+	subq	$8, %rsp
+	pushq	$400
+	leaq	text(%rip), %r9
+	leaq	200(%rsp), %r8
+	movq	%r13, %rcx
+	movq	%rax, %rdx
+	movl	$0, %esi
+	movq	208(%rsp), %rdi
+	call	wrc_contact_init@PLT
+	movl	%eax, %edi
+	leaq	.LC33(%rip), %rsi
+	call	done
+	movq	$0, 36(%rsp)
+	movq	$0, 192(%rsp)
+	leaq	40(%rsp), %rdi
+	movl	$20, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$168, 32(%rsp)
+	movb	$0, text(%rip)
+	movq	200(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	leaq	32(%rsp), %rdx
+	movq	24(%rsp), %rsi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC34(%rip), %rsi
+	call	done
+	leaq	48(%rsp), %rsi
+	movl	$19, %edx
+	leaq	.LC35(%rip), %rdi
+	call	show
+	movq	%r12, %rsi
+	movq	%rbx, %rdi
+	call	release
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	release
+	addq	$248, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+	.size	in_own_memory, .-in_own_memory
+	.type	wrench_of, @function
+wrench_of:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$176, %rsp
+	movq	%rsi, %r12
+	call	model_of
+	movq	%rax, %rbp
+	movl	$0, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, %rbx
+	movq	$0, 4(%rsp)
+	movq	$0, 160(%rsp)
+	leaq	8(%rsp), %rdi
+	movl	$20, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$168, (%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rsp, %rdx
+	movq	%r12, %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC34(%rip), %rsi
+	call	done
+	leaq	16(%rsp), %rsi
+	movl	$19, %edx
+	leaq	.LC35(%rip), %rdi
+	call	show
+	movq	%rbx, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	%rbp, %rdi
+	call	wrc_model_destroy@PLT
+	addq	$176, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+	.size	wrench_of, .-wrench_of
+	.type	wrc_planar_input_default, @function
+wrc_planar_input_default:
+	pushq	%rbp
+	pushq	%rbx
+	subq	$472, %rsp
+	movq	%rdi, %rbp
+	movq	%rsp, %rbx
+	movl	$57, %ecx
+	movl	$0, %eax
+	movq	%rbx, %rdi
+	rep stosq
+	movl	$456, (%rsp)
+	movq	%rbx, %rdi
+	call	wrc_planar_input_init@PLT
+	movl	$57, %ecx
+	movq	%rbp, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	movq	%rbp, %rax
+	addq	$472, %rsp
+	popq	%rbx
+	popq	%rbp
+	ret
+	.size	wrc_planar_input_default, .-wrc_planar_input_default
+	.section	.rodata.str1.1
+.LC36:
+	.string	"FASTSIM-SDEC"
+	.section	.rodata.str1.8
+	.align 8
+.LC37:
+	.string	"wrc_config_use(&config, \"FASTSIM-SDEC\", text, sizeof text)"
+	.align 8
+.LC39:
+	.string	"wrc_planar_geometry(contact, &pose, &point)"
+	.section	.rodata.str1.1
+.LC40:
+	.string	"point.x"
+	.section	.rodata.str1.8
+	.align 8
+.LC44:
+	.string	"wrc_planar_creepages(contact, &motion, &creepage)"
+	.section	.rodata.str1.1
+.LC45:
+	.string	"creepage.longitudinal"
+	.section	.rodata.str1.8
+	.align 8
+.LC47:
+	.string	"wrc_planar_normal(contact, NULL, &load, &solution)"
+	.align 8
+.LC48:
+	.string	"wrc_planar_regularise(contact, NULL, &solution)"
+	.align 8
+.LC49:
+	.string	"wrc_planar_tangential(contact, NULL, &creepage, &friction, &forces)"
+	.section	.rodata.str1.1
+.LC50:
+	.string	"forces.fx"
+	.section	.rodata.str1.8
+	.align 8
+.LC51:
+	.string	"wrc_planar_tangential_derivatives(contact, &derivatives)"
+	.section	.rodata.str1.1
+.LC52:
+	.string	"derivatives.forces[0][0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC53:
+	.string	"wrc_planar_step(contact, &input, &output)"
+	.section	.rodata.str1.1
+.LC54:
+	.string	"output.point.x"
+.LC55:
+	.string	"output.forces.fx"
+.LC56:
+	.string	"output.damage.power"
+	.text
+	.type	posed, @function
+posed:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$3320, %rsp
+	leaq	2128(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	standard
+	movl	$40, 2960(%rsp)
+	movl	$400, %ecx
+	leaq	text(%rip), %rdx
+	leaq	.LC36(%rip), %rsi
+	movq	%rbx, %rdi
+	call	wrc_config_use@PLT
+	movl	%eax, %edi
+	leaq	.LC37(%rip), %rsi
+	call	done
+	movq	%rbx, %rdi
+	call	model_of
+	movq	%rax, %r12
+	movl	$1, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, %rbx
+	leaq	2080(%rsp), %rsi
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 2088(%rsp)
+	movups	%xmm0, 2104(%rsp)
+	movq	$0, 2120(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 2080(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	1984(%rsp), %rbp
+	movq	%rbp, %rdx
+	movq	%rbx, %rdi
+	call	wrc_planar_geometry@PLT
+	movl	%eax, %edi
+	leaq	.LC39(%rip), %rsi
+	call	done
+	movl	$8, %edx
+	movq	%rbp, %rsi
+	leaq	.LC40(%rip), %rdi
+	call	show
+	leaq	1904(%rsp), %rsi
+	pxor	%xmm0, %xmm0
+	movaps	%xmm0, 1920(%rsp)
+	movaps	%xmm0, 1936(%rsp)
+	movaps	%xmm0, 1952(%rsp)
+	movaps	%xmm0, 1968(%rsp)
+	movq	.LC41(%rip), %rax
+	movq	%rax, 1904(%rsp)
+	movq	.LC42(%rip), %rax
+	movq	%rax, 1944(%rsp)
+	movq	.LC43(%rip), %rax
+	movq	%rax, 1912(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	1824(%rsp), %r14
+	movq	%r14, %rdx
+	movq	%rbx, %rdi
+	call	wrc_planar_creepages@PLT
+	movl	%eax, %edi
+	leaq	.LC44(%rip), %rsi
+	call	done
+	movl	$6, %edx
+	movq	%r14, %rsi
+	leaq	.LC45(%rip), %rdi
+	call	show
+	movq	%rsp, %rbp
+	pxor	%xmm0, %xmm0
+	movaps	%xmm0, (%rsp)
+	movaps	%xmm0, 16(%rsp)
+	movaps	%xmm0, 32(%rsp)
+	movaps	%xmm0, 48(%rsp)
+	movq	$0, 64(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_planar_load_init@PLT
+	movdqa	(%rsp), %xmm1
+	movaps	%xmm1, 1744(%rsp)
+	movdqa	16(%rsp), %xmm2
+	movaps	%xmm2, 1760(%rsp)
+	movdqa	32(%rsp), %xmm3
+	movaps	%xmm3, 1776(%rsp)
+	movdqa	48(%rsp), %xmm4
+	movaps	%xmm4, 1792(%rsp)
+	movq	64(%rsp), %rax
+	movq	%rax, 1808(%rsp)
+	movq	.LC46(%rip), %rax
+	movq	%rax, 1752(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	1552(%rsp), %r13
+	leaq	1744(%rsp), %rdx
+	movq	%r13, %rcx
+	movl	$0, %esi
+	movq	%rbx, %rdi
+	call	wrc_planar_normal@PLT
+	movl	%eax, %edi
+	leaq	.LC47(%rip), %rsi
+	call	done
+	movq	%r13, %rdi
+	call	show_solution
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%r13, %rdx
+	movl	$0, %esi
+	movq	%rbx, %rdi
+	call	wrc_planar_regularise@PLT
+	movl	%eax, %edi
+	leaq	.LC48(%rip), %rsi
+	call	done
+	movq	%r13, %rdi
+	call	show_solution
+	movl	$0, %r13d
+	movl	$30, %ecx
+	movq	%rbp, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movq	%rbp, %rdi
+	call	wrc_friction_init@PLT
+	movdqa	(%rsp), %xmm5
+	movaps	%xmm5, 1312(%rsp)
+	movdqa	16(%rsp), %xmm6
+	movaps	%xmm6, 1328(%rsp)
+	movdqa	32(%rsp), %xmm7
+	movaps	%xmm7, 1344(%rsp)
+	movdqa	48(%rsp), %xmm1
+	movaps	%xmm1, 1360(%rsp)
+	movdqa	64(%rsp), %xmm2
+	movaps	%xmm2, 1376(%rsp)
+	movdqa	80(%rsp), %xmm3
+	movaps	%xmm3, 1392(%rsp)
+	movdqa	96(%rsp), %xmm4
+	movaps	%xmm4, 1408(%rsp)
+	movdqa	112(%rsp), %xmm5
+	movaps	%xmm5, 1424(%rsp)
+	movdqa	128(%rsp), %xmm6
+	movaps	%xmm6, 1440(%rsp)
+	movdqa	144(%rsp), %xmm7
+	movaps	%xmm7, 1456(%rsp)
+	movdqa	160(%rsp), %xmm1
+	movaps	%xmm1, 1472(%rsp)
+	movdqa	176(%rsp), %xmm2
+	movaps	%xmm2, 1488(%rsp)
+	movdqa	192(%rsp), %xmm3
+	movaps	%xmm3, 1504(%rsp)
+	movdqa	208(%rsp), %xmm4
+	movaps	%xmm4, 1520(%rsp)
+	movdqa	224(%rsp), %xmm5
+	movaps	%xmm5, 1536(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	1216(%rsp), %r15
+	leaq	1312(%rsp), %rcx
+	movq	%r15, %r8
+	movq	%r14, %rdx
+	movl	$0, %esi
+	movq	%rbx, %rdi
+	call	wrc_planar_tangential@PLT
+	movl	%eax, %edi
+	leaq	.LC49(%rip), %rsi
+	call	done
+	movl	$6, %edx
+	movq	%r15, %rsi
+	leaq	.LC50(%rip), %rdi
+	call	show
+	movq	$0, 4(%rsp)
+	movq	$0, 192(%rsp)
+	leaq	8(%rsp), %rdi
+	movl	$24, %ecx
+	movq	%r13, %rax
+	rep stosq
+	movl	$200, (%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	wrc_planar_tangential_derivatives@PLT
+	movl	%eax, %edi
+	leaq	.LC51(%rip), %rsi
+	call	done
+	leaq	8(%rsp), %rsi
+	movl	$24, %edx
+	leaq	.LC52(%rip), %rdi
+	call	show
+	leaq	752(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	wrc_planar_input_default
+	leaq	240(%rsp), %rdi
+	movl	$64, %ecx
+	movq	%r13, %rax
+	rep stosq
+	movl	$512, 240(%rsp)
+	movdqa	2080(%rsp), %xmm6
+	movups	%xmm6, 760(%rsp)
+	movdqa	2096(%rsp), %xmm7
+	movups	%xmm7, 776(%rsp)
+	movdqa	2112(%rsp), %xmm1
+	movups	%xmm1, 792(%rsp)
+	movdqa	1744(%rsp), %xmm2
+	movaps	%xmm2, 816(%rsp)
+	movdqa	1760(%rsp), %xmm3
+	movaps	%xmm3, 832(%rsp)
+	movdqa	1776(%rsp), %xmm4
+	movaps	%xmm4, 848(%rsp)
+	movdqa	1792(%rsp), %xmm5
+	movaps	%xmm5, 864(%rsp)
+	movq	1808(%rsp), %rax
+	movq	%rax, 880(%rsp)
+	movdqa	1824(%rsp), %xmm6
+	movups	%xmm6, 888(%rsp)
+	movdqa	1840(%rsp), %xmm7
+	movups	%xmm7, 904(%rsp)
+	movdqa	1856(%rsp), %xmm1
+	movups	%xmm1, 920(%rsp)
+	movdqa	1872(%rsp), %xmm2
+	movups	%xmm2, 936(%rsp)
+	movdqa	1888(%rsp), %xmm3
+	movups	%xmm3, 952(%rsp)
+	movdqa	1312(%rsp), %xmm4
+	movups	%xmm4, 968(%rsp)
+	movdqa	1328(%rsp), %xmm5
+	movups	%xmm5, 984(%rsp)
+	movdqa	1344(%rsp), %xmm6
+	movups	%xmm6, 1000(%rsp)
+	movdqa	1360(%rsp), %xmm7
+	movups	%xmm7, 1016(%rsp)
+	movdqa	1376(%rsp), %xmm1
+	movups	%xmm1, 1032(%rsp)
+	movdqa	1392(%rsp), %xmm2
+	movups	%xmm2, 1048(%rsp)
+	movdqa	1408(%rsp), %xmm3
+	movups	%xmm3, 1064(%rsp)
+	movdqa	1424(%rsp), %xmm4
+	movups	%xmm4, 1080(%rsp)
+	movdqa	1440(%rsp), %xmm5
+	movups	%xmm5, 1096(%rsp)
+	movdqa	1456(%rsp), %xmm6
+	movups	%xmm6, 1112(%rsp)
+	movdqa	1472(%rsp), %xmm7
+	movups	%xmm7, 1128(%rsp)
+	movdqa	1488(%rsp), %xmm1
+	movups	%xmm1, 1144(%rsp)
+	movdqa	1504(%rsp), %xmm2
+	movups	%xmm2, 1160(%rsp)
+	movdqa	1520(%rsp), %xmm3
+	movups	%xmm3, 1176(%rsp)
+	movdqa	1536(%rsp), %xmm4
+	movups	%xmm4, 1192(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	240(%rsp), %rdx
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	wrc_planar_step@PLT
+	movl	%eax, %edi
+	leaq	.LC53(%rip), %rsi
+	call	done
+	leaq	248(%rsp), %rsi
+	movl	$8, %edx
+	leaq	.LC54(%rip), %rdi
+	call	show
+	leaq	344(%rsp), %rdi
+	call	show_solution
+	leaq	536(%rsp), %rsi
+	movl	$6, %edx
+	leaq	.LC55(%rip), %rdi
+	call	show
+	leaq	624(%rsp), %rsi
+	movl	$9, %edx
+	leaq	.LC56(%rip), %rdi
+	call	show
+	movq	%rbx, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	%r12, %rdi
+	call	wrc_model_destroy@PLT
+	addq	$3320, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+	.size	posed, .-posed
+	.section	.rodata.str1.8
+	.align 8
+.LC64:
+	.string	"wrc_planar_roll(contact, 2e-3)"
+	.align 8
+.LC65:
+	.string	"wrc_planar_normal(contact, &gap, &input.load, &solution)"
+	.align 8
+.LC66:
+	.string	"wrc_planar_regularise(contact, &strips, &solution)"
+	.section	.rodata.str1.1
+.LC71:
+	.string	"wrc_planar_roll(contact, 1.0)"
+	.section	.rodata.str1.8
+	.align 8
+.LC72:
+	.string	"wrc_planar_tangential(contact, &ellipse, &creepage, &input.friction, &forces)"
+	.align 8
+.LC73:
+	.string	"wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage)"
+	.text
+	.type	given, @function
+given:
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$4992, %rsp
+	leaq	3808(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	wrc_config_default
+	movl	$1, 4668(%rsp)
+	movq	%rbx, %rdi
+	call	model_of
+	movq	%rax, %rbp
+	movl	$0, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, %rbx
+	movl	$0, %eax
+	movsd	.LC57(%rip), %xmm2
+	movsd	.LC58(%rip), %xmm6
+	movsd	.LC59(%rip), %xmm5
+	movsd	.LC60(%rip), %xmm4
+	movsd	.LC61(%rip), %xmm3
+.L54:
+	leal	-20(%rax), %edx
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%edx, %xmm0
+	mulsd	%xmm2, %xmm0
+	movsd	%xmm0, 3472(%rsp,%rax,8)
+	movapd	%xmm0, %xmm1
+	addsd	%xmm0, %xmm1
+	mulsd	%xmm0, %xmm1
+	movsd	%xmm1, 3136(%rsp,%rax,8)
+	movsd	%xmm6, 2800(%rsp,%rax,8)
+	movapd	%xmm0, %xmm1
+	mulsd	%xmm5, %xmm1
+	mulsd	%xmm0, %xmm1
+	movapd	%xmm4, %xmm0
+	subsd	%xmm1, %xmm0
+	movsd	%xmm0, 2464(%rsp,%rax,8)
+	movsd	%xmm2, 2128(%rsp,%rax,8)
+	mulsd	%xmm3, %xmm0
+	movsd	%xmm0, 1792(%rsp,%rax,8)
+	addq	$1, %rax
+	cmpq	$41, %rax
+	jne	.L54
+	leaq	1696(%rsp), %r13
+	movl	$0, %r14d
+	movq	$0, 1700(%rsp)
+	movq	$0, 1784(%rsp)
+	leaq	1704(%rsp), %rdi
+	movl	$11, %ecx
+	movq	%r14, %rax
+	rep stosq
+	movl	$41, 1696(%rsp)
+	leaq	3472(%rsp), %rax
+	movq	%rax, 1704(%rsp)
+	leaq	3136(%rsp), %rax
+	movq	%rax, 1712(%rsp)
+	leaq	2800(%rsp), %rax
+	movq	%rax, 1728(%rsp)
+	leaq	1232(%rsp), %r12
+	movq	%r12, %rdi
+	call	wrc_planar_input_default
+	leaq	720(%rsp), %rdi
+	movl	$64, %ecx
+	movq	%r14, %rax
+	rep stosq
+	movl	$512, 720(%rsp)
+	movq	%r13, 1288(%rsp)
+	movl	$3, 1296(%rsp)
+	movq	.LC62(%rip), %rax
+	movq	%rax, 1312(%rsp)
+	movq	%rsp, %rdi
+	pxor	%xmm7, %xmm7
+	movaps	%xmm7, (%rsp)
+	movaps	%xmm7, 16(%rsp)
+	movaps	%xmm7, 32(%rsp)
+	movaps	%xmm7, 48(%rsp)
+	movaps	%xmm7, 64(%rsp)
+	call	wrc_creepage_init@PLT
+	movdqa	(%rsp), %xmm3
+	movaps	%xmm3, 640(%rsp)
+	movq	16(%rsp), %r10
+	movq	24(%rsp), %r11
+	movq	%r10, 656(%rsp)
+	movq	%r11, 664(%rsp)
+	movq	32(%rsp), %r8
+	movq	40(%rsp), %r9
+	movq	%r8, 672(%rsp)
+	movq	%r9, 680(%rsp)
+	movq	48(%rsp), %rsi
+	movq	56(%rsp), %rdi
+	movq	%rsi, 688(%rsp)
+	movq	%rdi, 696(%rsp)
+	movq	64(%rsp), %rax
+	movq	72(%rsp), %rdx
+	movq	%rax, 704(%rsp)
+	movq	%rdx, 712(%rsp)
+	movq	.LC63(%rip), %rcx
+	movq	%rcx, 648(%rsp)
+	movdqa	640(%rsp), %xmm4
+	movups	%xmm4, 1368(%rsp)
+	movq	%r10, 1384(%rsp)
+	movq	%r11, 1392(%rsp)
+	movq	%r8, 1400(%rsp)
+	movq	%r9, 1408(%rsp)
+	movq	%rsi, 1416(%rsp)
+	movq	%rdi, 1424(%rsp)
+	movq	%rax, 1432(%rsp)
+	movq	%rdx, 1440(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movsd	.LC38(%rip), %xmm0
+	movq	%rbx, %rdi
+	call	wrc_planar_roll@PLT
+	movl	%eax, %edi
+	leaq	.LC64(%rip), %rsi
+	call	done
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	720(%rsp), %rdx
+	movq	%r12, %rsi
+	movq	%rbx, %rdi
+	call	wrc_planar_step@PLT
+	movl	%eax, %edi
+	leaq	.LC53(%rip), %rsi
+	call	done
+	leaq	824(%rsp), %rdi
+	call	show_solution
+	leaq	1016(%rsp), %rsi
+	movl	$6, %edx
+	leaq	.LC55(%rip), %rdi
+	call	show
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	448(%rsp), %r12
+	leaq	1296(%rsp), %rdx
+	movq	%r12, %rcx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_planar_normal@PLT
+	movl	%eax, %edi
+	leaq	.LC65(%rip), %rsi
+	call	done
+	movq	%r12, %rdi
+	call	show_solution
+	leaq	368(%rsp), %rsi
+	pxor	%xmm7, %xmm7
+	movups	%xmm7, 372(%rsp)
+	movups	%xmm7, 388(%rsp)
+	movups	%xmm7, 404(%rsp)
+	movups	%xmm7, 420(%rsp)
+	movups	%xmm7, 432(%rsp)
+	movl	$21, 368(%rsp)
+	leaq	3552(%rsp), %rax
+	movq	%rax, 376(%rsp)
+	leaq	2208(%rsp), %rax
+	movq	%rax, 384(%rsp)
+	leaq	2544(%rsp), %rax
+	movq	%rax, 400(%rsp)
+	leaq	1872(%rsp), %rax
+	movq	%rax, 408(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%r12, %rdx
+	movq	%rbx, %rdi
+	call	wrc_planar_regularise@PLT
+	movl	%eax, %edi
+	leaq	.LC66(%rip), %rsi
+	call	done
+	movq	%r12, %rdi
+	call	show_solution
+	leaq	304(%rsp), %r13
+	pxor	%xmm7, %xmm7
+	movups	%xmm7, 328(%rsp)
+	movups	%xmm7, 344(%rsp)
+	movq	$0, 360(%rsp)
+	movq	.LC60(%rip), %rax
+	movq	%rax, 304(%rsp)
+	movq	.LC67(%rip), %rax
+	movq	%rax, 312(%rsp)
+	movq	.LC68(%rip), %rax
+	movq	%rax, 320(%rsp)
+	movq	.LC69(%rip), %rax
+	movq	%rax, 336(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movsd	.LC70(%rip), %xmm0
+	movq	%rbx, %rdi
+	call	wrc_planar_roll@PLT
+	movl	%eax, %edi
+	leaq	.LC71(%rip), %rsi
+	call	done
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	208(%rsp), %r12
+	leaq	1448(%rsp), %rcx
+	leaq	640(%rsp), %rdx
+	movq	%r12, %r8
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_planar_tangential@PLT
+	movl	%eax, %edi
+	leaq	.LC72(%rip), %rsi
+	call	done
+	movl	$6, %edx
+	movq	%r12, %rsi
+	leaq	.LC50(%rip), %rdi
+	call	show
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	80(%rsp), %r12
+	movq	%r12, %rdx
+	movl	$-1, %esi
+	movq	%rbx, %rdi
+	call	wrc_contact_damage@PLT
+	movl	%eax, %edi
+	leaq	.LC73(%rip), %rsi
+	call	done
+	movl	$9, %edx
+	movq	%r12, %rsi
+	leaq	.LC29(%rip), %rdi
+	call	show
+	movq	%rbx, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	%rbp, %rdi
+	call	wrc_model_destroy@PLT
+	addq	$4992, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	ret
+	.size	given, .-given
+	.type	wrc_wear_laws_default, @function
+wrc_wear_laws_default:
+	pushq	%rbx
+	subq	$192, %rsp
+	movq	%rdi, %rbx
+	movq	%rsp, %rdx
+	movq	$0, 4(%rsp)
+	movq	$0, 176(%rsp)
+	leaq	8(%rsp), %rdi
+	movl	$22, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$184, (%rsp)
+	movq	%rdx, %rdi
+	call	wrc_wear_laws_init@PLT
+	movdqa	(%rsp), %xmm0
+	movups	%xmm0, (%rbx)
+	movdqa	16(%rsp), %xmm1
+	movups	%xmm1, 16(%rbx)
+	movdqa	32(%rsp), %xmm2
+	movups	%xmm2, 32(%rbx)
+	movdqa	48(%rsp), %xmm3
+	movups	%xmm3, 48(%rbx)
+	movdqa	64(%rsp), %xmm4
+	movups	%xmm4, 64(%rbx)
+	movdqa	80(%rsp), %xmm5
+	movups	%xmm5, 80(%rbx)
+	movdqa	96(%rsp), %xmm6
+	movups	%xmm6, 96(%rbx)
+	movdqa	112(%rsp), %xmm7
+	movups	%xmm7, 112(%rbx)
+	movdqa	128(%rsp), %xmm0
+	movups	%xmm0, 128(%rbx)
+	movdqa	144(%rsp), %xmm1
+	movups	%xmm1, 144(%rbx)
+	movdqa	160(%rsp), %xmm2
+	movups	%xmm2, 160(%rbx)
+	movq	176(%rsp), %rax
+	movq	%rax, 176(%rbx)
+	movq	%rbx, %rax
+	addq	$192, %rsp
+	popq	%rbx
+	ret
+	.size	wrc_wear_laws_default, .-wrc_wear_laws_default
+	.type	rolling, @function
+rolling:
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$1928, %rsp
+	movq	%rdi, %rbx
+	movq	%rsp, %r12
+	movl	$0, %r13d
+	movl	$89, %ecx
+	movq	%r12, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movl	$712, (%rsp)
+	movq	%r12, %rdi
+	call	wrc_wheel_input_init@PLT
+	leaq	1200(%rsp), %rdi
+	movl	$89, %ecx
+	movq	%r12, %rsi
+	rep movsq
+	movsd	56(%rsp), %xmm0
+	movsd	%xmm0, 1256(%rsp)
+	movsd	64(%rsp), %xmm0
+	movsd	%xmm0, 1264(%rsp)
+	movsd	96(%rsp), %xmm0
+	movsd	%xmm0, 1296(%rsp)
+	movdqa	1216(%rsp), %xmm3
+	movaps	%xmm3, 960(%rsp)
+	movdqa	1232(%rsp), %xmm5
+	movaps	%xmm5, 976(%rsp)
+	movdqa	1248(%rsp), %xmm7
+	movaps	%xmm7, 992(%rsp)
+	movdqa	1264(%rsp), %xmm3
+	movaps	%xmm3, 1008(%rsp)
+	movdqa	1280(%rsp), %xmm5
+	movaps	%xmm5, 1024(%rsp)
+	movdqa	1296(%rsp), %xmm7
+	movaps	%xmm7, 1040(%rsp)
+	movdqa	1312(%rsp), %xmm1
+	movaps	%xmm1, 1056(%rsp)
+	movdqa	1328(%rsp), %xmm2
+	movaps	%xmm2, 1072(%rsp)
+	movdqa	1344(%rsp), %xmm4
+	movaps	%xmm4, 1088(%rsp)
+	movdqa	1360(%rsp), %xmm6
+	movaps	%xmm6, 1104(%rsp)
+	movdqa	1376(%rsp), %xmm3
+	movaps	%xmm3, 1120(%rsp)
+	movdqa	1392(%rsp), %xmm5
+	movaps	%xmm5, 1136(%rsp)
+	movdqa	1408(%rsp), %xmm7
+	movaps	%xmm7, 1152(%rsp)
+	movdqa	1424(%rsp), %xmm1
+	movaps	%xmm1, 1168(%rsp)
+	movdqa	1440(%rsp), %xmm2
+	movaps	%xmm2, 1184(%rsp)
+	movq	.LC57(%rip), %rbp
+	movq	%rbp, 1000(%rsp)
+	movq	.LC41(%rip), %rax
+	movq	%rax, 1008(%rsp)
+	movq	.LC42(%rip), %rax
+	movq	%rax, 1040(%rsp)
+	movdqa	992(%rsp), %xmm4
+	movaps	%xmm4, 1248(%rsp)
+	movdqa	1008(%rsp), %xmm6
+	movaps	%xmm6, 1264(%rsp)
+	movdqa	1040(%rsp), %xmm3
+	movaps	%xmm3, 1296(%rsp)
+	movl	$30, %ecx
+	movq	%r12, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movq	%r12, %rdi
+	call	wrc_friction_init@PLT
+	movdqa	(%rsp), %xmm5
+	movaps	%xmm5, 720(%rsp)
+	movq	16(%rsp), %r10
+	movq	24(%rsp), %r11
+	movq	%r10, 736(%rsp)
+	movq	%r11, 744(%rsp)
+	movq	32(%rsp), %r8
+	movq	40(%rsp), %r9
+	movq	%r8, 752(%rsp)
+	movq	%r9, 760(%rsp)
+	movq	48(%rsp), %rsi
+	movq	56(%rsp), %rdi
+	movq	%rsi, 768(%rsp)
+	movq	%rdi, 776(%rsp)
+	movq	64(%rsp), %rax
+	movq	72(%rsp), %rdx
+	movq	%rax, 784(%rsp)
+	movq	%rdx, 792(%rsp)
+	movdqa	80(%rsp), %xmm0
+	movaps	%xmm0, 800(%rsp)
+	movdqa	96(%rsp), %xmm2
+	movaps	%xmm2, 816(%rsp)
+	movdqa	112(%rsp), %xmm4
+	movaps	%xmm4, 832(%rsp)
+	movdqa	128(%rsp), %xmm6
+	movaps	%xmm6, 848(%rsp)
+	movdqa	144(%rsp), %xmm8
+	movaps	%xmm8, 864(%rsp)
+	movdqa	160(%rsp), %xmm10
+	movaps	%xmm10, 880(%rsp)
+	movdqa	176(%rsp), %xmm12
+	movaps	%xmm12, 896(%rsp)
+	movdqa	192(%rsp), %xmm14
+	movaps	%xmm14, 912(%rsp)
+	movdqa	208(%rsp), %xmm7
+	movaps	%xmm7, 928(%rsp)
+	movdqa	224(%rsp), %xmm1
+	movaps	%xmm1, 944(%rsp)
+	movsd	.LC74(%rip), %xmm1
+	movsd	%xmm1, 720(%rsp)
+	movdqa	720(%rsp), %xmm3
+	movaps	%xmm3, 1632(%rsp)
+	movq	%r10, 1648(%rsp)
+	movq	%r11, 1656(%rsp)
+	movq	%r8, 1664(%rsp)
+	movq	%r9, 1672(%rsp)
+	movq	%rsi, 1680(%rsp)
+	movq	%rdi, 1688(%rsp)
+	movq	%rax, 1696(%rsp)
+	movq	%rdx, 1704(%rsp)
+	movaps	%xmm0, 1712(%rsp)
+	movaps	%xmm2, 1728(%rsp)
+	movaps	%xmm4, 1744(%rsp)
+	movaps	%xmm6, 1760(%rsp)
+	movaps	%xmm8, 1776(%rsp)
+	movaps	%xmm10, 1792(%rsp)
+	movaps	%xmm12, 1808(%rsp)
+	movaps	%xmm14, 1824(%rsp)
+	movaps	%xmm7, 1840(%rsp)
+	movdqa	224(%rsp), %xmm4
+	movaps	%xmm4, 1856(%rsp)
+	movq	%rbp, 1256(%rsp)
+	movq	.LC41(%rip), %rax
+	movq	%rax, 1264(%rsp)
+	movq	.LC42(%rip), %rax
+	movq	%rax, 1296(%rsp)
+	movq	.LC75(%rip), %rax
+	movq	%rax, 1456(%rsp)
+	movq	%rbp, 1504(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 1568(%rsp)
+	movq	.LC77(%rip), %rax
+	movq	%rax, 1576(%rsp)
+	movsd	%xmm1, 1632(%rsp)
+	leaq	1200(%rsp), %rsi
+	movl	$89, %ecx
+	movq	%rbx, %rdi
+	rep movsq
+	movq	%rbx, %rax
+	addq	$1928, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	ret
+	.size	rolling, .-rolling
+	.section	.rodata.str1.8
+	.align 8
+.LC78:
+	.string	"wrc_model_profile(model, WRC_SIDE_LEFT, WRC_BODY_RAIL, &y, &z, &deviation)"
+	.section	.rodata.str1.1
+.LC79:
+	.string	"z.data[y.count / 4]"
+	.section	.rodata.str1.8
+	.align 8
+.LC80:
+	.string	"wrc_contact_wrench(contact, &input, &wrench)"
+	.align 8
+.LC82:
+	.string	"wrc_contact_wrench_derivatives(contact, &input, &wrench, &derivatives)"
+	.section	.rodata.str1.1
+.LC83:
+	.string	"derivatives.wrench[0][0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC88:
+	.string	"wrc_contact_wrench_batch(contacts, 2, inputs, sizeof inputs[0], wrenches, sizeof wrenches[0], statuses)"
+	.section	.rodata.str1.1
+.LC89:
+	.string	"wrenches[i].force[0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC90:
+	.string	"wrc_contact_state_size(model, &bytes)"
+	.align 8
+.LC91:
+	.string	"wrc_contact_portable_size(model, &portable_bytes)"
+	.align 8
+.LC92:
+	.string	"wrc_contact_save(contacts[0], state, bytes)"
+	.align 8
+.LC93:
+	.string	"wrc_contact_save_portable(contacts[0], portable, portable_bytes)"
+	.align 8
+.LC95:
+	.string	"wrc_contact_wrench(contacts[0], &inputs[0], &wrenches[0])"
+	.section	.rodata.str1.1
+.LC96:
+	.string	"wrenches[0].force[0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC97:
+	.string	"wrc_contact_restore(contacts[0], state, bytes)"
+	.align 8
+.LC98:
+	.string	"wrc_contact_restore_portable(contacts[0], portable, portable_bytes)"
+	.align 8
+.LC100:
+	.string	"wrc_contact_last_error(contacts[0], text, sizeof text)"
+	.text
+	.type	wheel_on_a_rail, @function
+wheel_on_a_rail:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$6280, %rsp
+	leaq	5088(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	standard
+	movq	%rbx, %rdi
+	call	model_of
+	movq	%rax, %rbx
+	movq	%rax, 8(%rsp)
+	movl	$0, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, 5072(%rsp)
+	movl	$1, %esi
+	movq	%rbx, %rdi
+	call	contact_of
+	movq	%rax, 5080(%rsp)
+	leaq	5040(%rsp), %rcx
+	leaq	5000(%rsp), %r9
+	leaq	5008(%rsp), %r8
+	movl	$1, %edx
+	movl	$1, %esi
+	movq	%rbx, %rdi
+	call	wrc_model_profile@PLT
+	movl	%eax, %edi
+	leaq	.LC78(%rip), %rsi
+	call	done
+	movq	5048(%rsp), %rax
+	shrq	$2, %rax
+	movq	5008(%rsp), %rdx
+	leaq	(%rdx,%rax,8), %rsi
+	movl	$1, %edx
+	leaq	.LC79(%rip), %rdi
+	call	show
+	leaq	5072(%rsp), %r12
+	leaq	5088(%rsp), %rax
+	movq	%rax, (%rsp)
+.L62:
+	movq	(%r12), %rbx
+	leaq	1120(%rsp), %r13
+	movq	%r13, %rdi
+	call	rolling
+	movl	$0, %eax
+	movq	$0, 788(%rsp)
+	movq	$0, 944(%rsp)
+	leaq	792(%rsp), %rdi
+	movl	$20, %ecx
+	rep stosq
+	movl	$168, 784(%rsp)
+	leaq	2304(%rsp), %rdi
+	movl	$225, %ecx
+	rep stosq
+	movl	$1800, 2304(%rsp)
+	movl	$1, 1124(%rsp)
+	movq	.LC46(%rip), %rax
+	movq	%rax, 1792(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	784(%rsp), %rbp
+	movq	%rbp, %rdx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC80(%rip), %rsi
+	call	done
+	leaq	800(%rsp), %r15
+	movl	$19, %edx
+	movq	%r15, %rsi
+	leaq	.LC35(%rip), %r14
+	movq	%r14, %rdi
+	call	show
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	show_regions
+	movq	.LC81(%rip), %rax
+	movq	%rax, 1152(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	leaq	2304(%rsp), %rcx
+	movq	%rbp, %rdx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench_derivatives@PLT
+	movl	%eax, %edi
+	leaq	.LC82(%rip), %rsi
+	call	done
+	movl	$19, %edx
+	movq	%r15, %rsi
+	movq	%r14, %rdi
+	call	show
+	leaq	2312(%rsp), %rsi
+	movl	$224, %edx
+	leaq	.LC83(%rip), %rdi
+	call	show
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	show_regions
+	movq	.LC84(%rip), %rax
+	movq	%rax, 752(%rsp)
+	movq	.LC43(%rip), %rax
+	movq	%rax, 760(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 768(%rsp)
+	movq	.LC85(%rip), %rax
+	movq	%rax, 776(%rsp)
+	movl	$2, 1688(%rsp)
+	leaq	752(%rsp), %rax
+	movq	%rax, 1672(%rsp)
+	leaq	768(%rsp), %rax
+	movq	%rax, 1680(%rsp)
+	movl	$1, 1692(%rsp)
+	movl	$2, 1560(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rbp, %rdx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC80(%rip), %rsi
+	call	done
+	movl	$19, %edx
+	movq	%r15, %rsi
+	movq	%r14, %rdi
+	call	show
+	movl	$1, 1564(%rsp)
+	movq	.LC86(%rip), %rax
+	movq	%rax, 1624(%rsp)
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rbp, %rdx
+	movq	%r13, %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC80(%rip), %rsi
+	call	done
+	movl	$19, %edx
+	movq	%r15, %rsi
+	movq	%r14, %rdi
+	call	show
+	addq	$8, %r12
+	movq	(%rsp), %rax
+	cmpq	%rax, %r12
+	jne	.L62
+	movl	$42, %ecx
+	movl	$0, %eax
+	movq	%rbp, %rdi
+	rep stosq
+	leaq	16(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	rolling
+	leaq	2304(%rsp), %rdi
+	movl	$89, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	movq	.LC87(%rip), %r12
+	movq	%r12, 2344(%rsp)
+	movq	$0x000000000, 2336(%rsp)
+	movl	$1, 2312(%rsp)
+	movl	$168, 784(%rsp)
+	movq	%rbx, %rdi
+	call	rolling
+	leaq	3016(%rsp), %rdi
+	movl	$89, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	movq	%r12, 3056(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 3048(%rsp)
+	movl	$1, 3024(%rsp)
+	movl	$168, 952(%rsp)
+	movb	$0, text(%rip)
+	movq	5072(%rsp), %rax
+	movq	%rax, spoken(%rip)
+	leaq	2304(%rsp), %rdx
+	leaq	5072(%rsp), %rdi
+	subq	$8, %rsp
+	leaq	776(%rsp), %rax
+	pushq	%rax
+	movl	$168, %r9d
+	movq	%rbp, %r8
+	movl	$712, %ecx
+	movl	$2, %esi
+	call	wrc_contact_wrench_batch@PLT
+	movl	%eax, %edi
+	leaq	.LC88(%rip), %rsi
+	call	done
+	movq	%r15, %rsi
+	movl	$19, %edx
+	leaq	.LC89(%rip), %rbx
+	movq	%rbx, %rdi
+	call	show
+	leaq	984(%rsp), %rsi
+	movl	$19, %edx
+	movq	%rbx, %rdi
+	call	show
+	movq	%r13, %rdi
+	call	standard
+	movq	%r13, %rdi
+	call	model_of
+	movq	%rax, %rbx
+	leaq	760(%rsp), %rsi
+	movq	%rax, %rdi
+	call	wrc_contact_state_size@PLT
+	movl	%eax, %edi
+	leaq	.LC90(%rip), %rsi
+	call	done
+	leaq	768(%rsp), %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_portable_size@PLT
+	movl	%eax, %edi
+	leaq	.LC91(%rip), %rsi
+	call	done
+	movq	%rbx, %rdi
+	call	wrc_model_destroy@PLT
+	movq	760(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	malloc@PLT
+	movq	%rax, %rbp
+	movq	768(%rsp), %rdi
+	call	malloc@PLT
+	movq	%rax, %r12
+	movb	$0, text(%rip)
+	movq	5088(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	movq	%rbx, %rdx
+	movq	%rbp, %rsi
+	call	wrc_contact_save@PLT
+	movl	%eax, %edi
+	leaq	.LC92(%rip), %rsi
+	call	done
+	movb	$0, text(%rip)
+	movq	5088(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	movq	768(%rsp), %rdx
+	movq	%r12, %rsi
+	call	wrc_contact_save_portable@PLT
+	movl	%eax, %edi
+	leaq	.LC93(%rip), %rsi
+	call	done
+	addq	$16, %rsp
+	movl	$0, %ebx
+	leaq	784(%rsp), %r15
+	leaq	.LC95(%rip), %r14
+	leaq	.LC96(%rip), %r13
+	jmp	.L67
+.L73:
+	movb	$0, text(%rip)
+	movq	5072(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	movq	744(%rsp), %rdx
+	movq	%rbp, %rsi
+	call	wrc_contact_restore@PLT
+	movl	%eax, %edi
+	leaq	.LC97(%rip), %rsi
+	call	done
+.L64:
+	addl	$1, %ebx
+.L67:
+	movq	.LC94(%rip), %rax
+	movq	%rax, 2344(%rsp)
+	movb	$0, text(%rip)
+	movq	5072(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	leaq	2304(%rsp), %rsi
+	movq	%r15, %rdx
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	movq	%r14, %rsi
+	call	done
+	leaq	800(%rsp), %rsi
+	movl	$19, %edx
+	movq	%r13, %rdi
+	call	show
+	testl	%ebx, %ebx
+	je	.L73
+	cmpl	$1, %ebx
+	je	.L74
+	addl	$1, %ebx
+	cmpl	$3, %ebx
+	jne	.L67
+	movq	%r12, %rdi
+	call	free@PLT
+	movq	%rbp, %rdi
+	call	free@PLT
+	leaq	4288(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	rolling
+	movq	.LC87(%rip), %rax
+	movq	%rax, 4328(%rsp)
+	leaq	5088(%rsp), %rdi
+	movq	%rbx, %rsi
+	call	in_own_memory
+	movl	$900, %edi
+	call	wrc_get_api@PLT
+	movq	%rax, %r8
+	movq	$0, 4116(%rsp)
+	movq	$0, 4272(%rsp)
+	leaq	4120(%rsp), %rdi
+	movl	$20, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$168, 4112(%rsp)
+	movl	$1, 4292(%rsp)
+	movq	.LC99(%rip), %rax
+	movq	%rax, 4960(%rsp)
+	leaq	4112(%rsp), %rdx
+	movq	%rbx, %rsi
+	movq	5072(%rsp), %rdi
+	call	*224(%r8)
+	cmpl	$-4, %eax
+	jne	.L75
+	movl	$400, %edx
+	leaq	text(%rip), %rbx
+	movq	%rbx, %rsi
+	movq	5072(%rsp), %rdi
+	call	wrc_contact_last_error@PLT
+	movl	%eax, %edi
+	leaq	.LC100(%rip), %rsi
+	call	done
+	movq	%rbx, %rdi
+	call	puts@PLT
+	movq	5072(%rsp), %rdi
+	call	wrc_contact_destroy@PLT
+	movq	5080(%rsp), %rdi
+	call	wrc_contact_destroy@PLT
+	movq	8(%rsp), %rdi
+	call	wrc_model_destroy@PLT
+	addq	$6280, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+.L74:
+	movb	$0, text(%rip)
+	movq	5072(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	movq	752(%rsp), %rdx
+	movq	%r12, %rsi
+	call	wrc_contact_restore_portable@PLT
+	movl	%eax, %edi
+	leaq	.LC98(%rip), %rsi
+	call	done
+	jmp	.L64
+.L75:
+	movl	$3, %edi
+	call	exit@PLT
+	.size	wheel_on_a_rail, .-wheel_on_a_rail
+	.type	other_rails, @function
+other_rails:
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$10000, %rsp
+	leaq	8816(%rsp), %rdi
+	call	standard
+	leaq	8096(%rsp), %rdi
+	call	rolling
+	movl	$1, 8100(%rsp)
+	movq	.LC103(%rip), %rax
+	movq	%rax, 8768(%rsp)
+	movq	.LC104(%rip), %rax
+	movq	%rax, 8080(%rsp)
+	movq	.LC105(%rip), %rax
+	movq	%rax, 8088(%rsp)
+	leaq	7568(%rsp), %rdx
+	movl	$63, %ecx
+	movl	$0, %eax
+	movq	%rdx, %rdi
+	rep stosq
+	movq	%rdx, %rdi
+	movsd	.LC57(%rip), %xmm2
+	leaq	8080(%rsp), %rdx
+.L77:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	movapd	%xmm0, %xmm1
+	addsd	%xmm0, %xmm1
+	movsd	%xmm1, (%rdi)
+	mulsd	%xmm2, %xmm0
+	movsd	%xmm0, 16(%rdi)
+	movl	$2, 28(%rdi)
+	movq	%rdx, 32(%rdi)
+	movl	$3, 40(%rdi)
+	addl	$1, %eax
+	addq	$168, %rdi
+	cmpl	$3, %eax
+	jne	.L77
+	movl	$3, 9984(%rsp)
+	movl	$168, 9988(%rsp)
+	leaq	7568(%rsp), %rax
+	movq	%rax, 9992(%rsp)
+	movl	$0, %eax
+	movsd	.LC106(%rip), %xmm5
+	movsd	.LC107(%rip), %xmm4
+	movsd	.LC108(%rip), %xmm3
+	movsd	.LC109(%rip), %xmm2
+.L78:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	mulsd	%xmm5, %xmm0
+	mulsd	%xmm4, %xmm0
+	movsd	%xmm0, 7296(%rsp,%rax,8)
+	movl	%eax, %ecx
+	sarl	$31, %ecx
+	shrl	$27, %ecx
+	leal	(%rcx,%rax), %edx
+	andl	$31, %edx
+	subl	%ecx, %edx
+	subl	$16, %edx
+	pxor	%xmm1, %xmm1
+	cvtsi2sdl	%edx, %xmm1
+	movapd	%xmm1, %xmm0
+	mulsd	%xmm3, %xmm0
+	mulsd	%xmm1, %xmm0
+	mulsd	%xmm2, %xmm0
+	movsd	%xmm0, 7024(%rsp,%rax,8)
+	addq	$1, %rax
+	cmpq	$33, %rax
+	jne	.L78
+	movl	$33, 9752(%rsp)
+	movl	$1, 9756(%rsp)
+	leaq	7296(%rsp), %rax
+	movq	%rax, 9760(%rsp)
+	leaq	7024(%rsp), %rax
+	movq	%rax, 9776(%rsp)
+	movq	.LC110(%rip), %rax
+	movq	%rax, 8784(%rsp)
+	movq	.LC85(%rip), %rax
+	movq	%rax, 8792(%rsp)
+	leaq	8096(%rsp), %rbp
+	leaq	8816(%rsp), %rbx
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	wrench_of
+	movq	%rbp, %rsi
+	movq	%rbx, %rdi
+	call	in_own_memory
+	movq	%rsp, %rbp
+	movq	%rbp, %rdi
+	call	standard
+	movl	$148, %ecx
+	movq	%rbx, %rdi
+	movq	%rbp, %rsi
+	rep movsq
+	movq	$0x000000000, 8792(%rsp)
+	movq	$0x000000000, 8784(%rsp)
+	movl	$0, %eax
+	pxor	%xmm11, %xmm11
+	movsd	.LC75(%rip), %xmm5
+	movsd	.LC111(%rip), %xmm4
+	movsd	.LC112(%rip), %xmm3
+	movsd	.LC113(%rip), %xmm2
+	movsd	.LC101(%rip), %xmm12
+	movsd	.LC104(%rip), %xmm6
+	movsd	.LC57(%rip), %xmm8
+	movsd	.LC102(%rip), %xmm10
+	movsd	.LC114(%rip), %xmm9
+	movsd	.LC105(%rip), %xmm7
+	jmp	.L83
+.L94:
+	pxor	%xmm1, %xmm1
+	comisd	%xmm0, %xmm1
+	ja	.L79
+	movapd	%xmm10, %xmm1
+	comisd	%xmm0, %xmm8
+	jbe	.L79
+	movapd	%xmm0, %xmm1
+	mulsd	%xmm9, %xmm1
+.L79:
+	mulsd	.LC75(%rip), %xmm1
+	addsd	%xmm1, %xmm11
+	addq	$1, %rax
+	cmpq	$356, %rax
+	je	.L97
+.L83:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	mulsd	%xmm5, %xmm0
+	subsd	%xmm4, %xmm0
+	movsd	%xmm0, 4176(%rsp,%rax,8)
+	movsd	%xmm11, 1328(%rsp,%rax,8)
+	addsd	%xmm3, %xmm0
+	movapd	%xmm12, %xmm1
+	comisd	%xmm0, %xmm2
+	ja	.L79
+	comisd	%xmm0, %xmm6
+	jbe	.L94
+	addsd	%xmm7, %xmm0
+	movapd	%xmm0, %xmm1
+	divsd	.LC60(%rip), %xmm1
+	jmp	.L79
+.L97:
+	movsd	2928(%rsp), %xmm1
+	leaq	1328(%rsp), %rax
+	leaq	4176(%rsp), %rdx
+.L84:
+	movsd	(%rax), %xmm0
+	subsd	%xmm1, %xmm0
+	movsd	%xmm0, (%rax)
+	addq	$8, %rax
+	cmpq	%rdx, %rax
+	jne	.L84
+	movdqa	9872(%rsp), %xmm7
+	movaps	%xmm7, 1216(%rsp)
+	movdqa	9888(%rsp), %xmm7
+	movaps	%xmm7, 1232(%rsp)
+	movdqa	9904(%rsp), %xmm7
+	movaps	%xmm7, 1248(%rsp)
+	movdqa	9920(%rsp), %xmm7
+	movaps	%xmm7, 1264(%rsp)
+	movdqa	9936(%rsp), %xmm7
+	movaps	%xmm7, 1280(%rsp)
+	movdqa	9952(%rsp), %xmm7
+	movaps	%xmm7, 1296(%rsp)
+	movdqa	9968(%rsp), %xmm7
+	movaps	%xmm7, 1312(%rsp)
+	movq	.LC115(%rip), %rax
+	movq	%rax, 1184(%rsp)
+	movq	.LC104(%rip), %rax
+	movq	%rax, 1192(%rsp)
+	movl	$1, 1200(%rsp)
+	movl	$356, 1204(%rsp)
+	leaq	4176(%rsp), %rax
+	movq	%rax, 1208(%rsp)
+	leaq	1328(%rsp), %rax
+	movq	%rax, 1216(%rsp)
+	movdqa	1184(%rsp), %xmm7
+	movaps	%xmm7, 9840(%rsp)
+	movdqa	1200(%rsp), %xmm7
+	movaps	%xmm7, 9856(%rsp)
+	movdqa	1216(%rsp), %xmm7
+	movaps	%xmm7, 9872(%rsp)
+	leaq	8096(%rsp), %r12
+	leaq	8816(%rsp), %rbp
+	movq	%r12, %rsi
+	movq	%rbp, %rdi
+	call	wrench_of
+	movq	%rsp, %rbx
+	movq	%rbx, %rdi
+	call	standard
+	movl	$148, %ecx
+	movq	%rbp, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	movq	.LC70(%rip), %rax
+	movq	%rax, 9832(%rsp)
+	movq	%rbx, %rdi
+	call	rolling
+	movl	$89, %ecx
+	movq	%r12, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	movq	$0x000000000, 8160(%rsp)
+	movq	.LC116(%rip), %rax
+	movq	%rax, 8136(%rsp)
+	movq	.LC41(%rip), %rax
+	movq	%rax, 8800(%rsp)
+	movq	%r12, %rsi
+	movq	%rbp, %rdi
+	call	wrench_of
+	addq	$10000, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	ret
+	.size	other_rails, .-other_rails
+	.section	.rodata.str1.8
+	.align 8
+.LC118:
+	.string	"wrc_contact_wrench(wheel, &down, &wrench)"
+	.align 8
+.LC119:
+	.string	"wrc_planar_step(planar, &step, NULL)"
+	.align 8
+.LC121:
+	.string	"wrc_contact_wear(contact, 0, &laws, &wear)"
+	.section	.rodata.str1.1
+.LC122:
+	.string	"wear.worn_area_rate"
+	.section	.rodata.str1.8
+	.align 8
+.LC124:
+	.string	"wrc_contact_temperature(contact, 0, &bulk, &temperature)"
+	.section	.rodata.str1.1
+.LC125:
+	.string	"temperature.at_entry"
+	.section	.rodata.str1.8
+	.align 8
+.LC126:
+	.string	"wrc_contact_stresses(contact, 0, WRC_BODY_RAIL, depths, 3, levels, &stresses)"
+	.align 8
+.LC130:
+	.string	"wrc_contact_accumulate(contact, &accumulation, &bins[i], i == 0 ? &bins[2] : NULL, &totals)"
+	.section	.rodata.str1.1
+.LC131:
+	.string	"totals.sum[0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC132:
+	.string	"wrc_damage_merge(&bins[0], &bins[1])"
+	.align 8
+.LC133:
+	.string	"wrc_damage_values(&bins[0], quantity, values)"
+	.section	.rodata.str1.1
+.LC134:
+	.string	"values"
+	.section	.rodata.str1.8
+	.align 8
+.LC135:
+	.string	"wrc_damage_values(&bins[2], quantity, values)"
+	.align 8
+.LC136:
+	.string	"largest in a bin %.17g %.17g, overflow %d\n"
+	.align 8
+.LC138:
+	.string	"wrc_whole_life_damage(&fatigue, 40.0, &life)"
+	.section	.rodata.str1.1
+.LC139:
+	.string	"life"
+	.section	.rodata.str1.8
+	.align 8
+.LC143:
+	.string	"wrc_linear_coefficients(1.5, 0.3, 0.27, &coefficients)"
+	.section	.rodata.str1.1
+.LC144:
+	.string	"coefficients.c11"
+	.section	.rodata.str1.8
+	.align 8
+.LC145:
+	.string	"wrc_shakedown_limit(0.2, &limit)"
+	.section	.rodata.str1.1
+.LC146:
+	.string	"limit"
+	.section	.rodata.str1.8
+	.align 8
+.LC147:
+	.string	"wrc_shakedown_limit_point(0.2, &limit)"
+	.align 8
+.LC150:
+	.string	"wrc_flash_temperature(16, 0.5e-3, density, speed, &wheel, &rail, rise)"
+	.section	.rodata.str1.1
+.LC151:
+	.string	"rise"
+	.section	.rodata.str1.8
+	.align 8
+.LC155:
+	.string	"wrc_exact_gap(contact, &grid, gap)"
+	.section	.rodata.str1.1
+.LC156:
+	.string	"gap"
+	.section	.rodata.str1.8
+	.align 8
+.LC157:
+	.string	"wrc_exact_normal(&press, &pressed, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC158:
+	.string	"pressed.approach"
+.LC159:
+	.string	"pressure"
+	.section	.rodata.str1.8
+	.align 8
+.LC160:
+	.string	"wrc_exact_rolling(&roll, &rolled, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC161:
+	.string	"rolled.fx"
+.LC162:
+	.string	"traction_x"
+.LC163:
+	.string	"slip_y"
+	.section	.rodata.str1.8
+	.align 8
+.LC164:
+	.string	"wrc_exact_transient_create(&grid, &wheel, &rail, &bodies, text, sizeof text)"
+	.align 8
+.LC165:
+	.string	"wrc_exact_transient_step(bodies, &roll, &rolled, text, sizeof text)"
+	.align 8
+.LC166:
+	.string	"wrc_exact_stress(&loads, points, 2, tensors, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC167:
+	.string	"tensors"
+	.section	.rodata.str1.8
+	.align 8
+.LC168:
+	.string	"wrc_exact_largest_stresses(&loads, depths, 2, levels, &stresses, hear, &calls, text, sizeof text)"
+	.align 8
+.LC169:
+	.string	"wrc_exact_check(planar, &options, &result)"
+	.section	.rodata.str1.1
+.LC170:
+	.string	"result.fx"
+	.section	.rodata.str1.8
+	.align 8
+.LC172:
+	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
+	.align 8
+.LC173:
+	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC174:
+	.string	"radius_difference"
+.LC175:
+	.string	"y_wheel"
+	.section	.rodata.str1.8
+	.align 8
+.LC177:
+	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC178:
+	.string	"conicity"
+.LC179:
+	.string	"wavelength"
+	.section	.rodata.str1.8
+	.align 8
+.LC183:
+	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
+	.section	.rodata.str1.1
+.LC184:
+	.string	"z[points / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC187:
+	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC188:
+	.string	"worn.passages"
+.LC189:
+	.string	"worn_z[worn.count / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC191:
+	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC192:
+	.string	"flange.height"
+	.text
+	.type	experimental, @function
+experimental:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$6872, %rsp
+	movl	$1, %edi
+	call	wrc_get_experimental_api@PLT
+	cmpl	$303, (%rax)
+	jbe	.L117
+	leaq	5680(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	standard
+	movq	%rbx, %rdi
+	call	model_of
+	movq	%rax, %rbx
+	movq	%rax, (%rsp)
+	movl	$0, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, %r12
+	movl	$0, %esi
+	movq	%rbx, %rdi
+	call	contact_of
+	movq	%rax, %r14
+	leaq	4960(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	rolling
+	movl	$0, %r13d
+	movq	$0, 4788(%rsp)
+	movq	$0, 4944(%rsp)
+	leaq	4792(%rsp), %rdi
+	movl	$20, %ecx
+	movq	%r13, %rax
+	rep stosq
+	movl	$168, 4784(%rsp)
+	leaq	4320(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	wrc_planar_input_default
+	movq	.LC117(%rip), %rax
+	movq	%rax, 4328(%rsp)
+	movq	.LC46(%rip), %rax
+	movq	%rax, 4392(%rsp)
+	movq	.LC57(%rip), %r15
+	movq	%r15, 4456(%rsp)
+	leaq	3600(%rsp), %rdi
+	movl	$89, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	movq	.LC87(%rip), %rax
+	movq	%rax, 3640(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	4784(%rsp), %rdx
+	leaq	3600(%rsp), %rsi
+	movq	%r12, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC118(%rip), %rsi
+	call	done
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	movl	$0, %edx
+	movq	%rbp, %rsi
+	movq	%r14, %rdi
+	call	wrc_planar_step@PLT
+	movl	%eax, %edi
+	leaq	.LC119(%rip), %rsi
+	call	done
+	leaq	1312(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	wrc_wear_laws_default
+	movq	.LC120(%rip), %rax
+	movq	%rax, 1408(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	960(%rsp), %rbx
+	movq	%rbx, %rcx
+	movq	%rbp, %rdx
+	movl	$0, %esi
+	movq	%r12, %rdi
+	call	wrc_contact_wear@PLT
+	movl	%eax, %edi
+	leaq	.LC121(%rip), %rsi
+	call	done
+	movl	$4, %edx
+	movq	%rbx, %rsi
+	leaq	.LC122(%rip), %rdi
+	call	show
+	leaq	2416(%rsp), %rbp
+	pxor	%xmm6, %xmm6
+	movaps	%xmm6, 2416(%rsp)
+	movaps	%xmm6, 2432(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_bulk_temperatures_init@PLT
+	movdqa	2416(%rsp), %xmm7
+	movaps	%xmm7, 576(%rsp)
+	movdqa	2432(%rsp), %xmm7
+	movaps	%xmm7, 592(%rsp)
+	movq	.LC123(%rip), %rax
+	movq	%rax, 576(%rsp)
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 692(%rsp)
+	movups	%xmm6, 708(%rsp)
+	movups	%xmm6, 724(%rsp)
+	movups	%xmm6, 740(%rsp)
+	movl	$0, 756(%rsp)
+	movl	$72, 688(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	688(%rsp), %rcx
+	leaq	576(%rsp), %rdx
+	movl	$0, %esi
+	movq	%r12, %rdi
+	call	wrc_contact_temperature@PLT
+	movl	%eax, %edi
+	leaq	.LC124(%rip), %rsi
+	call	done
+	leaq	696(%rsp), %rsi
+	movl	$8, %edx
+	leaq	.LC125(%rip), %rdi
+	call	show
+	movq	%r15, 464(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 472(%rsp)
+	movq	.LC117(%rip), %rax
+	movq	%rax, 480(%rsp)
+	movl	$73, %ecx
+	movq	%rbp, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movl	$584, 2416(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	1696(%rsp), %r13
+	leaq	464(%rsp), %rcx
+	subq	$8, %rsp
+	pushq	%rbp
+	movq	%r13, %r9
+	movl	$3, %r8d
+	movl	$1, %edx
+	movl	$0, %esi
+	movq	%r12, %rdi
+	call	wrc_contact_stresses@PLT
+	movl	%eax, %edi
+	leaq	.LC126(%rip), %rsi
+	call	done
+	movq	%r13, %rdi
+	call	show_peaks
+	leaq	1904(%rsp), %rdi
+	call	show_peaks
+	leaq	2096(%rsp), %rdi
+	call	show_peaks
+	leaq	2440(%rsp), %rdi
+	call	show_peaks
+	leaq	2632(%rsp), %rdi
+	call	show_peaks
+	leaq	2824(%rsp), %rdi
+	call	show_peaks
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 2436(%rsp)
+	movups	%xmm6, 2452(%rsp)
+	movl	$0, 2468(%rsp)
+	movl	$40, 2432(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_fatigue_laws_init@PLT
+	movdqa	2432(%rsp), %xmm7
+	movaps	%xmm7, 592(%rsp)
+	movdqa	2448(%rsp), %xmm7
+	movaps	%xmm7, 608(%rsp)
+	movq	2464(%rsp), %rax
+	movq	%rax, 624(%rsp)
+	movq	%r13, %rdi
+	call	wrc_wear_laws_default
+	movq	.LC127(%rip), %rax
+	movq	%rax, 600(%rsp)
+	leaq	bin.12(%rip), %rbp
+	movl	$38376, %edx
+	movl	$0, %esi
+	movq	%rbp, %rdi
+	call	memset@PLT
+	leaq	1144(%rsp), %r13
+	addq	$16, %rsp
+	leaq	2416(%rsp), %r15
+.L100:
+	pxor	%xmm3, %xmm3
+	movups	%xmm3, 2420(%rsp)
+	movups	%xmm3, 2436(%rsp)
+	movups	%xmm3, 2452(%rsp)
+	movl	$0, 2468(%rsp)
+	movl	$56, 2416(%rsp)
+	movq	%r15, %rdi
+	call	wrc_damage_bins_init@PLT
+	movl	2416(%rsp), %eax
+	movl	%eax, (%rbx)
+	movl	2440(%rsp), %eax
+	movl	%eax, 24(%rbx)
+	movsd	2448(%rsp), %xmm0
+	movsd	%xmm0, 32(%rbx)
+	movsd	2456(%rsp), %xmm0
+	movsd	%xmm0, 40(%rbx)
+	movl	$40, 4(%rbx)
+	movq	.LC128(%rip), %rax
+	movq	%rax, 8(%rbx)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 16(%rbx)
+	movl	$312, 28(%rbx)
+	movq	%rbp, 48(%rbx)
+	addq	$56, %rbx
+	addq	$12792, %rbp
+	cmpq	%r13, %rbx
+	jne	.L100
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 692(%rsp)
+	movl	$0, 708(%rsp)
+	movl	$40, 688(%rsp)
+	movq	.LC129(%rip), %rax
+	movq	%rax, 696(%rsp)
+	leaq	1696(%rsp), %rax
+	movq	%rax, 712(%rsp)
+	leaq	576(%rsp), %rax
+	movq	%rax, 720(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	1312(%rsp), %rbx
+	leaq	960(%rsp), %r15
+	leaq	1072(%rsp), %rcx
+	leaq	688(%rsp), %r13
+	movq	%rbx, %r8
+	movq	%r15, %rdx
+	movq	%r13, %rsi
+	movq	%r12, %rdi
+	call	wrc_contact_accumulate@PLT
+	movl	%eax, %edi
+	leaq	.LC130(%rip), %rsi
+	call	done
+	movl	$18, %edx
+	movq	%rbx, %rsi
+	leaq	.LC131(%rip), %rdi
+	call	show
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	1016(%rsp), %rbp
+	movq	%rbx, %r8
+	movl	$0, %ecx
+	movq	%rbp, %rdx
+	movq	%r13, %rsi
+	movq	%r12, %rdi
+	call	wrc_contact_accumulate@PLT
+	movl	%eax, %edi
+	leaq	.LC130(%rip), %rsi
+	call	done
+	movl	$18, %edx
+	movq	%rbx, %rsi
+	leaq	.LC131(%rip), %rdi
+	call	show
+	movq	%rbp, %rsi
+	movq	%r15, %rdi
+	call	wrc_damage_merge@PLT
+	movl	%eax, %edi
+	leaq	.LC132(%rip), %rsi
+	call	done
+	movl	$0, %ebx
+	leaq	2416(%rsp), %rbp
+	leaq	.LC133(%rip), %r15
+	leaq	.LC134(%rip), %r13
+.L101:
+	leaq	960(%rsp), %rdi
+	movq	%rbp, %rdx
+	movl	%ebx, %esi
+	call	wrc_damage_values@PLT
+	movl	%eax, %edi
+	movq	%r15, %rsi
+	call	done
+	movl	$41, %edx
+	movq	%rbp, %rsi
+	movq	%r13, %rdi
+	call	show
+	leaq	1072(%rsp), %rdi
+	movq	%rbp, %rdx
+	movl	%ebx, %esi
+	call	wrc_damage_values@PLT
+	movl	%eax, %edi
+	leaq	.LC135(%rip), %rsi
+	call	done
+	movl	$41, %edx
+	movq	%rbp, %rsi
+	movq	%r13, %rdi
+	call	show
+	addl	$1, %ebx
+	cmpl	$8, %ebx
+	jne	.L101
+	movl	12752+bin.12(%rip), %esi
+	movsd	6504+bin.12(%rip), %xmm1
+	movsd	6496+bin.12(%rip), %xmm0
+	leaq	.LC136(%rip), %rdi
+	movl	$2, %eax
+	call	printf@PLT
+	leaq	464(%rsp), %rbx
+	leaq	576(%rsp), %rdi
+	movq	%rbx, %rsi
+	movsd	.LC137(%rip), %xmm0
+	call	wrc_whole_life_damage@PLT
+	movl	%eax, %edi
+	leaq	.LC138(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	movq	%rbx, %rsi
+	leaq	.LC139(%rip), %rdi
+	call	show
+	leaq	960(%rsp), %rbp
+	movq	%rbp, %rdi
+	movsd	.LC140(%rip), %xmm2
+	movsd	.LC141(%rip), %xmm1
+	movsd	.LC142(%rip), %xmm0
+	call	wrc_linear_coefficients@PLT
+	movl	%eax, %edi
+	leaq	.LC143(%rip), %rsi
+	call	done
+	movl	$7, %edx
+	movq	%rbp, %rsi
+	leaq	.LC144(%rip), %rdi
+	call	show
+	movq	%rbx, %rdi
+	movq	.LC68(%rip), %rax
+	movq	%rax, %xmm0
+	call	wrc_shakedown_limit@PLT
+	movl	%eax, %edi
+	leaq	.LC145(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	movq	%rbx, %rsi
+	leaq	.LC146(%rip), %rbp
+	movq	%rbp, %rdi
+	call	show
+	movq	%rbx, %rdi
+	movq	.LC68(%rip), %rax
+	movq	%rax, %xmm0
+	call	wrc_shakedown_limit_point@PLT
+	movl	%eax, %edi
+	leaq	.LC147(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	movq	%rbx, %rsi
+	movq	%rbp, %rdi
+	call	show
+	movl	$0, %eax
+	movsd	.LC148(%rip), %xmm2
+	movl	$16, %ecx
+.L102:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	mulsd	%xmm2, %xmm0
+	movl	%ecx, %edx
+	subl	%eax, %edx
+	pxor	%xmm1, %xmm1
+	cvtsi2sdl	%edx, %xmm1
+	mulsd	%xmm1, %xmm0
+	movsd	%xmm0, 1312(%rsp,%rax,8)
+	addq	$1, %rax
+	cmpq	$16, %rax
+	jne	.L102
+	leaq	2416(%rsp), %rdi
+	call	wrc_config_default
+	movq	2712(%rsp), %r8
+	movq	2720(%rsp), %r9
+	movq	%r8, 576(%rsp)
+	movq	%r9, 584(%rsp)
+	movq	2728(%rsp), %rsi
+	movq	2736(%rsp), %rdi
+	movq	%rsi, 592(%rsp)
+	movq	%rdi, 600(%rsp)
+	movq	2744(%rsp), %rcx
+	movq	2752(%rsp), %rbx
+	movq	%rcx, 608(%rsp)
+	movq	%rbx, 616(%rsp)
+	movq	2760(%rsp), %rax
+	movq	2768(%rsp), %rdx
+	movq	%rax, 624(%rsp)
+	movq	%rdx, 632(%rsp)
+	movq	%r8, 688(%rsp)
+	movq	%rsi, 704(%rsp)
+	movq	%rdi, 712(%rsp)
+	movq	%rcx, 720(%rsp)
+	movq	%rbx, 728(%rsp)
+	movq	%rax, 736(%rsp)
+	movq	%rdx, 744(%rsp)
+	movq	.LC149(%rip), %rax
+	movq	%rax, 696(%rsp)
+	leaq	1696(%rsp), %rbx
+	leaq	688(%rsp), %rbp
+	leaq	576(%rsp), %rdx
+	leaq	1312(%rsp), %rsi
+	movq	%rbx, %r8
+	movq	%rbp, %rcx
+	movsd	.LC41(%rip), %xmm1
+	movsd	.LC63(%rip), %xmm0
+	movl	$16, %edi
+	call	wrc_flash_temperature@PLT
+	movl	%eax, %edi
+	leaq	.LC150(%rip), %rsi
+	call	done
+	movl	$16, %edx
+	movq	%rbx, %rsi
+	leaq	.LC151(%rip), %rdi
+	call	show
+	movl	$0, 20(%rsp)
+	pxor	%xmm4, %xmm4
+	movups	%xmm4, 1736(%rsp)
+	movups	%xmm4, 1752(%rsp)
+	movl	$12, 1696(%rsp)
+	movl	$14, 1700(%rsp)
+	movsd	.LC152(%rip), %xmm0
+	movsd	%xmm0, 1704(%rsp)
+	movsd	%xmm0, 1712(%rsp)
+	movq	.LC153(%rip), %rax
+	movq	%rax, 1720(%rsp)
+	movq	.LC154(%rip), %rax
+	movq	%rax, 1728(%rsp)
+	movdqa	1696(%rsp), %xmm7
+	movaps	%xmm7, 288(%rsp)
+	movdqa	1712(%rsp), %xmm7
+	movaps	%xmm7, 304(%rsp)
+	movdqa	1728(%rsp), %xmm7
+	movaps	%xmm7, 320(%rsp)
+	movdqa	1744(%rsp), %xmm6
+	movaps	%xmm6, 336(%rsp)
+	movq	1760(%rsp), %rax
+	movq	%rax, 352(%rsp)
+	leaq	text(%rip), %r15
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	leaq	288(%rsp), %rax
+	leaq	gap.11(%rip), %r13
+	movq	%r13, %rdx
+	movq	%rax, 8(%rsp)
+	movq	%rax, %rsi
+	movq	%r14, %rdi
+	call	wrc_exact_gap@PLT
+	movl	%eax, %edi
+	leaq	.LC155(%rip), %rsi
+	call	done
+	movl	$168, %edx
+	movq	%r13, %rsi
+	leaq	.LC156(%rip), %rdi
+	call	show
+	movl	$33, %ecx
+	movq	%rbx, %rdi
+	movl	$0, %eax
+	rep stosq
+	movl	$264, 1696(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_normal_problem_init@PLT
+	movl	$33, %ecx
+	movq	%rbp, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	pxor	%xmm4, %xmm4
+	movups	%xmm4, 100(%rsp)
+	movups	%xmm4, 116(%rsp)
+	movups	%xmm4, 132(%rsp)
+	movl	$0, 148(%rsp)
+	movl	$64, 96(%rsp)
+	movq	.LC46(%rip), %rcx
+	movq	%rcx, 704(%rsp)
+	movdqa	288(%rsp), %xmm7
+	movups	%xmm7, 856(%rsp)
+	movdqa	304(%rsp), %xmm6
+	movups	%xmm6, 872(%rsp)
+	movdqa	320(%rsp), %xmm3
+	movups	%xmm3, 888(%rsp)
+	movdqa	336(%rsp), %xmm7
+	movups	%xmm7, 904(%rsp)
+	movq	352(%rsp), %rax
+	movq	%rax, 920(%rsp)
+	movq	%r13, 928(%rsp)
+	leaq	hear(%rip), %rcx
+	movq	%rcx, 936(%rsp)
+	leaq	20(%rsp), %rax
+	movq	%rax, 944(%rsp)
+	leaq	pressure.10(%rip), %r13
+	movq	%r13, 152(%rsp)
+	leaq	96(%rsp), %rsi
+	movl	$400, %ecx
+	movq	%r15, %rdx
+	movq	%rbp, %rdi
+	call	wrc_exact_normal@PLT
+	movl	%eax, %edi
+	leaq	.LC157(%rip), %rsi
+	call	done
+	leaq	112(%rsp), %rsi
+	movl	$5, %edx
+	leaq	.LC158(%rip), %rdi
+	call	show
+	movl	$168, %edx
+	movq	%r13, %rsi
+	leaq	.LC159(%rip), %rdi
+	call	show
+	movl	$43, %ecx
+	movq	%rbx, %rdi
+	movl	$0, %eax
+	rep stosq
+	movl	$344, 1696(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_rolling_problem_init@PLT
+	leaq	960(%rsp), %rdi
+	movl	$43, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	pxor	%xmm4, %xmm4
+	movups	%xmm4, 468(%rsp)
+	movups	%xmm4, 484(%rsp)
+	movups	%xmm4, 500(%rsp)
+	movups	%xmm4, 516(%rsp)
+	movl	$0, 532(%rsp)
+	movl	$104, 464(%rsp)
+	movdqa	288(%rsp), %xmm6
+	movups	%xmm6, 1112(%rsp)
+	movdqa	304(%rsp), %xmm3
+	movups	%xmm3, 1128(%rsp)
+	movdqa	320(%rsp), %xmm4
+	movups	%xmm4, 1144(%rsp)
+	movdqa	336(%rsp), %xmm5
+	movups	%xmm5, 1160(%rsp)
+	movq	352(%rsp), %rax
+	movq	%rax, 1176(%rsp)
+	movq	%r13, 1184(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 1208(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 1224(%rsp)
+	leaq	traction_x.9(%rip), %rbp
+	movq	%rbp, 536(%rsp)
+	leaq	traction_y.8(%rip), %rax
+	movq	%rax, 544(%rsp)
+	leaq	slip_x.7(%rip), %rax
+	movq	%rax, 552(%rsp)
+	leaq	slip_y.6(%rip), %rbx
+	movq	%rbx, 560(%rsp)
+	leaq	464(%rsp), %rsi
+	leaq	960(%rsp), %rdi
+	movl	$400, %ecx
+	movq	%r15, %rdx
+	call	wrc_exact_rolling@PLT
+	movl	%eax, %edi
+	leaq	.LC160(%rip), %rsi
+	call	done
+	leaq	480(%rsp), %rsi
+	movl	$7, %edx
+	leaq	.LC161(%rip), %rdi
+	call	show
+	movl	$168, %edx
+	movq	%rbp, %rsi
+	leaq	.LC162(%rip), %rdi
+	call	show
+	movl	$168, %edx
+	movq	%rbx, %rsi
+	leaq	.LC163(%rip), %rdi
+	call	show
+	movq	$0, 24(%rsp)
+	movdqu	984(%rsp), %xmm7
+	movaps	%xmm7, 160(%rsp)
+	movdqu	1000(%rsp), %xmm6
+	movaps	%xmm6, 176(%rsp)
+	movdqu	1016(%rsp), %xmm3
+	movaps	%xmm3, 192(%rsp)
+	movdqu	1032(%rsp), %xmm4
+	movaps	%xmm4, 208(%rsp)
+	movdqu	1048(%rsp), %xmm5
+	movaps	%xmm5, 224(%rsp)
+	movdqu	1064(%rsp), %xmm7
+	movaps	%xmm7, 240(%rsp)
+	movdqu	1080(%rsp), %xmm6
+	movaps	%xmm6, 256(%rsp)
+	movdqu	1096(%rsp), %xmm3
+	movaps	%xmm3, 272(%rsp)
+	leaq	24(%rsp), %rcx
+	leaq	224(%rsp), %rdx
+	leaq	160(%rsp), %rsi
+	movl	$400, %r9d
+	movq	%r15, %r8
+	movq	8(%rsp), %rdi
+	call	wrc_exact_transient_create@PLT
+	movl	%eax, %edi
+	leaq	.LC164(%rip), %rsi
+	call	done
+	movl	$2, %ebx
+	leaq	464(%rsp), %r13
+	movq	%r15, %rbp
+	leaq	.LC165(%rip), %r15
+.L103:
+	leaq	960(%rsp), %rsi
+	movl	$400, %r8d
+	movq	%rbp, %rcx
+	movq	%r13, %rdx
+	movq	24(%rsp), %rdi
+	call	wrc_exact_transient_step@PLT
+	movl	%eax, %edi
+	movq	%r15, %rsi
+	call	done
+	leaq	480(%rsp), %rsi
+	movl	$7, %edx
+	leaq	.LC161(%rip), %rdi
+	call	show
+	subl	$1, %ebx
+	jne	.L103
+	movq	24(%rsp), %rdi
+	call	wrc_exact_transient_destroy@PLT
+	leaq	1696(%rsp), %rbx
+	movl	$0, %r15d
+	movq	$0, 1700(%rsp)
+	movq	$0, 1800(%rsp)
+	leaq	1704(%rsp), %rdi
+	movl	$13, %ecx
+	movq	%r15, %rax
+	rep stosq
+	movl	$112, 1696(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_loads_init@PLT
+	movdqa	1696(%rsp), %xmm4
+	movaps	%xmm4, 576(%rsp)
+	movdqa	1792(%rsp), %xmm5
+	movaps	%xmm5, 672(%rsp)
+	movdqa	288(%rsp), %xmm7
+	movaps	%xmm7, 592(%rsp)
+	movdqa	304(%rsp), %xmm6
+	movaps	%xmm6, 608(%rsp)
+	movdqa	320(%rsp), %xmm3
+	movaps	%xmm3, 624(%rsp)
+	movdqa	336(%rsp), %xmm4
+	movaps	%xmm4, 640(%rsp)
+	movq	352(%rsp), %rax
+	movq	%rax, 656(%rsp)
+	leaq	pressure.10(%rip), %rax
+	movq	%rax, 664(%rsp)
+	leaq	traction_x.9(%rip), %rax
+	movq	%rax, 672(%rsp)
+	movq	$0x000000000, 48(%rsp)
+	movq	$0x000000000, 56(%rsp)
+	movsd	.LC38(%rip), %xmm0
+	movsd	%xmm0, 64(%rsp)
+	movsd	.LC57(%rip), %xmm1
+	movsd	%xmm1, 72(%rsp)
+	movsd	%xmm0, 80(%rsp)
+	movsd	.LC67(%rip), %xmm0
+	movsd	%xmm0, 88(%rsp)
+	movsd	%xmm1, 32(%rsp)
+	movsd	%xmm0, 40(%rsp)
+	leaq	368(%rsp), %rbp
+	leaq	48(%rsp), %rsi
+	leaq	576(%rsp), %r13
+	movl	$400, %r9d
+	leaq	text(%rip), %r8
+	movq	%rbp, %rcx
+	movl	$2, %edx
+	movq	%r13, %rdi
+	call	wrc_exact_stress@PLT
+	movl	%eax, %edi
+	leaq	.LC166(%rip), %rsi
+	call	done
+	movl	$12, %edx
+	movq	%rbp, %rsi
+	leaq	.LC167(%rip), %rdi
+	call	show
+	movl	$73, %ecx
+	movq	%rbx, %rdi
+	movq	%r15, %rax
+	rep stosq
+	movl	$584, 1696(%rsp)
+	leaq	1312(%rsp), %rbp
+	leaq	32(%rsp), %rsi
+	subq	$8, %rsp
+	pushq	$400
+	leaq	text(%rip), %rax
+	pushq	%rax
+	leaq	44(%rsp), %rax
+	pushq	%rax
+	leaq	hear(%rip), %r9
+	movq	%rbx, %r8
+	movq	%rbp, %rcx
+	movl	$2, %edx
+	movq	%r13, %rdi
+	call	wrc_exact_largest_stresses@PLT
+	movl	%eax, %edi
+	addq	$32, %rsp
+	leaq	.LC168(%rip), %rsi
+	call	done
+	movq	%rbp, %rdi
+	call	show_peaks
+	leaq	1504(%rsp), %rdi
+	call	show_peaks
+	leaq	1704(%rsp), %rdi
+	call	show_peaks
+	leaq	1896(%rsp), %rdi
+	call	show_peaks
+	leaq	2088(%rsp), %rdi
+	call	show_peaks
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	leaq	4320(%rsp), %rsi
+	movl	$0, %edx
+	movq	%r14, %rdi
+	call	wrc_planar_step@PLT
+	movl	%eax, %edi
+	leaq	.LC119(%rip), %rsi
+	call	done
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 1700(%rsp)
+	movups	%xmm5, 1712(%rsp)
+	movl	$32, 1696(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_check_options_init@PLT
+	movdqa	1696(%rsp), %xmm7
+	movaps	%xmm7, 576(%rsp)
+	movdqa	1712(%rsp), %xmm6
+	movaps	%xmm6, 592(%rsp)
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 964(%rsp)
+	movups	%xmm5, 980(%rsp)
+	movups	%xmm5, 996(%rsp)
+	movups	%xmm5, 1008(%rsp)
+	movl	$64, 960(%rsp)
+	movl	$12, 584(%rsp)
+	movl	$12, 580(%rsp)
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	leaq	960(%rsp), %rdx
+	movq	%r13, %rsi
+	movq	%r14, %rdi
+	call	wrc_exact_check@PLT
+	movl	%eax, %edi
+	leaq	.LC169(%rip), %rsi
+	call	done
+	leaq	968(%rsp), %rsi
+	movl	$7, %edx
+	leaq	.LC170(%rip), %rdi
+	call	show
+	movq	%rbx, %rdi
+	call	rolling
+	leaq	1316(%rsp), %r13
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 1316(%rsp)
+	movups	%xmm5, 1332(%rsp)
+	movups	%xmm5, 1344(%rsp)
+	movl	$48, 1312(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_exact_wrench_options_init@PLT
+	movdqa	1312(%rsp), %xmm5
+	movaps	%xmm5, 688(%rsp)
+	movdqa	1344(%rsp), %xmm3
+	movaps	%xmm3, 720(%rsp)
+	movq	$0, 1316(%rsp)
+	movq	$0, 1472(%rsp)
+	leaq	1320(%rsp), %rdi
+	subq	%rdi, %r13
+	leal	164(%r13), %ecx
+	shrl	$3, %ecx
+	movl	%ecx, %ecx
+	movq	%r15, %rax
+	rep stosq
+	movl	$168, 1312(%rsp)
+	movq	.LC116(%rip), %rax
+	movq	%rax, 1736(%rsp)
+	movsd	.LC171(%rip), %xmm0
+	movsd	%xmm0, 712(%rsp)
+	movsd	%xmm0, 704(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	688(%rsp), %rdx
+	movq	%rbp, %rcx
+	movq	%rbx, %rsi
+	movq	%r12, %rdi
+	call	wrc_exact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC172(%rip), %rsi
+	call	done
+	leaq	1328(%rsp), %rsi
+	movl	$19, %edx
+	leaq	.LC35(%rip), %rdi
+	call	show
+	leaq	464(%rsp), %rax
+	leaq	536(%rsp), %rcx
+	movl	$-4, %edx
+	movsd	.LC57(%rip), %xmm1
+.L104:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%edx, %xmm0
+	mulsd	%xmm1, %xmm0
+	movsd	%xmm0, (%rax)
+	addl	$1, %edx
+	addq	$8, %rax
+	cmpq	%rcx, %rax
+	jne	.L104
+	movq	$0, 176(%rsp)
+	movl	$24, 160(%rsp)
+	movl	$9, 164(%rsp)
+	leaq	464(%rsp), %rbp
+	movq	%rbp, 168(%rsp)
+	movq	$0, 1700(%rsp)
+	movq	$0, 1784(%rsp)
+	leaq	1704(%rsp), %rdi
+	movl	$11, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$96, 1696(%rsp)
+	leaq	576(%rsp), %rbx
+	movq	%rbx, 1720(%rsp)
+	leaq	688(%rsp), %r13
+	movq	%r13, 1760(%rsp)
+	leaq	1696(%rsp), %rdx
+	leaq	160(%rsp), %rsi
+	movl	$400, %r8d
+	leaq	text(%rip), %r15
+	movq	%r15, %rcx
+	movq	(%rsp), %rdi
+	call	wrc_profile_wheelset_geometry@PLT
+	movl	%eax, %edi
+	leaq	.LC173(%rip), %rsi
+	call	done
+	movl	$9, %edx
+	movq	%rbx, %rsi
+	leaq	.LC174(%rip), %rdi
+	call	show
+	movl	$9, %edx
+	movq	%r13, %rsi
+	leaq	.LC175(%rip), %rdi
+	call	show
+	movq	.LC57(%rip), %rax
+	movq	%rax, 96(%rsp)
+	movq	.LC176(%rip), %rax
+	movq	%rax, 104(%rsp)
+	leaq	1312(%rsp), %rdi
+	pxor	%xmm7, %xmm7
+	movups	%xmm7, 1316(%rsp)
+	movups	%xmm7, 1332(%rsp)
+	movups	%xmm7, 1348(%rsp)
+	movl	$0, 1364(%rsp)
+	movl	$56, 1312(%rsp)
+	call	wrc_conicity_problem_init@PLT
+	movdqa	1312(%rsp), %xmm4
+	movaps	%xmm4, 368(%rsp)
+	movdqa	1344(%rsp), %xmm5
+	movaps	%xmm5, 400(%rsp)
+	movq	1360(%rsp), %rax
+	movq	%rax, 416(%rsp)
+	movl	$9, 376(%rsp)
+	movq	%rbp, 384(%rsp)
+	movq	%rbx, 392(%rsp)
+	movl	$2, 380(%rsp)
+	leaq	96(%rsp), %rax
+	movq	%rax, 400(%rsp)
+	pxor	%xmm7, %xmm7
+	movups	%xmm7, 228(%rsp)
+	movups	%xmm7, 240(%rsp)
+	movl	$32, 224(%rsp)
+	leaq	32(%rsp), %rbp
+	movq	%rbp, 232(%rsp)
+	leaq	48(%rsp), %rbx
+	movq	%rbx, 240(%rsp)
+	leaq	224(%rsp), %rsi
+	leaq	368(%rsp), %rdi
+	movl	$400, %ecx
+	movq	%r15, %rdx
+	call	wrc_equivalent_conicity@PLT
+	movl	%eax, %edi
+	leaq	.LC177(%rip), %rsi
+	call	done
+	movl	$2, %edx
+	movq	%rbp, %rsi
+	leaq	.LC178(%rip), %rdi
+	call	show
+	movl	$2, %edx
+	movq	%rbx, %rsi
+	leaq	.LC179(%rip), %rdi
+	call	show
+	movl	$0, %eax
+	leaq	arc.5(%rip), %rdx
+	movsd	.LC63(%rip), %xmm2
+	movsd	.LC180(%rip), %xmm1
+.L105:
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	mulsd	%xmm2, %xmm0
+	subsd	%xmm1, %xmm0
+	movsd	%xmm0, (%rdx,%rax,8)
+	addq	$1, %rax
+	cmpq	$240, %rax
+	jne	.L105
+	leaq	depth.4(%rip), %rdx
+	movl	$-81, %eax
+.L109:
+	cmpl	$38, %eax
+	jbe	.L118
+	movq	$0x000000000, (%rdx)
+	addl	$1, %eax
+	addq	$8, %rdx
+	cmpl	$119, %eax
+	jne	.L109
+	leaq	z.2(%rip), %r9
+	leaq	y.3(%rip), %r8
+	leaq	arc.5(%rip), %rcx
+	movl	$240, %edx
+	movl	$0, %esi
+	movq	(%rsp), %rdi
+	call	wrc_model_arc_places@PLT
+	movl	%eax, %edi
+	leaq	.LC183(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	leaq	960+z.2(%rip), %rsi
+	leaq	.LC184(%rip), %rdi
+	call	show
+	leaq	1312(%rsp), %r15
+	movq	$0, 1316(%rsp)
+	movq	$0, 1392(%rsp)
+	leaq	1320(%rsp), %rdi
+	movl	$10, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$88, 1312(%rsp)
+	movq	%r15, %rdi
+	call	wrc_profile_wear_init@PLT
+	movdqa	1312(%rsp), %xmm7
+	movaps	%xmm7, 960(%rsp)
+	movdqa	1360(%rsp), %xmm6
+	movaps	%xmm6, 1008(%rsp)
+	movdqa	1376(%rsp), %xmm3
+	movaps	%xmm3, 1024(%rsp)
+	movq	1392(%rsp), %rax
+	movq	%rax, 1040(%rsp)
+	movl	$240, 968(%rsp)
+	leaq	y.3(%rip), %rbx
+	movq	%rbx, 976(%rsp)
+	leaq	z.2(%rip), %rbp
+	movq	%rbp, 984(%rsp)
+	movl	$200, 972(%rsp)
+	leaq	depth.4(%rip), %rax
+	movq	%rax, 992(%rsp)
+	movq	.LC185(%rip), %rax
+	movq	%rax, 1000(%rsp)
+	movq	.LC186(%rip), %rax
+	movq	%rax, 1016(%rsp)
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 1320(%rsp)
+	movups	%xmm0, 1336(%rsp)
+	movups	%xmm0, 1352(%rsp)
+	movl	$56, 1312(%rsp)
+	movl	$2000, 1316(%rsp)
+	leaq	worn_y.1(%rip), %rax
+	movq	%rax, 1328(%rsp)
+	leaq	worn_z.0(%rip), %r13
+	movq	%r13, 1336(%rsp)
+	leaq	960(%rsp), %rdi
+	movl	$400, %ecx
+	leaq	text(%rip), %rdx
+	movq	%r15, %rsi
+	call	wrc_profile_remove_wear@PLT
+	movl	%eax, %edi
+	leaq	.LC187(%rip), %rsi
+	call	done
+	leaq	1344(%rsp), %rsi
+	movl	$3, %edx
+	leaq	.LC188(%rip), %rdi
+	call	show
+	movl	1320(%rsp), %eax
+	shrl	%eax
+	movl	%eax, %eax
+	leaq	0(%r13,%rax,8), %rsi
+	movl	$1, %edx
+	leaq	.LC189(%rip), %rdi
+	call	show
+	leaq	288(%rsp), %r13
+	movl	$400, %r9d
+	leaq	text(%rip), %r8
+	movq	%r13, %rcx
+	movsd	.LC190(%rip), %xmm0
+	movq	%rbp, %rdx
+	movq	%rbx, %rsi
+	movl	$240, %edi
+	call	wrc_flange_dimensions@PLT
+	movl	%eax, %edi
+	leaq	.LC191(%rip), %rsi
+	call	done
+	movl	$3, %edx
+	movq	%r13, %rsi
+	leaq	.LC192(%rip), %rdi
+	call	show
+	movq	%r14, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	%r12, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	(%rsp), %rdi
+	call	wrc_model_destroy@PLT
+	addq	$6872, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+.L117:
+	movl	$2, %edi
+	call	exit@PLT
+.L118:
+	leal	1(%rax), %esi
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%esi, %xmm0
+	mulsd	.LC181(%rip), %xmm0
+	movl	$39, %ecx
+	subl	%eax, %ecx
+	pxor	%xmm1, %xmm1
+	cvtsi2sdl	%ecx, %xmm1
+	mulsd	%xmm1, %xmm0
+	divsd	.LC182(%rip), %xmm0
+	movsd	%xmm0, (%rdx)
+	movl	%esi, %eax
+	addq	$8, %rdx
+	jmp	.L109
+	.size	experimental, .-experimental
+	.section	.rodata.str1.1
+.LC193:
+	.string	"%s; %s\n"
+.LC194:
+	.string	"%d %d\n"
+.LC195:
+	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
 	.type	main, @function
 main:
-	pushq	%rbp
 	pushq	%rbx
-	subq	$3784, %rsp
-	movl	$2, %edi
+	movl	$900, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	je	.L5
+	je	.L120
 	movq	%rax, %rbx
-	movl	$2, %ebp
-	cmpl	$919, (%rax)
-	jbe	.L3
-	movq	%rsp, %rbp
-	movl	$50, %ecx
+	cmpl	$359, (%rax)
+	jbe	.L120
+	movl	$1, %edi
+	call	wrc_get_api@PLT
+	testq	%rax, %rax
+	jne	.L122
+	call	*8(%rbx)
+	movl	%eax, %ebx
+	call	wrc_version@PLT
+	cmpl	%eax, %ebx
+	jne	.L122
+	call	wrc_abi_version@PLT
+	cmpl	$900, %eax
+	jne	.L122
+	movl	$1, %edi
+	call	wrc_status_text@PLT
+	movq	%rax, %rbx
+	movl	$-4, %edi
+	call	wrc_status_name@PLT
+	movq	%rax, %rsi
+	movq	%rbx, %rdx
+	leaq	.LC193(%rip), %rdi
 	movl	$0, %eax
-	movq	%rbp, %rdi
-	rep stosq
-	movl	$400, (%rsp)
-	movq	%rbp, %rdi
-	call	wrc_config_init@PLT
-	leaq	3376(%rsp), %rdi
-	movl	$50, %ecx
-	movq	%rbp, %rsi
-	rep movsq
-	movl	$2, 3384(%rsp)
-	movl	$4, 3416(%rsp)
-	movl	$40, 3592(%rsp)
-	movl	$2, 3640(%rsp)
-	movq	$0, 3368(%rsp)
-	movq	$0, 3360(%rsp)
-	leaq	3368(%rsp), %rdx
-	leaq	3376(%rsp), %rdi
-	movl	$0, %esi
-	call	wrc_model_create@PLT
-	testl	%eax, %eax
-	js	.L7
-	leaq	3360(%rsp), %rcx
-	movl	$0, %edx
-	movl	$1, %esi
-	movq	3368(%rsp), %rdi
-	call	*192(%rbx)
-	testl	%eax, %eax
-	js	.L8
-	movq	%rsp, %rbx
-	leaq	4(%rsp), %rdx
-	movl	$63, %ebp
+	call	printf@PLT
+	call	wrc_build_info@PLT
+	cmpb	$0, (%rax)
+	setne	%bl
+	movzbl	%bl, %ebx
+	movl	$900, %edi
+	call	wrc_version_text@PLT
+	cmpb	$0, (%rax)
+	setne	%sil
+	movzbl	%sil, %esi
+	movl	%ebx, %edx
+	leaq	.LC194(%rip), %rdi
 	movl	$0, %eax
-	movq	%rdx, %rdi
-	movq	%rbp, %rcx
-	rep stosl
-	movq	%rcx, %rbp
-	movl	$256, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_input_init@PLT
-	leaq	3104(%rsp), %rdi
-	movl	$32, %ecx
-	movq	%rbx, %rsi
-	rep movsq
-	movl	$43, %ecx
-	movq	%rbx, %rdi
-	movq	%rbp, %rax
-	rep stosq
-	movl	$344, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_output_init@PLT
-	leaq	2752(%rsp), %rdi
-	movl	$43, %ecx
-	movq	%rbx, %rsi
-	rep movsq
-	movq	.LC1(%rip), %rax
-	movq	%rax, 3112(%rsp)
-	movq	.LC2(%rip), %rax
-	movq	%rax, 3152(%rsp)
-	movq	.LC3(%rip), %rax
-	movq	%rax, 3192(%rsp)
-	movq	.LC4(%rip), %rax
-	movq	%rax, 3232(%rsp)
-	leaq	2752(%rsp), %rdx
-	leaq	3104(%rsp), %rsi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_step@PLT
-	testl	%eax, %eax
-	jne	.L9
-	movsd	2768(%rsp), %xmm0
-	leaq	.LC5(%rip), %rdi
-	call	bits
-	movsd	2912(%rsp), %xmm0
-	leaq	.LC6(%rip), %rdi
-	call	bits
-	movsd	2968(%rsp), %xmm0
-	leaq	.LC7(%rip), %rdi
-	call	bits
-	movsd	3032(%rsp), %xmm0
-	leaq	.LC8(%rip), %rdi
-	call	bits
-	leaq	4(%rsp), %rdx
-	movl	$51, %ecx
+	call	printf@PLT
+	call	wheel_on_a_rail
+	call	other_rails
+	call	posed
+	call	given
+	movl	blocks(%rip), %esi
+	leaq	.LC195(%rip), %rdi
 	movl	$0, %eax
-	movq	%rdx, %rdi
-	rep stosl
-	movl	$208, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_patch_init@PLT
-	leaq	2544(%rsp), %rdi
-	movl	$52, %ecx
-	movq	%rbx, %rsi
-	rep movsl
-	leaq	2544(%rsp), %rdx
-	movl	$0, %esi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_patch@PLT
-	testl	%eax, %eax
-	jne	.L10
-	leaq	2496(%rsp), %rcx
-	movl	$3, %edx
-	movl	$0, %esi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_field@PLT
-	testl	%eax, %eax
-	jne	.L11
-	movsd	2568(%rsp), %xmm0
-	leaq	.LC9(%rip), %rdi
-	call	bits
-	movq	2512(%rsp), %rax
-	shrq	%rax
-	imulq	2528(%rsp), %rax
-	imulq	$3, 2520(%rsp), %rdx
-	addq	%rdx, %rax
-	movq	2496(%rsp), %rdx
-	movsd	(%rdx,%rax,8), %xmm0
-	leaq	.LC10(%rip), %rdi
-	call	bits
-	movl	$45, %ecx
+	call	printf@PLT
+	movl	$1, %edi
+	call	wrc_get_experimental_api@PLT
+	testq	%rax, %rax
+	je	.L124
+	call	experimental
+.L124:
 	movl	$0, %eax
-	movq	%rbx, %rdi
-	rep stosq
-	movl	$360, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_wheel_input_init@PLT
-	leaq	2128(%rsp), %rdi
-	movl	$45, %ecx
-	movq	%rbx, %rsi
-	rep movsq
-	leaq	4(%rsp), %rdx
-	movl	$39, %ecx
-	movl	$0, %eax
-	movq	%rdx, %rdi
-	rep stosl
-	movl	$160, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_wrench_init@PLT
-	leaq	1968(%rsp), %rdi
-	movl	$40, %ecx
-	movq	%rbx, %rsi
-	rep movsl
-	movq	.LC11(%rip), %rax
-	movq	%rax, 2160(%rsp)
-	movq	.LC1(%rip), %rax
-	movq	%rax, 2176(%rsp)
-	movq	.LC12(%rip), %rax
-	movq	%rax, 2192(%rsp)
-	movq	.LC13(%rip), %rax
-	movq	%rax, 2224(%rsp)
-	movq	.LC14(%rip), %rax
-	movq	%rax, 2424(%rsp)
-	leaq	896(%rsp), %rcx
-	leaq	1968(%rsp), %rdx
-	leaq	2128(%rsp), %rsi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_wrench_sensitivities@PLT
-	testl	%eax, %eax
-	jne	.L12
-	movsd	2000(%rsp), %xmm0
-	leaq	.LC15(%rip), %rdi
-	call	bits
-	movsd	2120(%rsp), %xmm0
-	leaq	.LC16(%rip), %rdi
-	call	bits
-	movsd	1208(%rsp), %xmm0
-	leaq	.LC17(%rip), %rdi
-	call	bits
-	leaq	4(%rsp), %rdx
-	movl	$47, %ecx
-	movl	$0, %eax
-	movq	%rdx, %rdi
-	rep stosl
-	movl	$192, (%rsp)
-	movq	%rbx, %rdi
-	call	wrc_region_init@PLT
-	leaq	704(%rsp), %rdi
-	movl	$48, %ecx
-	movq	%rbx, %rsi
-	rep movsl
-	leaq	704(%rsp), %rdx
-	movl	$0, %esi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_region@PLT
-	testl	%eax, %eax
-	jne	.L13
-	movsd	872(%rsp), %xmm0
-	leaq	.LC18(%rip), %rdi
-	call	bits
-	movq	.LC19(%rip), %rax
-	movq	%rax, 3152(%rsp)
-	leaq	2752(%rsp), %rdx
-	leaq	3104(%rsp), %rsi
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_step@PLT
-	movl	$9, %ebp
-	cmpl	$-4, %eax
-	jne	.L3
-	leaq	400(%rsp), %rsi
-	movl	$300, %edx
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_last_error@PLT
-	movl	%eax, %ebp
-	testl	%eax, %eax
-	jne	.L15
-	leaq	400(%rsp), %rdi
-	call	puts@PLT
-	movq	3360(%rsp), %rdi
-	call	wrc_contact_destroy@PLT
-	movq	3368(%rsp), %rdi
-	call	wrc_model_destroy@PLT
-	jmp	.L3
-.L5:
-	movl	$2, %ebp
-	jmp	.L3
-.L7:
-	movl	$3, %ebp
-	jmp	.L3
-.L8:
-	movl	$3, %ebp
-.L3:
-	movl	%ebp, %eax
-	addq	$3784, %rsp
 	popq	%rbx
-	popq	%rbp
 	ret
-.L9:
-	movl	$4, %ebp
-	jmp	.L3
-.L10:
-	movl	$5, %ebp
-	jmp	.L3
-.L11:
-	movl	$6, %ebp
-	jmp	.L3
-.L12:
-	movl	$7, %ebp
-	jmp	.L3
-.L13:
-	movl	$8, %ebp
-	jmp	.L3
-.L15:
-	movl	$10, %ebp
-	jmp	.L3
+.L120:
+	movl	$2, %edi
+	call	exit@PLT
+.L122:
+	movl	$2, %edi
+	call	exit@PLT
 	.size	main, .-main
+	.local	worn_z.0
+	.comm	worn_z.0,16000,32
+	.local	worn_y.1
+	.comm	worn_y.1,16000,32
+	.local	z.2
+	.comm	z.2,1920,32
+	.local	y.3
+	.comm	y.3,1920,32
+	.local	depth.4
+	.comm	depth.4,1600,32
+	.local	arc.5
+	.comm	arc.5,1920,32
+	.local	slip_y.6
+	.comm	slip_y.6,1344,32
+	.local	slip_x.7
+	.comm	slip_x.7,1344,32
+	.local	traction_y.8
+	.comm	traction_y.8,1344,32
+	.local	traction_x.9
+	.comm	traction_x.9,1344,32
+	.local	pressure.10
+	.comm	pressure.10,1344,32
+	.local	gap.11
+	.comm	gap.11,1344,32
+	.local	bin.12
+	.comm	bin.12,38376,32
+	.local	values.13
+	.comm	values.13,102400,32
+	.local	blocks
+	.comm	blocks,4,4
+	.local	spoken
+	.comm	spoken,8,8
+	.local	text
+	.comm	text,400,32
 	.section	.rodata.cst8,"aM",@progbits,8
 	.align 8
+.LC0:
+	.long	0
+	.long	1073741824
+	.align 8
 .LC1:
-	.long	-755914244
-	.long	1063281229
+	.long	536870912
+	.long	1110614111
 	.align 8
 .LC2:
 	.long	0
-	.long	1089701888
+	.long	1078362112
 	.align 8
 .LC3:
-	.long	-350469331
-	.long	1060779746
+	.long	-858993459
+	.long	1071434956
 	.align 8
 .LC4:
-	.long	1717986918
-	.long	1071015526
+	.long	-68719477
+	.long	1073148329
 	.align 8
-.LC11:
-	.long	810889825
-	.long	1060350250
+.LC5:
+	.long	-1717986918
+	.long	1067030937
 	.align 8
-.LC12:
+.LC38:
+	.long	-755914244
+	.long	1063281229
+	.align 8
+.LC41:
 	.long	0
 	.long	1077149696
 	.align 8
-.LC13:
-	.long	-1493901668
-	.long	-1069171401
+.LC42:
+	.long	-1908874354
+	.long	-1069139741
 	.align 8
-.LC14:
+.LC43:
+	.long	1202590843
+	.long	1065646817
+	.align 8
+.LC46:
+	.long	0
+	.long	1089701888
+	.align 8
+.LC57:
+	.long	-755914244
+	.long	1062232653
+	.align 8
+.LC58:
+	.long	-1717986918
+	.long	1073846681
+	.align 8
+.LC59:
+	.long	0
+	.long	1076101120
+	.align 8
+.LC60:
+	.long	1202590843
+	.long	1064598241
+	.align 8
+.LC61:
+	.long	-402653184
+	.long	1111967862
+	.align 8
+.LC62:
+	.long	1297423721
+	.long	1057977616
+	.align 8
+.LC63:
+	.long	-755914244
+	.long	1061184077
+	.align 8
+.LC67:
+	.long	-1133871366
+	.long	1063818100
+	.align 8
+.LC68:
+	.long	-1717986918
+	.long	1070176665
+	.align 8
+.LC69:
+	.long	0
+	.long	1089293312
+	.align 8
+.LC70:
+	.long	0
+	.long	1072693248
+	.align 8
+.LC74:
+	.long	1717986918
+	.long	1071015526
+	.align 8
+.LC75:
+	.long	-350469331
+	.long	1058682594
+	.align 8
+.LC76:
 	.long	-1717986918
 	.long	1069128089
 	.align 8
-.LC19:
+.LC77:
+	.long	-1259857073
+	.long	1062948481
+	.align 8
+.LC81:
+	.long	824633721
+	.long	-1082348536
+	.align 8
+.LC84:
+	.long	1202590843
+	.long	-1081836831
+	.align 8
+.LC85:
+	.long	-1717986918
+	.long	1071225241
+	.align 8
+.LC86:
+	.long	0
+	.long	1078034432
+	.align 8
+.LC87:
+	.long	810889825
+	.long	1060350250
+	.align 8
+.LC94:
+	.long	-1917273401
+	.long	1060564998
+	.align 8
+.LC99:
 	.long	0
 	.long	1079246848
+	.align 8
+.LC101:
+	.long	0
+	.long	-1074790400
+	.align 8
+.LC102:
+	.long	0
+	.long	1076035584
+	.align 8
+.LC103:
+	.long	0
+	.long	1089541888
+	.align 8
+.LC104:
+	.long	1202590843
+	.long	-1080788255
+	.align 8
+.LC105:
+	.long	1202590843
+	.long	1066695393
+	.align 8
+.LC106:
+	.long	1413754136
+	.long	1075388923
+	.align 8
+.LC107:
+	.long	0
+	.long	1067450368
+	.align 8
+.LC108:
+	.long	-1998362383
+	.long	1055193269
+	.align 8
+.LC109:
+	.long	0
+	.long	1064304640
+	.align 8
+.LC110:
+	.long	858993459
+	.long	1073427251
+	.align 8
+.LC111:
+	.long	-343597384
+	.long	1067366481
+	.align 8
+.LC112:
+	.long	-350469331
+	.long	1057634018
+	.align 8
+.LC113:
+	.long	-1717986918
+	.long	-1080452711
+	.align 8
+.LC114:
+	.long	0
+	.long	1086492160
+	.align 8
+.LC115:
+	.long	-1456852907
+	.long	-1078669293
+	.align 8
+.LC116:
+	.long	-350469331
+	.long	1059731170
+	.align 8
+.LC117:
+	.long	-755914244
+	.long	1064329805
+	.align 8
+.LC120:
+	.long	-2147483648
+	.long	1105517715
+	.align 8
+.LC123:
+	.long	0
+	.long	1078853632
+	.align 8
+.LC127:
+	.long	0
+	.long	1076625408
+	.align 8
+.LC128:
+	.long	1202590843
+	.long	-1079739679
+	.align 8
+.LC129:
+	.long	0
+	.long	1071644672
+	.align 8
+.LC137:
+	.long	0
+	.long	1078198272
+	.align 8
+.LC140:
+	.long	343597384
+	.long	1070679982
+	.align 8
+.LC141:
+	.long	858993459
+	.long	1070805811
+	.align 8
+.LC142:
+	.long	0
+	.long	1073217536
+	.align 8
+.LC148:
+	.long	0
+	.long	1100470148
+	.align 8
+.LC149:
+	.long	0
+	.long	1086224384
+	.align 8
+.LC152:
+	.long	-350469331
+	.long	1062876898
+	.align 8
+.LC153:
+	.long	27487791
+	.long	-1081997892
+	.align 8
+.LC154:
+	.long	1594291861
+	.long	-1081783144
+	.align 8
+.LC171:
+	.long	-1133871366
+	.long	1062769524
+	.align 8
+.LC176:
+	.long	1202590843
+	.long	1063549665
+	.align 8
+.LC180:
+	.long	-652835029
+	.long	1068758990
+	.align 8
+.LC181:
+	.long	-500134854
+	.long	1044740494
+	.align 8
+.LC182:
+	.long	0
+	.long	1081671680
+	.align 8
+.LC185:
+	.long	-1717986918
+	.long	-1078355559
+	.align 8
+.LC186:
+	.long	0
+	.long	1084178432
+	.align 8
+.LC190:
+	.long	515396076
+	.long	1068624773
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
 	.section	.note.GNU-stack,"",@progbits
