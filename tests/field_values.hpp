@@ -27,18 +27,21 @@ inline FieldValues field_values(wrc_contact* contact, std::int32_t index, std::i
   found.strips = counts[1];
   found.values.resize(counts[0] * counts[1]);
   if (found.status >= WRC_OK)
-    found.status = wrc_contact_field(contact, index, field, found.values.data(), found.values.size(), nullptr);
+    found.status =
+        wrc_contact_field(contact, index, field, found.values.data(), found.values.size(), nullptr);
   return found;
 }
 
-/// The same as an array over cells and strips, or over strips: element (i, j) at data[i * stride[0] + j * stride[1]].
+/// The same as an array over cells and strips, or over strips: element (i, j) at data[i * stride[0] + j *
+/// stride[1]].
 struct FieldView {
   const double* data = nullptr;
   std::uint64_t count[2] = {0, 0}, stride[2] = {0, 0};
   std::vector<double> values;
 };
 
-inline std::int32_t view_field(wrc_contact* contact, std::int32_t index, std::int32_t field, FieldView* view) {
+inline std::int32_t view_field(wrc_contact* contact, std::int32_t index, std::int32_t field,
+                               FieldView* view) {
   *view = {};
   FieldValues found = field_values(contact, index, field);
   view->values = std::move(found.values);

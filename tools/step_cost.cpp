@@ -85,7 +85,7 @@ void tangential(benchmark::State& state, Methods methods) {
   for (auto _ : state) {
     driven.vary(++i);
     benchmark::DoNotOptimize(wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
-                                                    &wheel.output.forces));
+                                                   &wheel.output.forces));
   }
 }
 

@@ -29,8 +29,8 @@
 #include <vector>
 
 #include "csv.hpp"
-#include "wheel_cases.hpp"
 #include "test_config.hpp"
+#include "wheel_cases.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -404,7 +404,8 @@ double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
 class Contacts {
  public:
   Contacts(const Solver& solver, std::size_t count) : all_(count) {
-    for (wrc_contact*& contact : all_) wrc_contact_create(solver.model(), WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
+    for (wrc_contact*& contact : all_)
+      wrc_contact_create(solver.model(), WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
   }
   ~Contacts() {
     for (wrc_contact* const contact : all_) wrc_contact_destroy(contact);

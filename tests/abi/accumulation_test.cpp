@@ -23,11 +23,12 @@ struct Bins {
     bins.first = -0.080;
     bins.width = width;
     bins.count = static_cast<uint32_t>(0.160 / width + 0.5);
-    bins.rows = rows;
+    bins.row_count = rows;
     bins.row_length = row_length;
     bin.resize(bins.count * rows + 1);
     std::memset(bin.data(), 0, bin.size() * sizeof bin[0]);
-    bins.bin = bin.data();
+    bins.bins = bin.data();
+    bins.bin_size = sizeof bin[0];
   }
   std::vector<double> values(int32_t quantity) const {
     std::vector<double> all(bin.size());
@@ -101,14 +102,13 @@ class Line : public testing::Test {
     EXPECT_GE(wrc_planar_step(contact[side], &input, &output), WRC_OK);
     return output;
   }
-  wrc_accumulation accumulation(int32_t source) const {
+  wrc_accumulation accumulation() const {
     wrc_accumulation a = sized<wrc_accumulation>();
-    a.source = source;
     a.duration = 1e-3;
     return a;
   }
-  wrc_damage_totals add(int32_t source, Bins* wheel, Bins* rail, int32_t side = 0) const {
-    const wrc_accumulation a = accumulation(source);
+  wrc_damage_totals add(Bins* wheel, Bins* rail, int32_t side = 0) const {
+    const wrc_accumulation a = accumulation();
     wrc_damage_totals totals{};
     EXPECT_EQ(wrc_contact_accumulate(contact[side], &a, wheel ? &wheel->bins : nullptr,
                                      rail ? &rail->bins : nullptr, &totals),
@@ -123,10 +123,10 @@ class Line : public testing::Test {
 TEST_F(Line, BinsHoldWhatTheStepHas) {
   double worst = 0.0;
   for (const double y : {0.0, 0.002, 0.0045, 0.0062, 0.0068}) {
-    for (const int32_t source : {WRC_DAMAGE_OF_WRENCH, WRC_DAMAGE_OF_STAGES}) {
-      const double power = source == WRC_DAMAGE_OF_WRENCH ? solve(y).power : step(y).damage.power;
+    for (const bool of_wheel : {true, false}) {
+      const double power = of_wheel ? solve(y).power : step(y).damage.power;
       Bins wheel, rail(0.37e-3, 7, 5e-3);
-      const wrc_damage_totals totals = add(source, &wheel, &rail);
+      const wrc_damage_totals totals = add(&wheel, &rail);
       worst = std::max(worst, std::abs(totals.sum[WRC_DAMAGE_WORK] / (1e-3 * power) - 1.0));
       for (int32_t q = 0; q < WRC_DAMAGE_SUMS; ++q) {
         const double size = std::abs(totals.sum[q]);
@@ -150,11 +150,11 @@ TEST_F(Line, AnyOrderGivesTheSameBits) {
   constexpr double places[] = {0.001, 0.0055, 0.0066, -0.003};
   for (const double y : places) {
     solve(y);
-    add(WRC_DAMAGE_OF_WRENCH, &one, nullptr);
+    add(&one, nullptr);
   }
   for (int i = 3; i >= 0; --i) {
     solve(places[i]);
-    add(WRC_DAMAGE_OF_WRENCH, i % 2 == 0 ? &first : &second, nullptr);
+    add(i % 2 == 0 ? &first : &second, nullptr);
   }
   Bins merged;
   EXPECT_EQ(wrc_damage_merge(&merged.bins, &second.bins), WRC_OK);
@@ -169,14 +169,14 @@ TEST_F(Line, AnyOrderGivesTheSameBits) {
 TEST_F(Line, NothingJumpsAtABinsBorder) {
   solve(0.0062);
   Bins before(0.7e-3);
-  const double whole = add(WRC_DAMAGE_OF_WRENCH, nullptr, &before).sum[WRC_DAMAGE_WORK];
+  const double whole = add(nullptr, &before).sum[WRC_DAMAGE_WORK];
   double largest = 0.0;
   auto last = before.values(WRC_DAMAGE_WORK);
   constexpr double shift = 1e-6;
   for (int i = 1; i <= 700; ++i) {  // over a whole bin
     Bins now(0.7e-3);
     now.bins.first += shift * i;
-    add(WRC_DAMAGE_OF_WRENCH, nullptr, &now);
+    add(nullptr, &now);
     const auto values = now.values(WRC_DAMAGE_WORK);
     for (std::size_t k = 0; k < values.size(); ++k)
       largest = std::max(largest, std::abs(values[k] - last[k]) / whole);
@@ -199,7 +199,7 @@ TEST_F(Line, LiesWhereTheContactIs) {
     }
     if (wrench.region_count > 1) continue;
     Bins wheel(0.25e-3), rail(0.25e-3);
-    add(WRC_DAMAGE_OF_WRENCH, &wheel, &rail);
+    add(&wheel, &rail);
     double at = wheel.middle(WRC_DAMAGE_TIME), place = 0.0;
     ASSERT_EQ(wrc_model_arc_places(model, WRC_BODY_WHEEL, 1, &at, &place, nullptr), WRC_OK);
     EXPECT_NEAR(place, y_wheel / load, y > 0.006 ? 2e-3 : 1e-3) << y;  // by time, not by load
@@ -209,7 +209,7 @@ TEST_F(Line, LiesWhereTheContactIs) {
     // the stages' contact point, half the contact away at most
     const wrc_planar_output output = step(y);
     Bins of_stages(0.25e-3);
-    add(WRC_DAMAGE_OF_STAGES, &of_stages, nullptr);
+    add(&of_stages, nullptr);
     at = of_stages.middle(WRC_DAMAGE_TIME);
     ASSERT_EQ(wrc_model_arc_places(model, WRC_BODY_WHEEL, 1, &at, &place, nullptr), WRC_OK);
     EXPECT_NEAR(place, output.point.y_wheel, 0.5 * output.normal.width) << y;
@@ -217,19 +217,20 @@ TEST_F(Line, LiesWhereTheContactIs) {
 }
 
 TEST_F(Line, LeftIsTheMirrorImage) {
-  for (const int32_t source : {WRC_DAMAGE_OF_WRENCH, WRC_DAMAGE_OF_STAGES}) {
+  for (const bool of_wheel : {true, false}) {
     Bins wheel[2], rail[2];
     for (int32_t side = 0; side < 2; ++side) {
-      source == WRC_DAMAGE_OF_WRENCH ? (void)solve(0.0063, side) : (void)step(0.0063, side);
-      add(source, &wheel[side], &rail[side], side);
+      of_wheel ? (void)solve(0.0063, side) : (void)step(0.0063, side);
+      add(&wheel[side], &rail[side], side);
     }
-    for (int32_t q = 0; q <= WRC_DAMAGE_LARGEST_TRACTION; ++q) {
+    for (int32_t q : {0, 1, 2, 3, 4, 5, 6, 7, int32_t{WRC_DAMAGE_LARGEST_PRESSURE},
+                      int32_t{WRC_DAMAGE_LARGEST_TRACTION}}) {
       const auto right = wheel[0].values(q), left = wheel[1].values(q);
       const auto on_right = rail[0].values(q), on_left = rail[1].values(q);
       const double size = std::abs(wheel[0].total(q)) + 1e-300;
       for (std::size_t k = 0; k < right.size(); ++k) {
-        EXPECT_NEAR(right[k] / size, left[k] / size, 1e-6) << source << q << k;
-        EXPECT_NEAR(on_right[k] / size, on_left[k] / size, 1e-6) << source << q << k;
+        EXPECT_NEAR(right[k] / size, left[k] / size, 1e-6) << of_wheel << q << k;
+        EXPECT_NEAR(on_right[k] / size, on_left[k] / size, 1e-6) << of_wheel << q << k;
       }
     }
   }
@@ -238,7 +239,7 @@ TEST_F(Line, LeftIsTheMirrorImage) {
 TEST_F(Line, RowsShareTheDistance) {
   solve(0.004);
   Bins whole, rows(1e-3, 10, 0.004);
-  wrc_accumulation a = accumulation(WRC_DAMAGE_OF_WRENCH);
+  wrc_accumulation a = accumulation();
   a.distance = 0.010;  // to 0.030, but for creep: rows 2 to 7
   ASSERT_EQ(wrc_contact_accumulate(contact[0], &a, nullptr, &rows.bins, nullptr), WRC_OK);
   ASSERT_EQ(wrc_contact_accumulate(contact[0], &a, nullptr, &whole.bins, nullptr), WRC_OK);
@@ -252,9 +253,7 @@ TEST_F(Line, RowsShareTheDistance) {
 
 TEST_F(Line, RefusesWhatItCannotUse) {
   Bins wheel;
-  wrc_accumulation a = accumulation(WRC_DAMAGE_OF_STAGES);
-  EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, nullptr, nullptr), WRC_ERROR_SEQUENCE);
-  a.source = WRC_DAMAGE_OF_WRENCH;
+  wrc_accumulation a = accumulation();
   EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, nullptr, nullptr), WRC_ERROR_SEQUENCE);
   solve(0.0);
   EXPECT_EQ(wrc_contact_accumulate(contact[0], nullptr, &wheel.bins, nullptr, nullptr), WRC_ERROR_NULL);
@@ -262,10 +261,15 @@ TEST_F(Line, RefusesWhatItCannotUse) {
   EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, nullptr, nullptr), WRC_ERROR_RANGE);
   a.duration = 1.0;
   Bins bad;
-  bad.bins.bin = nullptr;
+  bad.bins.bins = nullptr;
   EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, &bad.bins, nullptr), WRC_ERROR_NULL);
   bad = Bins();
-  bad.bins.rows = 2;
+  bad.bins.bin_size = 0;
+  EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, &bad.bins, nullptr), WRC_ERROR_RANGE);
+  bad.bins.bin_size = 8;
+  EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, &bad.bins, nullptr), WRC_ERROR_RANGE);
+  bad = Bins();
+  bad.bins.row_count = 2;
   EXPECT_EQ(wrc_contact_accumulate(contact[0], &a, &wheel.bins, &bad.bins, nullptr), WRC_ERROR_RANGE);
   wrc_fatigue_laws laws = wrc_fatigue_laws_default();
   laws.whole_life_end = laws.whole_life_peak_at;
@@ -284,10 +288,10 @@ TEST_F(Line, SavedStatesAccumulateTheSame) {
   solve(0.0061);
   ASSERT_EQ(wrc_contact_save(contact[0], state.data(), bytes), WRC_OK);
   Bins before, after;
-  add(WRC_DAMAGE_OF_WRENCH, &before, nullptr);
+  add(&before, nullptr);
   solve(0.001);
   ASSERT_EQ(wrc_contact_restore(contact[0], state.data(), bytes), WRC_OK);
-  add(WRC_DAMAGE_OF_WRENCH, &after, nullptr);
+  add(&after, nullptr);
   EXPECT_TRUE(before.same(after));
 }
 

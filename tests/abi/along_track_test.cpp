@@ -7,8 +7,8 @@
 
 #include "../check_rail_points.hpp"
 #include "not_finite.hpp"
-#include "wheel_on_rail.hpp"
 #include "test_config.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -244,7 +244,7 @@ TEST_F(AlongTrack, AFaceThatTheWheelDoesNotReachChangesNothing) {
       create();
       ASSERT_EQ(step(), WRC_OK) << error();
       const wrc_wrench alone = wrench;
-      for (const double distance : {0.0, 1.0}) add(distance, z, beside).face = 1;
+      for (const double distance : {0.0, 1.0}) add(distance, z, beside).surface = 1;
       give();
       create();
       ASSERT_EQ(step(), WRC_OK) << error();
@@ -296,7 +296,7 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
   create();
   input.distance = 0.5;
   ASSERT_EQ(step(), status) << error();
-  EXPECT_EQ(wrench.region_count, checked.regions);
+  EXPECT_EQ(wrench.region_count, checked.region_count);
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(wrench.force[i], checked.force[i], 1e-9 * checked.normal_force) << i;
 }
@@ -308,15 +308,15 @@ TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
   EXPECT_NE(sentence.find("in order"), std::string::npos) << sentence;
   sections[1].distance = 2.0;
-  sections[1].marks = 1;
+  sections[1].mark_count = 1;
   const double mark = 0.0;
-  sections[1].mark = &mark;
+  sections[1].marks = &mark;
   EXPECT_EQ(refused(), WRC_ERROR_PROFILE) << sentence;
-  sections[0].marks = 1;
+  sections[0].mark_count = 1;
   const double beside = 0.3;
-  sections[0].mark = &beside;
+  sections[0].marks = &beside;
   EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_ERROR_PROFILE);
-  sections[0].mark = &mark;
+  sections[0].marks = &mark;
   EXPECT_EQ(refused(), WRC_OK) << sentence;
   sections[1].surface = 2;
   EXPECT_EQ(refused(), WRC_ERROR_RANGE) << sentence;
@@ -336,8 +336,8 @@ TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
   sections[1].distance = 2.0;
   EXPECT_EQ(refused(), WRC_OK) << sentence;
   // a face that goes on behind another one's sections
-  add(0.0).face = 1;
-  add(3.0).face = 1;
+  add(0.0).surface = 1;
+  add(3.0).surface = 1;
   add(4.0);
   give();
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
@@ -372,14 +372,14 @@ TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
   // marks that make 3 mm of one outline a pair of 36 mm of the other
   const double marks[] = {-0.033, 0.0};
   for (std::size_t k : {0U, 1U}) {
-    sections[k].marks = 1;
-    sections[k].mark = &marks[k];
+    sections[k].mark_count = 1;
+    sections[k].marks = &marks[k];
   }
   cannot("cannot be paired");
   // turned by more than 60 degrees where the other one is level
   for (wrc_rail_section& each : sections) {
-    each.marks = 0;
-    each.mark = nullptr;
+    each.mark_count = 0;
+    each.marks = nullptr;
   }
   sections[1].profile.z = steep.data();
   cannot("no pair");
@@ -504,7 +504,7 @@ TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionWhereTheRailChanges) {
 TEST_F(ExactAlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   add(0.0);
   add(10.0);
-  for (const double distance : {4.0, 6.0}) add(distance, 30e-6).face = 1;  // the same head, lower
+  for (const double distance : {4.0, 6.0}) add(distance, 30e-6).surface = 1;  // the same head, lower
   give();
   wheel.y = 3e-3;
   create();

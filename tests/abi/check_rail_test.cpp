@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../check_rail_points.hpp"
-#include "wheel_on_rail.hpp"
 #include "test_config.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -49,7 +49,7 @@ class CheckRail : public testing::Test, protected PlacedWheel {
       y.insert(y.begin(), last_y);
       z.insert(z.begin(), last_z);
     }
-    for (uint32_t i = 0; i < nodes_y.count[0]; ++i) {
+    for (uint32_t i = 0; i < nodes_y.count; ++i) {
       y.push_back(at(nodes_y, i) - middle);
       z.push_back(at(nodes_z, i));
     }
@@ -73,7 +73,7 @@ class CheckRail : public testing::Test, protected PlacedWheel {
       ASSERT_GE(step(), 0) << error();
       double carried = 0.0;
       for (int32_t i = 0; i < wrench.region_count; ++i)
-        if (region(i).face == 0) carried += region(i).normal_force;
+        if (region(i).surface == 0) carried += region(i).normal_force;
       (carried > 30e3 ? low : high) = y;
     }
     ASSERT_LT(low - high, 1e-9);
@@ -106,7 +106,7 @@ TEST_F(CheckRail, BothRailsAddUp) {
     create(which);
     ASSERT_EQ(step(), WRC_OK) << error();
     const wrc_wrench rail_alone = wrench;
-    EXPECT_EQ(region(0).face, 0);
+    EXPECT_EQ(region(0).surface, 0);
     const double size = together.normal_force;
     const double lever[3] = {check.point[0], check.point[1] - wheel.y, check.point[2] - wheel.z + 0.46};
     for (int k = 0; k < 3; ++k) {
@@ -148,7 +148,7 @@ TEST_F(CheckRail, FarFromItNothingChanges) {
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_wrench with = wrench;
   ASSERT_EQ(wrench.region_count, 1);
-  EXPECT_EQ(region(0).face, 1);
+  EXPECT_EQ(region(0).surface, 1);
   config.check_rail = test_config().check_rail;
   create();
   ASSERT_EQ(step(), WRC_OK);

@@ -101,8 +101,8 @@ struct Conicities {
     problem.count = static_cast<uint32_t>(y.size());
     problem.lateral = y.data();
     problem.radius_difference = dr.data();
-    problem.amplitudes = static_cast<uint32_t>(amplitude.size());
-    problem.amplitude = amplitude.data();
+    problem.amplitude_count = static_cast<uint32_t>(amplitude.size());
+    problem.amplitudes = amplitude.data();
     problem.contact_distance = e;
     problem.radius = r0;
     wrc_conicity result = sized<wrc_conicity>();

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "test_config.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 

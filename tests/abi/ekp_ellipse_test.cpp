@@ -15,8 +15,7 @@ ReferenceWheel& ellipse(ReferenceWheel& wheel) {
 
 TEST(EkpEllipse, HasTheReferenceProgramsNumbers) {
   ReferenceWheel wheel;
-  ellipse(wheel).config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
-  wheel.config.wheel_material.poisson = config.rail_material.poisson = 0.28;
+  ellipse(wheel).config.wheel_material = wheel.config.rail_material = wrc_material_default();
   wheel.config.planar.strips = 200;
   // Of 80 kN. At 5.5 mm the reference's grid is felt; at 5 mm the overlap has two regions.
   const struct {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "field_values.hpp"
-#include "test_config.hpp"
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -25,8 +25,16 @@ class ExactCheck : public ReferenceContact {
     creepage.speed = 20.0;
   }
   int32_t check(Listener* listener = nullptr) {
-    return wrc_exact_check(contact, 32, 48, listener == nullptr ? nullptr : Listener::hear, listener,
-                           &result);
+    wrc_exact_check_options options = cells(32, 48);
+    options.progress = listener == nullptr ? nullptr : Listener::hear;
+    options.user = listener;
+    return wrc_exact_check(contact, &options, &result);
+  }
+  static wrc_exact_check_options cells(uint32_t nx, uint32_t ny) {
+    wrc_exact_check_options options = wrc_exact_check_options_default();
+    options.nx = nx;
+    options.ny = ny;
+    return options;
   }
 };
 
@@ -124,13 +132,14 @@ TEST_F(ExactCheck, RefusesWhatItCannotCheck) {
   EXPECT_EQ(check(), WRC_ERROR_SEQUENCE);
   EXPECT_NE(error().find("wrc_planar_step"), std::string::npos) << error();
   ASSERT_EQ(step(), WRC_OK);
-  EXPECT_EQ(wrc_exact_check(nullptr, 32, 32, nullptr, nullptr, &result), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_exact_check(contact, 32, 32, nullptr, nullptr, nullptr), WRC_ERROR_NULL);
+  const wrc_exact_check_options coarse = cells(4, 32), fine = cells(32, 100000);
+  EXPECT_EQ(wrc_exact_check(nullptr, nullptr, &result), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_exact_check(contact, nullptr, nullptr), WRC_ERROR_NULL);
   result.fx = 7.0;
-  EXPECT_EQ(wrc_exact_check(contact, 4, 32, nullptr, nullptr, &result), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_exact_check(contact, &coarse, &result), WRC_ERROR_RANGE);
   EXPECT_EQ(result.fx, 0.0);
   EXPECT_NE(error().find("nx = 4"), std::string::npos) << error();
-  EXPECT_EQ(wrc_exact_check(contact, 32, 100000, nullptr, nullptr, &result), WRC_ERROR_RANGE);
+  EXPECT_EQ(wrc_exact_check(contact, &fine, &result), WRC_ERROR_RANGE);
   result.struct_size = 8;
   EXPECT_EQ(check(), WRC_ERROR_STRUCT_SIZE);
   result.struct_size = sizeof result;
@@ -209,7 +218,7 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
     row.emplace_back(view.data, view.data + view.count[0]);
   }
   wrc_planar_gap rows = sized<wrc_planar_gap>();
-  rows.rows = static_cast<uint32_t>(row[0].size());
+  rows.row_count = static_cast<uint32_t>(row[0].size());
   rows.y = row[0].data();
   rows.height = row[1].data();
   rows.centre = row[2].data();

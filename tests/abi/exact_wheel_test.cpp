@@ -8,8 +8,8 @@
 
 #include "offline_helpers.hpp"
 #include "reference_contact.hpp"
-#include "wheel_on_rail.hpp"
 #include "test_config.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -79,7 +79,7 @@ TEST_F(ExactWheel, IsNearTheRealTimeSolutionOfTheSamePose) {
     EXPECT_NEAR(wrench.peak_pressure / fast.peak_pressure, 1.0, 0.02);
     EXPECT_NEAR(wrench.normal_force / fast.normal_force, 1.0, 0.01);
     EXPECT_NEAR(wrench.power / fast.power, 1.0, 0.1);
-    EXPECT_EQ(wrench.region_count, fast.regions);
+    EXPECT_EQ(wrench.region_count, fast.region_count);
   }
 }
 

@@ -302,7 +302,10 @@ TEST(FrictionInterface, ExactCheckUsesTheStripsFriction) {
   wheel.set_zones(y, mu, WRC_ZONES_CONTACT_FRAME);
   ASSERT_EQ(wheel.step(), WRC_OK);
   wrc_exact_check_result result = sized<wrc_exact_check_result>();
-  ASSERT_EQ(wrc_exact_check(wheel.contact, 32, 40, nullptr, nullptr, &result), WRC_OK) << wheel.error();
+  wrc_exact_check_options options = wrc_exact_check_options_default();
+  options.nx = 32;
+  options.ny = 40;
+  ASSERT_EQ(wrc_exact_check(wheel.contact, &options, &result), WRC_OK) << wheel.error();
   EXPECT_LT(result.force_error, 0.04);  // constant 0.35 would be 0.2 off
 }
 

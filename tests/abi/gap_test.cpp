@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 

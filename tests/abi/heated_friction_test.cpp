@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "field_values.hpp"
-#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
+#include "test_config.hpp"
 
 namespace {
 

@@ -4,9 +4,10 @@
 #include <cstring>
 #include <vector>
 
+#include "field_values.hpp"
 #include "reference_contact.hpp"
-#include "wheel_on_rail.hpp"
 #include "test_config.hpp"
+#include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -27,12 +28,13 @@ class HeatedWheel : public testing::Test, protected PlacedWheel {
   /// Longitudinal creepage, nearly.
   void slide(double share) { wheel.angular_velocity[1] = -wheel.velocity[0] / 0.46 * (1.0 + share); }
   void solve() { ASSERT_GE(step(), WRC_OK) << error(); }
+  /// Values of cells in rows of strips: cell i of strip j at i * strips + j.
   Numbers field(int32_t index, int32_t which) {
-    wrc_region shown = sized<wrc_region>();
-    EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
-    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
-    Numbers values(static_cast<std::size_t>(shown.strips * (of_cells ? shown.cells : 1)));
-    EXPECT_EQ(wrc_contact_region_field(contact, index, which, values.data(), values.size()), WRC_OK);
+    const FieldValues found = field_values(contact, index, which);
+    EXPECT_EQ(found.status, WRC_OK) << which;
+    Numbers values;
+    for (std::size_t i = 0; i < found.cells; ++i)
+      for (std::size_t j = 0; j < found.strips; ++j) values.push_back(found.at(i, j));
     return values;
   }
   wrc_temperature temperature(int32_t index) {
@@ -267,7 +269,7 @@ TEST_F(HeatedWheel, RefusesWhatItCannot) {
   solve();
   wrc_temperature found = sized<wrc_temperature>();
   EXPECT_EQ(wrc_contact_temperature(contact, 0, nullptr, &found), WRC_ERROR_UNSUPPORTED);
-  config.tangential = wrc_config_default().tangential;
+  config.tangential = test_config().tangential;
   config.tangential.method = WRC_TANGENTIAL_FORCE_TABLE;
   config.tangential.force_table = WRC_FORCE_TABLE;
   create();

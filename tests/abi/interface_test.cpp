@@ -16,6 +16,7 @@
 #include "reference_contact.hpp"
 #include "test_config.hpp"
 #include "wrc/wrc_api.h"
+#include "wrc/wrc_experimental_api.h"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -332,7 +333,8 @@ TEST_F(Interface, RailsCantedTwiceOrTooShallowAreRefused) {
 
 TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.wheel_material.poisson = config.rail_material.poisson = 0.51;
-  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson = config.rail_material.poisson = 0.51", "0 .. 0.5"});
+  expect_config_refused(WRC_ERROR_RANGE,
+                        {"config.wheel_material.poisson = config.rail_material.poisson = 0.51", "0 .. 0.5"});
   config.wheel_material.poisson = config.rail_material.poisson = -0.1;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson"});
   config.wheel_material.poisson = config.rail_material.poisson = nan_value;
@@ -623,11 +625,11 @@ TEST_F(Interface, WithoutAContactOutputsAreZero) {
     EXPECT_EQ(wrc_planar_regularise(wrong, nullptr, &normal), WRC_ERROR_NULL);
     EXPECT_EQ(normal.area, 0.0);
     refill();
-    wrc_patch one = sized<wrc_patch>();
-    ASSERT_EQ(wrc_contact_patch(contact, 0, &one), WRC_OK);
-    EXPECT_EQ(wrc_contact_patch(wrong, 0, &one), WRC_ERROR_NULL);
+    wrc_region one = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &one), WRC_OK);
+    EXPECT_EQ(wrc_contact_region(wrong, 0, &one), WRC_ERROR_NULL);
     EXPECT_EQ(one.area, 0.0);
-    EXPECT_EQ(one.forces.fn, 0.0);
+    EXPECT_EQ(one.normal_force, 0.0);
 
     wrc_wear wear{};
     wear.worn_area_rate = 1.0;
@@ -655,9 +657,9 @@ TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
     EXPECT_NE(forces.fn, 0.0);  // not touched
     output.struct_size = sizeof output;
   }
-  wrc_patch patch = sized<wrc_patch>();
+  wrc_region patch = sized<wrc_region>();
   patch.struct_size -= 8;
-  EXPECT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(wrc_contact_region(contact, 0, &patch), WRC_ERROR_STRUCT_SIZE);
   expect_works();
 }
 
@@ -679,22 +681,21 @@ TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {
 TEST_F(Interface, PatchesHaveTheirPlaceAfterAPose) {
   pose.lateral = -5e-3;
   expect_works();
-  wrc_patch patch = sized<wrc_patch>();
-  ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
-  EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, static_cast<uint32_t>(WRC_AVAILABLE_PLACE));
+  wrc_region patch = sized<wrc_region>();
+  ASSERT_EQ(wrc_contact_region(contact, 0, &patch), WRC_OK);
+  EXPECT_EQ(patch.available, static_cast<uint32_t>(WRC_AVAILABLE_PLACE | WRC_AVAILABLE_TRACTIONS));
   EXPECT_EQ(patch.ellipse.psi, normal.ellipse.psi);
-  EXPECT_EQ(patch.forces.fx, forces.fx);
+  EXPECT_EQ(patch.longitudinal_force, forces.fx);
   EXPECT_NEAR(patch.point[1], point.y + std::cos(point.angle) * patch.ellipse.y, 1e-12);
   EXPECT_NEAR(patch.point[2], point.z + std::sin(point.angle) * patch.ellipse.y, 1e-12);
   EXPECT_NEAR(patch.normal[1], -std::sin(point.angle), 1e-12);
   EXPECT_NEAR(patch.normal[2], std::cos(point.angle), 1e-12);
-  EXPECT_EQ(patch.forces.available, static_cast<uint32_t>(WRC_AVAILABLE_TRACTIONS));
 
   wrc_ellipse own = sized<wrc_ellipse>();
   own.a = own.b = 5e-3;
   own.normal_force = 80e3;
   ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
-  ASSERT_EQ(wrc_contact_patch(contact, 0, &patch), WRC_OK);
+  ASSERT_EQ(wrc_contact_region(contact, 0, &patch), WRC_OK);
   EXPECT_EQ(patch.available & WRC_AVAILABLE_PLACE, 0U);
   EXPECT_EQ(patch.normal[2], 0.0);
 }
@@ -756,8 +757,13 @@ TEST(FunctionTable, ServesThisInterfaceVersionOnly) {
   EXPECT_EQ(api->struct_size, sizeof(wrc_api));
   EXPECT_EQ(api->abi_version, static_cast<uint32_t>(WRC_ABI_VERSION));
   EXPECT_EQ(api->version(), wrc_version());
-  EXPECT_EQ(api->contact_step, wrc_planar_step);
-  EXPECT_EQ(api->shakedown_limit, wrc_shakedown_limit);
+  EXPECT_EQ(api->planar_step, wrc_planar_step);
+  EXPECT_EQ(api->contact_damage, wrc_contact_damage);
+  const wrc_experimental_api* later = wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION);
+  ASSERT_NE(later, nullptr);
+  EXPECT_EQ(later->struct_size, sizeof(wrc_experimental_api));
+  EXPECT_EQ(later->shakedown_limit, wrc_shakedown_limit);
+  EXPECT_EQ(wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION + 1), nullptr);
   EXPECT_EQ(wrc_get_api(WRC_ABI_VERSION + 1), nullptr);
   EXPECT_EQ(wrc_get_api(1), nullptr);
   const auto says = [](uint32_t requested, const char* words) {

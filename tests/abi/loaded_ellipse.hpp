@@ -1,8 +1,8 @@
 /// A contact whose patch is a double ellipse under a load.
 #pragma once
 
-#include "test_config.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 class LoadedEllipse : public testing::Test {
  protected:

@@ -52,7 +52,7 @@ class Bodies {
   std::vector<std::vector<double>> curve(int32_t body, double* deviation = nullptr) const {
     wrc_view y{}, z = wrc_view{};
     EXPECT_EQ(wrc_model_profile(model, WRC_SIDE_RIGHT, body, &y, &z, deviation), WRC_OK);
-    return {{y.data, y.data + y.count[0]}, {z.data, z.data + z.count[0]}};
+    return {{y.data, y.data + y.count}, {z.data, z.data + z.count}};
   }
 
   wrc_model* model = nullptr;

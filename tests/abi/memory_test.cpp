@@ -35,10 +35,12 @@ TEST_F(Memory, MemoryOfTheCallerFitsExactly) {
   auto* contact_memory = reinterpret_cast<unsigned char*>(
       (reinterpret_cast<std::uintptr_t>(contact_storage.data()) + alignment - 1) / alignment * alignment);
   wrc_contact* own_contact = nullptr;
-  EXPECT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes - 1, &own_contact, nullptr, 0),
-            WRC_ERROR_BUFFER);
+  EXPECT_EQ(
+      wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes - 1, &own_contact, nullptr, 0),
+      WRC_ERROR_BUFFER);
   EXPECT_EQ(own_contact, nullptr);
-  ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_contact_init(own, WRC_SIDE_RIGHT, contact_memory, contact_bytes, &own_contact, nullptr, 0),
+            WRC_OK);
   expect_works();
   const wrc_planar_forces expected = forces;
   std::swap(contact, own_contact);
@@ -73,7 +75,8 @@ TEST_F(Memory, AllocatorOfTheCallerIsUsedAndEveryFailureIsAStatus) {
     counter = {0, allowed};
     wrc_model* own = nullptr;
     wrc_contact* own_contact = nullptr;
-    EXPECT_EQ(wrc_model_create(&config, &allocator, &own, nullptr, 0), allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
+    EXPECT_EQ(wrc_model_create(&config, &allocator, &own, nullptr, 0),
+              allowed > 0 ? WRC_OK : WRC_ERROR_MEMORY);
     EXPECT_EQ(own != nullptr, allowed > 0);
     if (own != nullptr) {
       EXPECT_EQ(wrc_contact_create(own, WRC_SIDE_RIGHT, &allocator, &own_contact, nullptr, 0),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "vectors.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
@@ -24,7 +25,7 @@ class NaturalMotion : public testing::Test, protected PlacedWheel {
     friction.coefficient = 0.35;
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = 80e3;
-    wheel = wrc_wheel_state_default();
+    wheel = sized<wrc_wheel_state>();
     wheel.velocity[0] = 20.0;
     wheel.yaw = 5e-3;
   }
@@ -73,7 +74,7 @@ TEST_F(NaturalMotion, RatesAreThoseOfRollPitchAndYaw) {
   friction.coefficient = 0.3;
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     take(which);
-    wheel = wrc_wheel_state_default();
+    wheel = sized<wrc_wheel_state>();
     wheel.velocity[0] = 20.0;
     wheel.roll = 0.02;
     wheel.yaw = -0.03;
@@ -119,7 +120,7 @@ TEST_F(NaturalMotion, ARotationOfNoOrderIsRefused) {
   expect_the_force();
   wheel.yaw = 5e-3;
   expect_refused({"input.wheel.yaw", "not both"});
-  wheel = wrc_wheel_state_default();
+  wheel = sized<wrc_wheel_state>();
   wheel.orientation = WRC_ORIENTATION_ROWS;  // and no matrix
   expect_refused({"no rotation"});
 }

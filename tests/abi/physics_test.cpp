@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "field_values.hpp"
-#include "test_config.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ class Wheel : public ReferenceWheel {
   }
 
   int32_t roll(const Motion& motion) {
-    pose = {motion.lateral, motion.roll, motion.yaw};
+    pose = {motion.lateral, motion.roll, motion.yaw, {}};
     creep(motion);
     return step();
   }
@@ -71,7 +71,7 @@ class Wheel : public ReferenceWheel {
     double sum = 0.0;
     for (int32_t k = 0; k < normal.patch_count; ++k) {
       const FieldView values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
+                      half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
       for (uint64_t j = 0; j < values.count[1]; ++j)
         for (uint64_t i = 0; i < values.count[0]; ++i)
           sum += values.data[i * values.stride[0] + j * values.stride[1]] * width.data[j * width.stride[0]] *
@@ -280,7 +280,8 @@ TEST_P(Physics, StifferBodiesUnderMoreLoadAreTheSameProblem) {
   Wheel soft, stiff;
   choose(soft);
   choose(stiff);
-  stiff.config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 2.0 * soft.config.wheel_material.shear_modulus;
+  stiff.config.wheel_material.shear_modulus = stiff.config.rail_material.shear_modulus =
+      2.0 * soft.config.wheel_material.shear_modulus;
   stiff.load.normal_force = 2.0 * soft.load.normal_force;
   const Motion m{0.002, 0.0, 0.0, 1e-3, -5e-4, 0.2};
   ASSERT_GE(soft.roll(m), 0);

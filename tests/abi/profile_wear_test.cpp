@@ -48,7 +48,7 @@ struct Worn {
     wear.count = static_cast<uint32_t>(given.y.size());
     wear.y = given.y.data();
     wear.z = given.z.data();
-    wear.bins = static_cast<uint32_t>(depth.size());
+    wear.bin_count = static_cast<uint32_t>(depth.size());
     wear.depth = depth.data();
     result.capacity = capacity;
     result.y = profile.y.data();

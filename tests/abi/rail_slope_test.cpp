@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 #include "vectors.hpp"
 #include "wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
@@ -103,7 +104,7 @@ class RailSlope : public testing::Test, protected PlacedWheel {
   wrc_wrench exactly(const wrc_wheel_input& of) {
     wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
     options.cell_x = options.cell_s = 0.5e-3;
-    wrc_wrench exact = wrc_wrench_default();
+    wrc_wrench exact = sized<wrc_wrench>();
     EXPECT_EQ(wrc_exact_wrench(contact, &of, &options, &exact), WRC_OK) << error();
     return exact;
   }
@@ -138,7 +139,7 @@ TEST_F(RailSlope, IsEverythingElseTurnedByHand) {
         input.damping = damping;
         ASSERT_EQ(step(), WRC_OK) << error();
         const wrc_wrench aslant = wrench;
-        wrc_region region = wrc_region_default(), along = region;
+        wrc_region region = sized<wrc_region>(), along = region;
         ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
         const Matrix turn = smallest_rotation(rail.y_slope, rail.z_slope);
         const wrc_wheel_input by_hand = turned_by_hand(turn);
@@ -168,7 +169,7 @@ TEST_F(RailSlope, RegionsLieInTheTrack) {
   Vector force{}, moment{};
   const Vector reference = {0.0, wheel.y, wrench.z - radius};
   for (int32_t k = 0; k < wrench.region_count; ++k) {
-    wrc_region region = wrc_region_default();
+    wrc_region region = sized<wrc_region>();
     ASSERT_EQ(wrc_contact_region(contact, k, &region), WRC_OK);
     force = force + vector_of(region.force);
     moment = moment + vector_of(region.moment) +
@@ -177,7 +178,7 @@ TEST_F(RailSlope, RegionsLieInTheTrack) {
     // own place by the yaw
     EXPECT_NEAR(region.point[0], -half_base * std::sin(wheel.yaw) - radius * rail.z_slope, 1e-3);
     std::vector<double> x(static_cast<std::size_t>(region.strip_count));
-    ASSERT_EQ(wrc_contact_region_field(contact, k, WRC_FIELD_STRIP_CENTRE, x.data(), x.size()), WRC_OK);
+    ASSERT_EQ(wrc_contact_field(contact, k, WRC_FIELD_STRIP_CENTRE, x.data(), x.size(), nullptr), WRC_OK);
     EXPECT_NEAR(x[x.size() / 2], region.point[0], 2e-3);
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -260,7 +261,7 @@ TEST_F(RailSlope, TheWrenchIsSmoothInTheSlopes) {
 /// Sections stand square to the track, so that a rail of sections displaced in proportion to the distance is
 /// that rail sheared, not turned: the same but for the square of the slope.
 TEST_F(RailSlope, IsARailOfSectionsThatRunsSo) {
-  rail = wrc_rail_state_default();
+  rail = sized<wrc_rail_state>();
   wheel.roll = 0.0;
   input.damping = 0.0;
   wrc_config plain = config;
@@ -279,7 +280,7 @@ TEST_F(RailSlope, IsARailOfSectionsThatRunsSo) {
       const wrc_wrench turned_rail = wrench;
       const wrc_wrench exactly_turned = exactly(input);
 
-      rail = wrc_rail_state_default();
+      rail = sized<wrc_rail_state>();
       std::vector<wrc_rail_section> sections;
       for (int k = -4; k <= 4; ++k) {
         wrc_rail_section section{};

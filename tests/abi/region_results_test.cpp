@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "wheel_on_rail.hpp"
 
@@ -28,24 +29,26 @@ class RegionResults : public testing::Test, protected PlacedWheel {
     EXPECT_EQ(wrc_contact_region(contact, index, &shown), WRC_OK);
     return shown;
   }
+  /// Values of cells in rows of strips: cell i of strip j at i * strips + j.
   Numbers field(int32_t index, int32_t which) {
-    const wrc_region shown = region(index);
-    const auto strips = static_cast<std::size_t>(shown.strips), cells = static_cast<std::size_t>(shown.cells);
-    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
-    Numbers values(of_cells ? strips * cells : strips);
-    EXPECT_EQ(wrc_contact_region_field(contact, index, which, values.data(), values.size()), WRC_OK);
+    const FieldValues found = field_values(contact, index, which);
+    EXPECT_EQ(found.status, WRC_OK) << which;
+    Numbers values;
+    for (std::size_t i = 0; i < found.cells; ++i)
+      for (std::size_t j = 0; j < found.strips; ++j) values.push_back(found.at(i, j));
     return values;
   }
   Numbers all_fields() {
     Numbers all;
     for (int32_t i = 0; i < wrench.region_count; ++i)
-      for (int32_t which = 0; which <= WRC_FIELD_TEMPERATURE_RISE; ++which)
+      for (int32_t which = 0; which <= WRC_FIELD_STRIP_ANGLE; ++which)
         for (const double value : field(i, which)) all.push_back(value);
     return all;
   }
   /// Over the cells of a region.
   double integral(int32_t index, const Numbers& values) {
-    const Numbers width = field(index, WRC_FIELD_STRIP_WIDTH), half = field(index, WRC_FIELD_STRIP_HALF_LENGTH);
+    const Numbers width = field(index, WRC_FIELD_STRIP_WIDTH),
+                  half = field(index, WRC_FIELD_STRIP_HALF_LENGTH);
     const std::size_t cells = values.size() / width.size();
     double sum = 0.0;
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -150,8 +153,7 @@ TEST_F(RegionResults, TheEllipseIsHertzs) {
   wheel.z = 0.0;
   create();
   solve();
-  wrc_ellipse ellipse = sized<wrc_ellipse>();
-  ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_OK);
+  const wrc_ellipse ellipse = region(0).ellipse;
   const double nu = config.wheel_material.poisson, E = 2.0 * config.wheel_material.shear_modulus * (1.0 + nu);
   const double a = std::cbrt(1.5 * 80e3 * radius * (1.0 - nu * nu) / E);
   EXPECT_NEAR(ellipse.normal_force, 80e3, 1.0);
@@ -195,13 +197,12 @@ TEST_F(RegionResults, BothSidesHaveTheSameFields) {
   create();
   solve();
   const Numbers right = all_fields();
-  wrc_ellipse of_right{}, of_left{};
-  ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &of_right), WRC_OK);
+  const wrc_ellipse of_right = region(0).ellipse;
   take(WRC_SIDE_LEFT);
   for (double* each : {&wheel.y, &wheel.yaw, &wheel.velocity[1]}) *each = -*each;
   solve();
   EXPECT_EQ(all_fields(), right);
-  ASSERT_EQ(wrc_contact_region_ellipse(contact, 0, &of_left), WRC_OK);
+  const wrc_ellipse of_left = region(0).ellipse;
   EXPECT_EQ(std::memcmp(&of_left, &of_right, sizeof of_left), 0);
 }
 
@@ -225,33 +226,33 @@ TEST_F(RegionResults, WithoutFrictionSlipIsRigidAndNothingIsDissipated) {
 
 TEST_F(RegionResults, WhatIsNotThereIsRefused) {
   create();
-  wrc_ellipse ellipse{};
+  wrc_region shown = sized<wrc_region>();
   wrc_damage damage{};
   double value = 7.0;
-  damage.power = ellipse.a = 7.0;
-  EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, &ellipse), WRC_ERROR_SEQUENCE);
+  damage.power = shown.ellipse.a = 7.0;
+  EXPECT_EQ(wrc_contact_region(contact, 0, &shown), WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_damage(contact, 0, &damage), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, &value, 1), WRC_ERROR_SEQUENCE);
-  EXPECT_EQ(ellipse.a, 0.0);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_X, &value, 1, nullptr), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(shown.ellipse.a, 0.0);
   EXPECT_EQ(damage.power, 0.0);
   solve();
   for (const int32_t none : {-1, wrench.region_count}) {
-    EXPECT_EQ(wrc_contact_region_ellipse(contact, none, &ellipse), WRC_ERROR_RANGE);
+    EXPECT_EQ(wrc_contact_region(contact, none, &shown), WRC_ERROR_RANGE);
     EXPECT_EQ(wrc_contact_damage(contact, none, &damage), WRC_ERROR_RANGE);
-    EXPECT_EQ(wrc_contact_region_field(contact, none, WRC_FIELD_X, &value, 1), WRC_ERROR_RANGE);
+    EXPECT_EQ(wrc_contact_field(contact, none, WRC_FIELD_X, &value, 1, nullptr), WRC_ERROR_RANGE);
   }
-  EXPECT_EQ(wrc_contact_region_ellipse(contact, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_region(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_damage(contact, 0, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_X, nullptr, 1), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_X, nullptr, 1, nullptr), WRC_ERROR_NULL);
   wrc_temperature temperature = sized<wrc_temperature>();
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   EXPECT_EQ(wrc_contact_temperature(contact, 0, &bulk, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_temperature(contact, wrench.region_count, &bulk, &temperature), WRC_ERROR_RANGE);
   bulk.rail = 5000.0;
   EXPECT_EQ(wrc_contact_temperature(contact, 0, &bulk, &temperature), WRC_ERROR_RANGE);
-  for (const int32_t none : {-1, WRC_FIELD_TEMPERATURE_RISE + 1})
-    EXPECT_EQ(wrc_contact_region_field(contact, 0, none, &value, 1), WRC_ERROR_UNSUPPORTED);
-  EXPECT_EQ(wrc_contact_region_field(contact, 0, WRC_FIELD_STRIP_Y, &value, 1), WRC_ERROR_BUFFER);
+  for (const int32_t none : {-1, WRC_FIELD_GAP_CURVATURE + 1})
+    EXPECT_EQ(wrc_contact_field(contact, 0, none, &value, 1, nullptr), WRC_ERROR_UNSUPPORTED);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_Y, &value, 1, nullptr), WRC_ERROR_BUFFER);
   EXPECT_EQ(value, 7.0);
 }
 

@@ -69,7 +69,9 @@ class Contact {
   wrc_contact* contact_ = nullptr;
 };
 
-double apart(const wrc_planar_forces& a, const wrc_planar_forces& b) { return std::hypot(a.fx - b.fx, a.fy - b.fy); }
+double apart(const wrc_planar_forces& a, const wrc_planar_forces& b) {
+  return std::hypot(a.fx - b.fx, a.fy - b.fy);
+}
 
 // What rigid creepages put in over a cycle, friction takes out: elastic energy is the same again.
 TEST(RollingMemory, PowerIsTheWorkOfACycle) {
@@ -170,7 +172,9 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   for (double& p : pressure) p *= contact.ellipse.normal_force / sum;
   problem.pressure = pressure.data();
   wrc_exact_transient* bodies = nullptr;
-  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material,
+                                       &bodies, nullptr, 0),
+            WRC_OK);
   wrc_exact_rolling_solution exact = sized<wrc_exact_rolling_solution>();
   double worst = 0.0, largest = 0.0;
   for (int k = 0; k < 80; ++k) {
@@ -259,7 +263,7 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   wrc_planar_forces forces{};
   contact.creepage.speed = -1.0;
   EXPECT_EQ(wrc_planar_tangential(contact.handle(), &contact.ellipse, &contact.creepage, &contact.friction,
-                                   &forces),
+                                  &forces),
             WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
 

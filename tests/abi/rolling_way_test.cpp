@@ -8,9 +8,9 @@
 #include <random>
 
 #include "field_values.hpp"
-#include "test_config.hpp"
 #include "presets.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "abi/reference_contact.hpp"
 #include "presets.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -25,7 +25,7 @@ class Sensitivities : public ReferenceContact {
 };
 
 TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
-  wrc_planar_derivatives s{};
+  wrc_planar_derivatives s = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_ERROR_SEQUENCE);
   ASSERT_EQ(step(), WRC_OK) << error();
   const std::vector<char> before = state();
@@ -51,12 +51,12 @@ TEST_F(Sensitivities, SensitivitiesAreThoseOfTheTangentialStage) {
 }
 
 TEST_F(Sensitivities, OfAPatchOfTheCaller) {
-  wrc_ellipse own = wrc_ellipse_default();
+  wrc_ellipse own = sized<wrc_ellipse>();
   own.a = 5e-3;
   own.b = 4e-3;
   own.normal_force = 80e3;
   ASSERT_EQ(wrc_planar_tangential(contact, &own, &creepage, &friction, &forces), WRC_OK) << error();
-  wrc_planar_derivatives s{};
+  wrc_planar_derivatives s = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_OK) << error();
   EXPECT_LT(s.forces[0][0], 0.0);
 }
@@ -65,7 +65,7 @@ TEST_F(Sensitivities, WithoutContactAreZeroAndFlagged) {
   load.prescribed = WRC_PRESCRIBE_APPROACH;
   load.approach = -1e-3;
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
-  wrc_planar_derivatives s{};
+  wrc_planar_derivatives s = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact, &s), WRC_FLAG_NO_CONTACT);
   EXPECT_EQ(s.forces[0][0], 0.0);
   EXPECT_EQ(wrc_planar_tangential_derivatives(nullptr, &s), WRC_ERROR_NULL);
@@ -92,7 +92,7 @@ TEST_F(Sensitivities, DifferencesStandInWhereAMethodHasNoDerivatives) {
     create();
     ASSERT_GE(step(), 0) << error();
     const std::vector<char> before = state();
-    wrc_planar_derivatives s{};
+    wrc_planar_derivatives s = sized<wrc_planar_derivatives>();
     ASSERT_GE(wrc_planar_tangential_derivatives(contact, &s), 0) << error();
     EXPECT_EQ(state(), before);
 

@@ -2,8 +2,8 @@
 /// is wrong is named with its unit and likely cause.
 #include <gtest/gtest.h>
 
-#include "test_config.hpp"
 #include "reference_contact.hpp"
+#include "test_config.hpp"
 
 namespace {
 

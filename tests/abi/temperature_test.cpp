@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "field_values.hpp"
-#include "test_config.hpp"
 #include "loaded_ellipse.hpp"
 #include "not_finite.hpp"
+#include "test_config.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "offline_helpers.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -38,7 +38,8 @@ class Transient : public testing::Test {
   }
 
   void create() {
-    ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, &bodies, text, sizeof text),
+    ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material,
+                                         &bodies, text, sizeof text),
               WRC_OK)
         << text;
   }
@@ -51,7 +52,7 @@ TEST_F(Transient, FirstStepIsCattaneosShift) {
   // 0: slip is along x everywhere, as Cattaneo and Mindlin have it; delta_full = 3 mu N (2 / G) 2 / (16 a).
   const double a = 4e-3, load = 50e3, mu = 0.3, G = 80e9;
   press(a, a, 0.0, load, grid_over(1.02 * a, 1.02 * a, 48));
-  problem.materials.poisson_1 = problem.materials.poisson_2 = 0.0;
+  problem.wheel_material.poisson = problem.rail_material.poisson = 0.0;
   problem.coefficient = mu;
   create();
   const double full = 3.0 * mu * load / (16.0 * a) * (4.0 / G);
@@ -130,16 +131,18 @@ TEST_F(Transient, CancelledAndRefusedStepsLeaveTheHistory) {
   EXPECT_NE(std::string(text).find("problem.grid"), std::string::npos) << text;
   problem.grid.dx /= 1.01;
   problem.grid = grid_over(a, a, 16);
-  problem.materials.poisson_1 = 0.3;
+  problem.wheel_material.poisson = 0.3;
   EXPECT_EQ(step(), WRC_ERROR_RANGE);
-  EXPECT_NE(std::string(text).find("problem.materials"), std::string::npos) << text;
-  problem.materials.poisson_1 = 0.25;
+  EXPECT_NE(std::string(text).find("problem.wheel_material"), std::string::npos) << text;
+  problem.wheel_material.poisson = 0.25;
   EXPECT_EQ(wrc_exact_transient_step(nullptr, &problem, &solution, text, sizeof text), WRC_ERROR_NULL);
 
   ASSERT_EQ(step(), WRC_OK) << text;
   const double second = solution.fx;
   wrc_exact_transient* others = nullptr;
-  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, &others, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material,
+                                       &others, nullptr, 0),
+            WRC_OK);
   for (int k = 0; k < 2; ++k) wrc_exact_transient_step(others, &problem, &solution, nullptr, 0);
   EXPECT_EQ(solution.fx, second);
   wrc_exact_transient_destroy(others);
@@ -152,10 +155,12 @@ TEST_F(Transient, CancelledAndRefusedStepsLeaveTheHistory) {
   EXPECT_LT(std::fabs(solution.fx), 0.8 * std::fabs(second));  // from bodies without tractions
 
   const wrc_grid unset = sized<wrc_grid>();
-  EXPECT_EQ(wrc_exact_transient_create(&unset, &problem.materials, &others, text, sizeof text),
+  EXPECT_EQ(wrc_exact_transient_create(&unset, &problem.wheel_material, &problem.rail_material, &others, text,
+                                       sizeof text),
             WRC_ERROR_RANGE);
   EXPECT_EQ(others, nullptr);
-  EXPECT_EQ(wrc_exact_transient_create(&problem.grid, &problem.materials, nullptr, text, sizeof text),
+  EXPECT_EQ(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material,
+                                       nullptr, text, sizeof text),
             WRC_ERROR_NULL);
   wrc_exact_transient_destroy(nullptr);
 }

@@ -296,7 +296,7 @@ TEST_P(WheelDerivatives, ByAFactorOnFriction) {
   const double y[] = {-0.06, -0.03, 0.0, 0.02};
   wheel.velocity[1] = 0.06;
   const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
-  for (const int32_t kind : {WRC_FRICTION_CONSTANT, WRC_FRICTION_FALLING, WRC_TEMPERATURE_LAW_LINEAR})
+  for (const int kind : {0, 1, 2})  // constant, falling with speed, with temperature
     for (const bool zones : {false, true})
       for (const double at : {0.0, 6.5e-3}) {
         SCOPED_TRACE(testing::Message() << kind << ' ' << zones << ' ' << at);
@@ -306,7 +306,8 @@ TEST_P(WheelDerivatives, ByAFactorOnFriction) {
         double coefficient[4];
         for (const double factor : {1.0 - h, 1.0 + h, 1.0}) {
           input.friction = wrc_friction_default();
-          input.friction.kind = kind;
+          if (kind == 1) input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
+          if (kind == 2) input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
           input.friction.coefficient = 0.35 * factor;
           if (zones) {
             const double at_zones[] = {0.1, 0.25, 0.4, 0.3};

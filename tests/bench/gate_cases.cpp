@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "test_config.hpp"
 #include "along_track.hpp"
 #include "proof/wheel.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -158,8 +158,7 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
         wrc_planar_normal(wheel.contact, nullptr, &wheel.load, &wheel.output.normal);
         break;
       case Case::tangential:
-        wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
-                               &wheel.output.forces);
+        wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction, &wheel.output.forces);
         break;
       case Case::wrench:
       case Case::derivatives:

@@ -2,16 +2,16 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 namespace {
 
 /// The patch of one row on a grid of strips x cells, by the standard variant.
 wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_t cells, Report& report,
-                 const std::string& name) {
+                        const std::string& name) {
   wrc_config config = test_config();
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 1e6 * file(row, "G_MPa");
   config.wheel_material.poisson = config.rail_material.poisson = file(row, "nu");
@@ -21,7 +21,7 @@ wrc_planar_forces solve(const Csv& file, std::size_t row, int32_t strips, int32_
   const Rolling rolling = rolling_of(file, row);
   wrc_planar_forces forces{};
   const int32_t status = wrc_planar_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
-                                                &rolling.friction, &forces);
+                                               &rolling.friction, &forces);
   if (status < 0) report.fail(row, name, solver.reason(status));
   return forces;
 }

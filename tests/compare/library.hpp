@@ -36,8 +36,10 @@ class Solver {
   explicit Solver(const wrc_config& config, int32_t side = WRC_SIDE_RIGHT) {
     char text[256];
     if (wrc_config_check(&config, text, sizeof text) < 0) throw std::runtime_error(text);
-    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0) throw std::runtime_error("out of memory");
-    if (wrc_contact_create(model_, side, nullptr, &contact_, nullptr, 0) < 0) throw std::runtime_error("out of memory");
+    if (wrc_model_create(&config, nullptr, &model_, nullptr, 0) < 0)
+      throw std::runtime_error("out of memory");
+    if (wrc_contact_create(model_, side, nullptr, &contact_, nullptr, 0) < 0)
+      throw std::runtime_error("out of memory");
   }
   ~Solver() {
     wrc_contact_destroy(contact_);

@@ -1,9 +1,9 @@
 #include <vector>
 
-#include "test_config.hpp"
 #include "cases.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 namespace {

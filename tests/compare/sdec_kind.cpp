@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "presets.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 namespace {
@@ -68,7 +68,7 @@ Report compare_sdec(const Csv& file, const Names& only) {
       const Rolling rolling = rolling_of(file, row);
       wrc_planar_forces forces{};
       const int32_t status = wrc_planar_tangential(solver.contact(), &rolling.ellipse, &rolling.creepage,
-                                                    &rolling.friction, &forces);
+                                                   &rolling.friction, &forces);
       if (status < 0) {
         report.fail(row, variant.name, solver.reason(status));
         continue;

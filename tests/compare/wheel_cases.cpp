@@ -1,4 +1,3 @@
-#include "test_config.hpp"
 #include "wheel_cases.hpp"
 
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <sstream>
 
 #include "presets.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 

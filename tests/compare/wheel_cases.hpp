@@ -12,9 +12,9 @@
 #include <tuple>
 #include <vector>
 
-#include "test_config.hpp"
 #include "csv.hpp"
 #include "library.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <vector>
 
-#include "test_config.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "presets.hpp"
+#include "test_config.hpp"
 
 namespace compare {
 namespace {

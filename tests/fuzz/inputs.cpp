@@ -1,10 +1,10 @@
-#include "test_config.hpp"
 #include "inputs.hpp"
 
 #include <algorithm>
 
 #include "presets.hpp"
 #include "ranges.hpp"
+#include "test_config.hpp"
 
 namespace hostile {
 namespace {
@@ -180,19 +180,24 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   config.planar.strips = count(member<wrc_config>("planar.strips").low, finest);
   config.planar.cells = count(member<wrc_config>("grid.cells").low, finest);
   config.planar.gap_rows = count(member<wrc_config>("planar.gap_rows").low, 8.0 * finest);
-  config.planar.max_patches = static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
+  config.planar.max_patches =
+      static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
   config.planar.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2))
     config.normal.max_iterations = config.planar.max_sweeps =
         static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_sweeps")));
   if (choices.one_in(4))
-    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = sized(choices, member<wrc_config>("material.shear_modulus"));
-  if (choices.one_in(4)) config.wheel_material.poisson = config.rail_material.poisson = anywhere(choices, member<wrc_config>("material.poisson"));
+    config.wheel_material.shear_modulus = config.rail_material.shear_modulus =
+        sized(choices, member<wrc_config>("material.shear_modulus"));
+  if (choices.one_in(4))
+    config.wheel_material.poisson = config.rail_material.poisson =
+        anywhere(choices, member<wrc_config>("material.poisson"));
   if (choices.one_in(2))
     config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
   if (choices.one_in(2)) config.planar.gap_limit = sized(choices, member<wrc_config>("planar.gap_limit"));
   if (choices.one_in(4))
-    config.wheel_material.shear_yield = config.rail_material.shear_yield = sized(choices, member<wrc_config>("material.shear_yield"));
+    config.wheel_material.shear_yield = config.rail_material.shear_yield =
+        sized(choices, member<wrc_config>("material.shear_yield"));
   if (choices.one_in(4))
     config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
@@ -301,7 +306,8 @@ wrc_planar_pose make_pose(Choices& choices) {
   wrc_planar_pose pose = sized<wrc_planar_pose>();
   const bool far = choices.one_in(4);
   pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
-  pose.roll = far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  pose.roll =
+      far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   pose.yaw = sized(choices, member<wrc_planar_pose>("yaw"), 1e-9);
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
@@ -404,8 +410,8 @@ wrc_planar_load make_load(Choices& choices) {
   wrc_planar_load load = wrc_planar_load_default();
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
-    load.approach =
-        choices.one_in(8) ? choices.between(-1.0, 0.0) : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
+    load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0)
+                                      : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
   } else {
     load.normal_force = sized(choices, member<wrc_planar_load>("normal_force"));
   }
@@ -502,7 +508,7 @@ void make_friction(Choices& choices, FrictionArrays& arrays) {
 
 double FrictionArrays::most() const {
   return friction.zone_count > 0 ? *std::max_element(coefficient.begin(), coefficient.end())
-                            : friction.coefficient;
+                                 : friction.coefficient;
 }
 
 wrc_ellipse make_ellipse(Choices& choices) {

@@ -1,4 +1,3 @@
-#include "test_config.hpp"
 #include "play.hpp"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "inputs.hpp"
+#include "test_config.hpp"
 
 namespace hostile {
 namespace {
@@ -107,7 +107,8 @@ class Case {
     config_ = make_config(choices_, size_.finest, wheel.profile, rail.profile);
     make_along_track(choices_, config_, along_track_);
     side_ = static_cast<std::int32_t>(choices_.below(2));
-    const std::int32_t status = hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
+    const std::int32_t status =
+        hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
     if (status != WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
       expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
@@ -116,7 +117,8 @@ class Case {
       return verdict_;
     }
     verdict_.model_made = true;
-    if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_, nullptr, 0) == WRC_OK, "a contact can be made"))
+    if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_, nullptr, 0) == WRC_OK,
+                "a contact can be made"))
       return verdict_;
     check_profiles();
 
@@ -125,8 +127,7 @@ class Case {
     for (std::uint32_t i = 0; i < calls; ++i) call();
     const std::vector<double> again = good_step();
     // A warm start may come from another patch: then the last digits depend on the past.
-    if (config_.planar.start == 0)
-      expect(same_bits(good, again), "a later good step gives the same bits");
+    if (config_.planar.start == 0) expect(same_bits(good, again), "a later good step gives the same bits");
     return verdict_;
   }
 
@@ -170,7 +171,8 @@ class Case {
     input.creepage.longitudinal = 1e-3;
     input.creepage.spin = 0.3;
     std::vector<double> all;
-    for (const wrc_planar_gap* each : {static_cast<const wrc_planar_gap*>(&gap), static_cast<const wrc_planar_gap*>(nullptr)}) {
+    for (const wrc_planar_gap* each :
+         {static_cast<const wrc_planar_gap*>(&gap), static_cast<const wrc_planar_gap*>(nullptr)}) {
       if (each == nullptr && config_.wheel.kind == WRC_PROFILE_NONE) continue;
       input.gap = each;
       wrc_planar_output results = sized<wrc_planar_output>();
@@ -249,8 +251,8 @@ class Case {
       expect(status >= 0 || value == 0.0, "outputs of a failed call are zero");
     }
     expect(std::fabs(result.longitudinal) <= 10.0 && std::fabs(result.lateral) <= 10.0 &&
-               std::fabs(result.spin) <= 1e3 && std::fabs(result.speed) <= 200.0 && result.reverse_share >= 0.0 &&
-               result.reverse_share <= 0.5,
+               std::fabs(result.spin) <= 1e3 && std::fabs(result.speed) <= 200.0 &&
+               result.reverse_share >= 0.0 && result.reverse_share <= 0.5,
            "wrc_planar_tangential takes the creepages");
   }
 

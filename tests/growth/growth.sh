@@ -86,6 +86,11 @@ structs() {
   cp "$library" "$scratch/today/$(objdump -p "$library" | awk '/SONAME/ {print $2}')"
   (cd "$root" && git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$copy")
   "$here/grow.py" headers "$copy" || return 1
+  mkdir -p "$scratch/full/src/abi" # a struct without room is seen
+  cp -r "$root/include_c" "$root/tools" "$scratch/full"
+  sed -i '/^typedef struct wrc_planar_pose {/,/^}/ {/ reserved\[/d}' "$scratch/full/include_c/wrc/wrc_planar.h"
+  ! "$here/grow.py" headers "$scratch/full" >"$scratch/log" || { echo "WRONG: a struct that cannot grow passes"; wrong=1; }
+  grep -q 'wrc_planar_pose: CANNOT GROW' "$scratch/log" || { cat "$scratch/log"; wrong=1; }
   python3 "$copy/tools/interface/describe.py" >"$scratch/log" || { cat "$scratch/log"; return 1; }
   "$here/grow.py" probes "$root/include_c" "$copy/include_c" >"$scratch/probes.h" || return 1
   local caller=$root/tests/abi/gate/caller.c function

@@ -43,7 +43,7 @@ const Vector5 scale = (Vector5() << 1e-5, 1e-5, 1e-4, 1e-4, 1e-4).finished();  /
 class Wheelset {
  public:
   Wheelset() {
-    wrc_config config = wrc_config_default();
+    wrc_config config = test_config();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     char text[300];

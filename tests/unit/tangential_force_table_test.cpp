@@ -16,8 +16,8 @@
 #include "patch/material.hpp"
 #include "sdec_pressure.hpp"
 #include "tangential/force_table/force_table_file.hpp"
-#include "theory/sdec.hpp"
 #include "test_config.hpp"
+#include "theory/sdec.hpp"
 #include "wrc/wrc_damage.h"
 #include "wrc/wrc_planar.h"
 

@@ -5,8 +5,8 @@
 
 #include "patch/material.hpp"
 #include "random.hpp"
-#include "theory/sdec.hpp"
 #include "test_config.hpp"
+#include "theory/sdec.hpp"
 #include "wrc/wrc_planar.h"
 
 namespace wrc::calibration {

@@ -32,7 +32,8 @@ class Profiles {
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     demand(wrc_model_create(&config, nullptr, &model_, nullptr, 0) == WRC_OK, "no model");
-    demand(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) == WRC_OK, "no contact");
+    demand(wrc_contact_create(model_, WRC_SIDE_RIGHT, nullptr, &contact_, nullptr, 0) == WRC_OK,
+           "no contact");
     const wrc_planar_pose pose = sized<wrc_planar_pose>();
     wrc_planar_point point{};
     demand(wrc_planar_geometry(contact_, &pose, &point) == WRC_OK, "no geometry");

@@ -4,7 +4,7 @@
     model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40})
     right, left = model.contact("RIGHT"), model.contact("LEFT")
     standing = right.wrench(wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3)).z
-    data = wrc.WheelInput(wheel={"y": 1e-3, "z": standing, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46})
+    data = wrc.WheelInput(wheel={"z": standing, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46})
     for wheel in (right, left):
         print(wheel.wrench(data))
     wrc.plot.regions(right, "contact.png")

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <vector>
 
-#include "test_config.hpp"
 #include "proof/heap.hpp"
 #include "proof/proofs.hpp"
 #include "proof/wheel.hpp"
+#include "test_config.hpp"
 
 namespace {
 

@@ -50,7 +50,8 @@ class Twins {
       char* first = memory_[k].data();
       first += alignment - reinterpret_cast<std::uintptr_t>(first) % alignment;
       std::memset(first, fillings[k], wheel_.contact_bytes);
-      if (wrc_contact_init(wheel_.model, wheel_.methods.side, first, wheel_.contact_bytes, &contact_[k], nullptr, 0) < 0)
+      if (wrc_contact_init(wheel_.model, wheel_.methods.side, first, wheel_.contact_bytes, &contact_[k],
+                           nullptr, 0) < 0)
         contact_[k] = nullptr;
       saved_[k].resize(wheel_.state.size());
     }

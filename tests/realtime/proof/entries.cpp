@@ -1,10 +1,10 @@
-#include "test_config.hpp"
 #include "proof/entries.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "along_track.hpp"
+#include "test_config.hpp"
 
 namespace {
 
@@ -64,7 +64,7 @@ int32_t regularise(Wheel& wheel) {
 
 int32_t tangential(Wheel& wheel) {
   return wrc_planar_tangential(wheel.contact, nullptr, &wheel.creepage, &wheel.friction,
-                                &wheel.output.forces);
+                               &wheel.output.forces);
 }
 
 int32_t damage_numbers(Wheel& wheel) { return wrc_contact_damage(wheel.contact, &wheel.output.damage); }
@@ -178,7 +178,8 @@ int32_t portable_state(Wheel& wheel) {
 /// A contact in the wheel's spare memory.
 int32_t contact_init(Wheel& wheel) {
   wrc_contact* another = nullptr;
-  return wrc_contact_init(wheel.model, wheel.methods.side, wheel.spare, wheel.contact_bytes, &another, nullptr, 0);
+  return wrc_contact_init(wheel.model, wheel.methods.side, wheel.spare, wheel.contact_bytes, &another,
+                          nullptr, 0);
 }
 
 int32_t regularise_strips(Wheel& wheel) {

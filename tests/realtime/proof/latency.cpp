@@ -10,10 +10,10 @@
 #include <memory>
 #include <vector>
 
-#include "test_config.hpp"
 #include "proof/processor_time.hpp"
 #include "proof/proofs.hpp"
 #include "proof/wheel.hpp"
+#include "test_config.hpp"
 
 namespace {
 

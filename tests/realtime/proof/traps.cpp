@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <limits>
 
-#include "test_config.hpp"
 #include "proof/entries.hpp"
 #include "proof/proofs.hpp"
+#include "test_config.hpp"
 
 namespace {
 

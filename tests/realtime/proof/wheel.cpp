@@ -1,8 +1,9 @@
-#include "test_config.hpp"
 #include "proof/wheel.hpp"
 
 #include <cmath>
 #include <stdexcept>
+
+#include "test_config.hpp"
 
 std::vector<Methods> all_methods() {
   std::vector<Methods> all;

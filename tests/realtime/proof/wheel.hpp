@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "test_config.hpp"
 #include "structs.hpp"
+#include "test_config.hpp"
 
 /// What a wheel is solved with. Fields not named here have the library's defaults.
 struct Methods {
