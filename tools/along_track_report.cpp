@@ -241,7 +241,7 @@ struct RoundTable {
     for (const double at : angle) deviation.push_back(flat(at < turn ? at : 0.0));
   }
   wrc_config_roundness table() const {
-    return {static_cast<uint32_t>(angle.size()), 1, angle.data(), nullptr, deviation.data()};
+    return {static_cast<uint32_t>(angle.size()), 1, angle.data(), nullptr, deviation.data(), {}};
   }
 };
 
@@ -301,8 +301,8 @@ void impact_of_a_flat() {
     wheel_z.push_back(0.0);
   }
   wrc_config config = test_config();
-  config.wheel = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), wheel_z.data(), 0.0};
-  config.rail = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), rail_z.data(), 0.0};
+  config.wheel = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), wheel_z.data(), 0.0, {}};
+  config.rail = {WRC_PROFILE_POINTS, static_cast<uint32_t>(y.size()), y.data(), rail_z.data(), 0.0, {}};
   config.track.placement = WRC_PLACEMENT_ORIGIN;
   config.track.rail_origin = 0.75;
   const double mass = 600.0, load = 80e3, speed = 60.0 / 3.6, step = 4e-6;
@@ -450,17 +450,16 @@ class WornHead {
     Pair pair(config);
     wrc_view y, z;
     wrc_model_profile(pair.model(), WRC_SIDE_RIGHT, WRC_BODY_RAIL, &y, &z, nullptr);
-    const auto *const at_y = static_cast<const double*>(y.data), *const at_z =
-                                                                     static_cast<const double*>(z.data);
-    const double middle = 0.5 * (at_y[0] + at_y[y.count[0] - 1]);
-    for (uint32_t k = 0; k < y.count[0]; ++k) {
+    const double *const at_y = y.data, *const at_z = z.data;
+    const double middle = 0.5 * (at_y[0] + at_y[y.count - 1]);
+    for (uint32_t k = 0; k < y.count; ++k) {
       const double from_corner = (at_y[k] - middle + 27e-3) / 12e-3;
       y_.push_back(at_y[k] - middle);
       z_.push_back(at_z[k] + 0.6e-3 * std::exp(-from_corner * from_corner));
     }
   }
   wrc_profile profile() const {
-    return {WRC_PROFILE_POINTS, static_cast<uint32_t>(y_.size()), y_.data(), z_.data(), 0.0};
+    return {WRC_PROFILE_POINTS, static_cast<uint32_t>(y_.size()), y_.data(), z_.data(), 0.0, {}};
   }
 
  private:

@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 #include "wrc/wrc_offline.h"
 
@@ -90,13 +91,15 @@ class Wheel {
 
   /// Takes over the rows of another wheel's gap, as the caller's.
   int32_t take_rows(const Wheel& other) {
-    const wrc_view y = other.field(WRC_FIELD_GAP_Y, 0);
+    const FieldValues y = other.field(WRC_FIELD_GAP_Y, 0), height = other.field(WRC_FIELD_GAP_HEIGHT, 0),
+                      centre = other.field(WRC_FIELD_GAP_CENTRE, 0),
+                      curvature = other.field(WRC_FIELD_GAP_CURVATURE, 0);
     wrc_planar_gap gap = sized<wrc_planar_gap>();
-    gap.rows = static_cast<uint32_t>(y.count[0]);
-    gap.y = y.data;
-    gap.height = other.field(WRC_FIELD_GAP_HEIGHT, 0).data;
-    gap.centre = other.field(WRC_FIELD_GAP_CENTRE, 0).data;
-    gap.curvature = other.field(WRC_FIELD_GAP_CURVATURE, 0).data;
+    gap.row_count = static_cast<uint32_t>(y.strips);
+    gap.y = y.values.data();
+    gap.height = height.values.data();
+    gap.centre = centre.values.data();
+    gap.curvature = curvature.values.data();
     return wrc_planar_normal(contact_, &gap, &load_, &normal);
   }
 
@@ -123,13 +126,14 @@ class Wheel {
   Extent extent() const {
     Extent box;
     for (int32_t k = 0; k < normal.patch_count; ++k) {
-      const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k), centre = field(WRC_FIELD_STRIP_CENTRE, k);
-      for (uint64_t j = 0; j < y.count[0]; ++j) {
-        box.x_from = std::min(box.x_from, centre.data[j] - half.data[j]);
-        box.x_to = std::max(box.x_to, centre.data[j] + half.data[j]);
-        box.y_from = std::min(box.y_from, y.data[j] - 0.5 * width.data[j]);
-        box.y_to = std::max(box.y_to, y.data[j] + 0.5 * width.data[j]);
+      const FieldValues y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+                        half = field(WRC_FIELD_STRIP_HALF_LENGTH, k),
+                        centre = field(WRC_FIELD_STRIP_CENTRE, k);
+      for (uint64_t j = 0; j < y.strips; ++j) {
+        box.x_from = std::min(box.x_from, centre[j] - half[j]);
+        box.x_to = std::max(box.x_to, centre[j] + half[j]);
+        box.y_from = std::min(box.y_from, y[j] - 0.5 * width[j]);
+        box.y_to = std::max(box.y_to, y[j] + 0.5 * width[j]);
       }
     }
     return box;
@@ -139,11 +143,11 @@ class Wheel {
   double centre() const {
     double moment = 0.0, load = 0.0;
     for (int32_t k = 0; k < normal.patch_count; ++k) {
-      const wrc_view y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                     half = field(WRC_FIELD_STRIP_HALF_LENGTH, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
-      for (uint64_t j = 0; j < y.count[0]; ++j) {
-        const double part = width.data[j] * half.data[j] * peak.data[j];
-        moment += part * y.data[j];
+      const FieldValues y = field(WRC_FIELD_STRIP_Y, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+                        half = field(WRC_FIELD_STRIP_HALF_LENGTH, k), peak = field(WRC_FIELD_STRIP_PEAK, k);
+      for (uint64_t j = 0; j < y.strips; ++j) {
+        const double part = width[j] * half[j] * peak[j];
+        moment += part * y[j];
         load += part;
       }
     }
@@ -151,11 +155,7 @@ class Wheel {
   }
 
  private:
-  wrc_view field(int32_t id, int32_t of_patch) const {
-    wrc_view view{};
-    wrc_contact_field(contact_, of_patch, id, &view);
-    return view;
-  }
+  FieldValues field(int32_t id, int32_t of_patch) const { return field_values(contact_, of_patch, id); }
   wrc_model* model_ = nullptr;
   wrc_contact* contact_ = nullptr;
   wrc_planar_load load_ = wrc_planar_load_default();
@@ -227,10 +227,10 @@ int sweep(bool json, const char* rows_path, double share_of_limits) {
       if (status > 0) ++flags[status];
       const wrc_planar_normal_solution& p = wheel.normal;
       path.push_back({lateral, p.normal_force, wheel.centre(), p.area, p.approach, p.peak_pressure,
-                      wheel.point.angle, p.patches});
+                      wheel.point.angle, p.patch_count});
       if (rows != nullptr)
-        std::fprintf(rows, "%d,%.3f,%d,%.6f,%.6f,%.6f,%.6f\n", mrad, 1e3 * lateral, p.patches, 1e6 * p.area,
-                     1e6 * p.approach, 1e-6 * p.peak_pressure, 1e3 * path.back().centre);
+        std::fprintf(rows, "%d,%.3f,%d,%.6f,%.6f,%.6f,%.6f\n", mrad, 1e3 * lateral, p.patch_count,
+                     1e6 * p.area, 1e6 * p.approach, 1e-6 * p.peak_pressure, 1e3 * path.back().centre);
     }
     for (std::size_t i = 1; i < path.size(); ++i) changes += path[i].patches != path[i - 1].patches;
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
@@ -312,7 +312,7 @@ int jumps(double share_of_limits) {
     const bool capped = wheel.solve() == WRC_FLAG_ITERATION_CAP;
     const wrc_planar_normal_solution& p = wheel.normal;
     return Solved{lateral,         p.normal_force,    wheel.centre(), p.area, p.approach,
-                  p.peak_pressure, wheel.point.angle, p.patches,      capped};
+                  p.peak_pressure, wheel.point.angle, p.patch_count,  capped};
   };
   int leaps = 0, capped = 0;
   for (int mrad = -20; mrad <= 20; mrad += 5) {
@@ -420,8 +420,8 @@ int flange(uint32_t cells) {
       grid.x0 = extent.x_from - margin + 0.5 * grid.dx;
       grid.y0 = extent.y_from - margin + 0.5 * grid.dy;
       const wrc_planar_normal_solution& p = wheel.normal;
-      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f", 1e3 * lateral, 1e3 * yaw, p.patches, 1e6 * p.approach,
-                  1e6 * p.area, 1e-6 * p.peak_pressure);
+      std::printf("%+8.3f %6.0f %8d %9.3f %9.3f %9.1f", 1e3 * lateral, 1e3 * yaw, p.patch_count,
+                  1e6 * p.approach, 1e6 * p.area, 1e-6 * p.peak_pressure);
       for (const Wheel* each : {&wheel, &rows}) {
         const Exact exact = solve_exactly(each->contact(), grid, p.normal_force);
         if (!exact.solved) return 1;

@@ -94,7 +94,8 @@ void damage(benchmark::State& state, Methods methods) {
   driven.vary(20);
   driven.wheel.step();
   for (auto _ : state)
-    benchmark::DoNotOptimize(wrc_contact_damage(driven.wheel.contact, &driven.wheel.output.damage));
+    benchmark::DoNotOptimize(
+        wrc_contact_damage(driven.wheel.contact, WRC_ALL_REGIONS, &driven.wheel.output.damage));
 }
 
 void wear(benchmark::State& state, Methods methods) {
@@ -102,7 +103,8 @@ void wear(benchmark::State& state, Methods methods) {
   driven.vary(20);
   driven.wheel.step();
   wrc_wear numbers{};
-  for (auto _ : state) benchmark::DoNotOptimize(wrc_contact_wear(driven.wheel.contact, nullptr, &numbers));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(wrc_contact_wear(driven.wheel.contact, WRC_ALL_REGIONS, nullptr, &numbers));
 }
 
 void save_and_restore(benchmark::State& state, Methods methods) {

@@ -121,11 +121,13 @@ class Exact {
     grid.dy = q.shape.b / cells;
     grid.x0 = -(ahead - 0.5) * grid.dx;
     grid.y0 = -(right - 0.5) * grid.dy;
-    problem_.materials = {shear_modulus, q.poisson, shear_modulus, q.poisson};
+    problem_.wheel_material.shear_modulus = problem_.rail_material.shear_modulus = shear_modulus;
+    problem_.wheel_material.poisson = problem_.rail_material.poisson = q.poisson;
     problem_.coefficient = q.friction;
     pressure_.resize(std::size_t{grid.nx} * grid.ny);
     problem_.pressure = pressure_.data();
-    if (wrc_exact_transient_create(&grid, &problem_.materials, &bodies_, nullptr, 0) < 0)
+    if (wrc_exact_transient_create(&grid, &problem_.wheel_material, &problem_.rail_material, &bodies_,
+                                   nullptr, 0) < 0)
       throw std::runtime_error("the exact solver refuses");
   }
   Exact(const Exact&) = delete;

@@ -481,7 +481,7 @@ void time_eight(const Solver& solver, long steps) {
     anew.push_back(second);
     at_once.push_back(third);
     for (std::size_t k = 0; k < wheels; ++k) {
-      with_two += wrenches[k].regions > 1 ? 1.0 : 0.0;
+      with_two += wrenches[k].region_count > 1 ? 1.0 : 0.0;
       strips += strips_in_contact(contacts[k], wrenches[k]) / static_cast<double>(wheels);
     }
   }

@@ -33,7 +33,7 @@ wrc_creepage creepage_of(const Csv& file, std::size_t row) {
 }
 
 wrc_heat_properties steel_of(const Csv& file, std::size_t row) {
-  return {file(row, "lambda_W_mK"), file(row, "rho_kg_m3"), file(row, "cp_J_kgK")};
+  return {file(row, "lambda_W_mK"), file(row, "rho_kg_m3"), file(row, "cp_J_kgK"), {}};
 }
 
 /// Pressure, tractions and slip of a row by the exact solver, on cells of about `dx` and `dy`.
@@ -50,9 +50,9 @@ ExactFields exact_fields(const Csv& file, std::size_t row, double dx, double dy)
   fields.pressure = pressure_at_centres(ellipse, fields.grid);
   for (std::vector<double>* each : {&fields.traction_x, &fields.traction_y, &fields.slip_x, &fields.slip_y})
     each->assign(fields.pressure.size(), 0.0);
-  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
   problem.collocation = WRC_COLLOCATION_REFERENCE;
-  problem.materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
+  problem.wheel_material = problem.rail_material = material_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
   problem.grid = fields.grid;
   problem.pressure = fields.pressure.data();
   problem.coefficient = file(row, "mu");
@@ -110,7 +110,7 @@ wrc_stresses strip_stresses(const Csv& file, std::size_t row) {
   for (const double share : depth_shares) depths.push_back(share * std::min(ellipse.a, ellipse.b));
   wrc_stresses stresses = sized<wrc_stresses>();
   if (status >= 0)
-    status = wrc_contact_stresses(solver.contact(), WRC_BODY_RAIL, depths.data(),
+    status = wrc_contact_stresses(solver.contact(), WRC_ALL_REGIONS, WRC_BODY_RAIL, depths.data(),
                                   static_cast<uint32_t>(depths.size()), nullptr, &stresses);
   if (status < 0) throw std::runtime_error(solver.reason(status));
   return stresses;
@@ -158,7 +158,7 @@ double strip_temperature(const Csv& file, std::size_t row) {
   friction.coefficient = file(row, "mu");
   int32_t status = wrc_planar_tangential(solver.contact(), &ellipse, &creepage, &friction, nullptr);
   wrc_temperature temperature = sized<wrc_temperature>();
-  if (status >= 0) status = wrc_contact_temperature(solver.contact(), nullptr, &temperature);
+  if (status >= 0) status = wrc_contact_temperature(solver.contact(), WRC_ALL_REGIONS, nullptr, &temperature);
   if (status < 0) throw std::runtime_error(solver.reason(status));
   return temperature.rise;
 }

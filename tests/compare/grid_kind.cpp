@@ -42,8 +42,9 @@ Report compare_grid(const Csv& file, const Names& only) {
   };
   std::vector<Grid> grids;
   for (int32_t size : sizes) grids.push_back({std::to_string(size) + "x" + std::to_string(size), size, size});
-  report.default_variant = std::to_string(standard.planar.strips) + "x" + std::to_string(standard.grid.cells);
-  grids.push_back({report.default_variant, standard.planar.strips, standard.grid.cells});
+  report.default_variant =
+      std::to_string(standard.planar.strips) + "x" + std::to_string(standard.planar.cells);
+  grids.push_back({report.default_variant, standard.planar.strips, standard.planar.cells});
   grids = chosen(grids, only);
   for (const Grid& grid : grids) report.variants.push_back(grid.name);
 
@@ -51,7 +52,7 @@ Report compare_grid(const Csv& file, const Names& only) {
     const wrc_planar_forces exact = solve(file, row, finest, finest, report, report.default_variant);
     const double limit = file(row, "mu") * 1e3 * file(row, "N_kN");
     for (const Grid& grid : grids) {
-      const wrc_planar_forces forces = solve(file, row, planar.strips, grid.cells, report, grid.name);
+      const wrc_planar_forces forces = solve(file, row, grid.strips, grid.cells, report, grid.name);
       auto& errors = report.errors[grid.name];
       errors["force"].add(row, std::hypot(forces.fx - exact.fx, forces.fy - exact.fy) / limit);
       errors["power"];

@@ -35,11 +35,11 @@ std::vector<double> pressure_at_centres(const wrc_ellipse& ellipse, const wrc_gr
   return pressure;
 }
 
-wrc_materials materials_of(double shear_modulus, double poisson) {
-  wrc_materials materials = sized<wrc_materials>();
-  materials.shear_modulus_1 = materials.shear_modulus_2 = shear_modulus;
-  materials.poisson_1 = materials.poisson_2 = poisson;
-  return materials;
+wrc_material material_of(double shear_modulus, double poisson) {
+  wrc_material material = wrc_material_default();
+  material.shear_modulus = shear_modulus;
+  material.poisson = poisson;
+  return material;
 }
 
 namespace {
@@ -71,10 +71,9 @@ Report compare_halfspace_sdec(const Csv& file, const Names& only) {
       const wrc_grid grid = grid_over(ellipse, static_cast<uint32_t>(variant.refinement * file(row, "nx")),
                                       static_cast<uint32_t>(variant.refinement * file(row, "ny")));
       const std::vector<double> pressure = pressure_at_centres(ellipse, grid);
-      const wrc_materials materials = materials_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
-      wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
+      wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
       problem.collocation = variant.collocation;
-      problem.materials = materials;
+      problem.wheel_material = problem.rail_material = material_of(1e6 * file(row, "G_MPa"), file(row, "nu"));
       problem.grid = grid;
       problem.pressure = pressure.data();
       problem.coefficient = rolling.friction.coefficient;

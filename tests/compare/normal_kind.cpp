@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "field_values.hpp"
 #include "kinds.hpp"
 #include "library.hpp"
 #include "test_config.hpp"
@@ -19,24 +20,22 @@ const std::vector<Variant> every_variant = {
 #undef WRC_METHOD
 };
 
-wrc_view view_of(const Solver& solver, int32_t patch, int32_t field) {
-  wrc_view view{};
-  if (wrc_contact_field(solver.contact(), patch, field, &view) != WRC_OK)
-    throw std::runtime_error("field not available");
-  return view;
+FieldValues field_of(const Solver& solver, int32_t patch, int32_t field) {
+  FieldValues values = field_values(solver.contact(), patch, field);
+  if (values.status != WRC_OK) throw std::runtime_error("field not available");
+  return values;
 }
 
 LineLoad computed_line_load(const Solver& solver, int32_t patches) {
   const double pi = 3.14159265358979323846;
   LineLoad load;
   for (int32_t patch = 0; patch < patches; ++patch) {
-    const wrc_view y = view_of(solver, patch, WRC_FIELD_STRIP_Y),
-                   width = view_of(solver, patch, WRC_FIELD_STRIP_WIDTH);
-    const wrc_view half = view_of(solver, patch, WRC_FIELD_STRIP_HALF_LENGTH);
-    const wrc_view peak = view_of(solver, patch, WRC_FIELD_STRIP_PEAK);
-    for (uint64_t j = 0; j < y.count[0]; ++j) {
-      load.add(y.data[j] - 0.5 * width.data[j], y.data[j] + 0.5 * width.data[j],
-               0.5 * pi * half.data[j] * peak.data[j]);
+    const FieldValues y = field_of(solver, patch, WRC_FIELD_STRIP_Y),
+                      width = field_of(solver, patch, WRC_FIELD_STRIP_WIDTH);
+    const FieldValues half = field_of(solver, patch, WRC_FIELD_STRIP_HALF_LENGTH);
+    const FieldValues peak = field_of(solver, patch, WRC_FIELD_STRIP_PEAK);
+    for (uint64_t j = 0; j < y.strips; ++j) {
+      load.add(y[j] - 0.5 * width[j], y[j] + 0.5 * width[j], 0.5 * pi * half[j] * peak[j]);
     }
   }
   return load;

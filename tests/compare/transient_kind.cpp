@@ -24,8 +24,8 @@ struct Sequence {
   bool ellipse = false;
   wrc_ellipse shape = sized<wrc_ellipse>();  ///< at the mean load
   double load_amplitude = 0.0, wave_length = 0.0;
-  double gap_x = 0.0, gap_y = 0.0;  ///< A, B of the gap A x^2 + B y^2 [1/m]
-  wrc_materials materials = sized<wrc_materials>();
+  double gap_x = 0.0, gap_y = 0.0;                 ///< A, B of the gap A x^2 + B y^2 [1/m]
+  wrc_material material = wrc_material_default();  ///< of either body
   double friction = 0.0, step = 0.0;
   wrc_creepage mean = wrc_creepage_default(), amplitude = wrc_creepage_default();
   int stride = 0;
@@ -63,8 +63,8 @@ Sequence sequence_of(const Csv& file, std::size_t row) {
   q.wave_length = 1e-3 * file(row, "L_mm");
   q.gap_x = 1e3 * file(row, "A_per_mm");
   q.gap_y = 1e3 * file(row, "B_per_mm");
-  q.materials.shear_modulus_1 = q.materials.shear_modulus_2 = 1e6 * file(row, "G_MPa");
-  q.materials.poisson_1 = q.materials.poisson_2 = file(row, "nu");
+  q.material.shear_modulus = 1e6 * file(row, "G_MPa");
+  q.material.poisson = file(row, "nu");
   q.friction = file(row, "mu");
   q.step = 1e-3 * file(row, "dq_mm");
   q.mean.longitudinal = file(row, "cx0");
@@ -114,7 +114,7 @@ class Exact : public Roller {
     grid_.ny = left + right;
     grid_.x0 = -(ahead - 0.5) * grid_.dx;
     grid_.y0 = -(right - 0.5) * grid_.dy;
-    if (wrc_exact_transient_create(&grid_, &q.materials, &transient_, text_, sizeof text_) < 0)
+    if (wrc_exact_transient_create(&grid_, &q.material, &q.material, &transient_, text_, sizeof text_) < 0)
       throw std::runtime_error(text_);
     pressure_.resize(std::size_t{grid_.nx} * grid_.ny);
     if (q.load_amplitude == 0.0) press(q, 0.0);
@@ -125,9 +125,9 @@ class Exact : public Roller {
 
   Force roll(const Sequence& q, double s) override {
     if (q.load_amplitude != 0.0) press(q, s);
-    wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
+    wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
     problem.collocation = WRC_COLLOCATION_REFERENCE;
-    problem.materials = q.materials;
+    problem.wheel_material = problem.rail_material = q.material;
     problem.grid = grid_;
     problem.pressure = pressure_.data();
     problem.coefficient = q.friction;
@@ -152,9 +152,9 @@ class Exact : public Roller {
     }
     for_each([&](double x, double y) { return q.gap_x * x * x + q.gap_y * y * y; });
     const std::vector<double> gap = pressure_;
-    wrc_exact_normal_problem problem = of_the_papers_steel(wrc_exact_normal_problem_default());
+    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
     problem.normal_force = q.load(s);
-    problem.materials = q.materials;
+    problem.wheel_material = problem.rail_material = q.material;
     problem.grid = grid_;
     problem.gap = gap.data();
     wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
@@ -195,8 +195,7 @@ class Strip : public Roller {
  private:
   static wrc_config config(const Sequence& q) {
     wrc_config config = test_config();
-    config.wheel_material.shear_modulus = config.rail_material.shear_modulus = q.materials.shear_modulus_1;
-    config.wheel_material.poisson = config.rail_material.poisson = q.materials.poisson_1;
+    config.wheel_material = config.rail_material = q.material;
     config.planar.non_steady = 1;
     return config;
   }

@@ -61,7 +61,6 @@ const Solver& Pairs::of(const PairOptions& options) {
     const Points& given = points(name);
     wrc_profile profile = sized<wrc_profile>();
     profile.kind = WRC_PROFILE_POINTS;
-    profile.kind = WRC_PROFILE_POINTS;
     profile.count = static_cast<uint32_t>(given.y.size());
     profile.y = given.y.data();
     profile.z = given.z.data();

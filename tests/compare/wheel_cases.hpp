@@ -1,7 +1,7 @@
 /// Wheels on rails of files with the columns of wheelset_cases.csv and its like, through
 /// wrc_contact_wrench().
 ///
-/// Files are in mm, MPa and the track axes of wrc_wheel.h: wheelset's middle at (0, y_ws, z_ws - r0), angular
+/// Files are in mm, MPa and the track axes of wrc.h: wheelset's middle at (0, y_ws, z_ws - r0), angular
 /// velocity in the wheelset's axes, rails by the origin of their profiles.
 #pragma once
 

@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "presets.hpp"
 #include "ranges.hpp"
@@ -116,7 +117,6 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   poison_one(choices, made.y);
   poison_one(choices, made.z);
   made.profile.kind = WRC_PROFILE_POINTS;
-  made.profile.kind = WRC_PROFILE_POINTS;
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
@@ -127,13 +127,13 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
 }  // namespace
 
 void make_wheel(Choices& choices, ProfilePoints& wheel) {
-  wheel.profile = sized<wrc_profile>();
+  wheel.profile = wrc_profile{};
   wheel.profile.kind = WRC_PROFILE_S1002;
   if (choices.one_in(2)) make_points(choices, -0.070, 0.060, wheel_height, wheel);
 }
 
 void make_rail(Choices& choices, ProfilePoints& rail) {
-  rail.profile = sized<wrc_profile>();
+  rail.profile = wrc_profile{};
   rail.profile.kind = choices.one_in(2) ? WRC_PROFILE_60E1 : WRC_PROFILE_UIC60_BENCHMARK;
   if (choices.one_in(2)) make_points(choices, -0.036, 0.036, rail_height, rail);
 }
@@ -155,7 +155,7 @@ static void leave_unread(wrc_config& config) {
       config.tangential.patch_model = untouched.tangential.patch_model;
   }
   if (config.wheel.kind != WRC_PROFILE_NONE) return;
-  config.wheelset.flange_back_distance = untouched.wheelset.flange_back_distance;
+  config.wheelset.tape_circle_distance = untouched.wheelset.tape_circle_distance;
   config.track.gauge = untouched.track.gauge;
   config.track.gauge_depth = untouched.track.gauge_depth;
   config.track.rail_inclination = untouched.track.rail_inclination;
@@ -178,7 +178,8 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
   config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
   config.planar.strips = count(member<wrc_config>("planar.strips").low, finest);
-  config.planar.cells = count(member<wrc_config>("grid.cells").low, finest);
+  config.planar.cells = count(member<wrc_config>("planar.cells").low, finest);
+  config.surface.cells = count(member<wrc_config>("surface.cells").low, finest);
   config.planar.gap_rows = count(member<wrc_config>("planar.gap_rows").low, 8.0 * finest);
   config.planar.max_patches =
       static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
@@ -186,23 +187,26 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   if (choices.one_in(2))
     config.normal.max_iterations = config.planar.max_sweeps =
         static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_sweeps")));
-  if (choices.one_in(4))
-    config.wheel_material.shear_modulus = config.rail_material.shear_modulus =
-        sized(choices, member<wrc_config>("material.shear_modulus"));
-  if (choices.one_in(4))
-    config.wheel_material.poisson = config.rail_material.poisson =
-        anywhere(choices, member<wrc_config>("material.poisson"));
+  for (wrc_material* each : {&config.wheel_material, &config.rail_material}) {
+    if (choices.one_in(4)) each->shear_modulus = sized(choices, member<wrc_material>("shear_modulus"));
+    if (choices.one_in(4)) each->poisson = anywhere(choices, member<wrc_material>("poisson"));
+    if (choices.one_in(4)) each->shear_yield = sized(choices, member<wrc_material>("shear_yield"));
+  }
+  if (choices.one_in(2)) config.rail_material = config.wheel_material;
+  for (wrc_heat_properties* each : {&config.wheel_heat, &config.rail_heat}) {
+    if (!choices.one_in(4)) continue;
+    each->conductivity = sized(choices, member<wrc_heat_properties>("conductivity"));
+    each->density = sized(choices, member<wrc_heat_properties>("density"));
+    each->specific_heat = sized(choices, member<wrc_heat_properties>("specific_heat"));
+  }
   if (choices.one_in(2))
     config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
   if (choices.one_in(2)) config.planar.gap_limit = sized(choices, member<wrc_config>("planar.gap_limit"));
   if (choices.one_in(4))
-    config.wheel_material.shear_yield = config.rail_material.shear_yield =
-        sized(choices, member<wrc_config>("material.shear_yield"));
-  if (choices.one_in(4))
     config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
   if (choices.one_in(8))
-    config.wheelset.flange_back_distance = config.track.gauge - choices.between(0.0, 0.2);
+    config.wheelset.tape_circle_distance = config.track.gauge + choices.between(-0.05, 0.15);
   if (choices.one_in(8)) config.track.gauge_depth = sized(choices, member<wrc_config>("track.gauge_depth"));
   if (choices.one_in(2)) config.track.rail_inclination = 0.025;
   if (choices.one_in(8))
@@ -232,6 +236,18 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   return config;
 }
 
+/// The sections of a program with a newer header, now and then with a member set that ours does not know.
+static void resize_sections(Choices& choices, wrc_config& config, AlongTrackArrays& made) {
+  const std::size_t ours = sizeof(wrc_rail_section), count = made.sections.size();
+  const std::size_t size = ours + 8 * choices.below(600);
+  made.of_another_header.assign(count * size, 0);
+  for (std::size_t k = 0; k < count; ++k)
+    std::memcpy(made.of_another_header.data() + k * size, &made.sections[k], ours);
+  if (size > ours && choices.one_in(4)) made.of_another_header.back() = 1;
+  config.rail_section_size = static_cast<std::uint32_t>(size);
+  config.rail_sections = reinterpret_cast<const wrc_rail_section*>(made.of_another_header.data());
+}
+
 void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& made) {
   if (config.wheel.kind == WRC_PROFILE_NONE || !choices.one_in(4)) return;
   // Other methods and bodies are refused beside these: seldom here.
@@ -252,12 +268,12 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
       for (std::uint32_t k = 0; k < count; ++k) {
         wrc_rail_section section{};
         section.distance = distance;
-        section.face = static_cast<std::int32_t>(face);
+        section.surface = static_cast<std::int32_t>(face);
         section.y = (face > 0 ? 0.08 * face : 0.0) + choices.between(-0.2, 0.2) * (k > 0 ? size : 0.0);
         section.z = choices.between(-0.2, 0.2) * size;
         section.profile = config.rail;
         if (choices.one_in(8)) {  // of another outline
-          section.profile = sized<wrc_profile>();
+          section.profile = wrc_profile{};
           section.profile.kind = WRC_PROFILE_60E1;
         }
         made.sections.push_back(section);
@@ -270,17 +286,19 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
     if (marked) {
       made.marks = {choices.between(-0.03, -0.005), choices.between(0.0, 0.03)};
       for (wrc_rail_section& each : made.sections) {
-        each.marks = 2;
-        each.mark = made.marks.data();
+        each.mark_count = 2;
+        each.marks = made.marks.data();
       }
-      if (choices.one_in(8)) somewhere().marks = 1;
+      if (choices.one_in(8)) somewhere().mark_count = 1;
       if (choices.one_in(8)) std::swap(made.marks[0], made.marks[1]);
     }
     if (choices.one_in(12)) somewhere().distance = choices.one_in(2) ? choices.poison() : 0.0;
     if (choices.one_in(12)) somewhere().y = choices.poison();
-    if (choices.one_in(12)) somewhere().face = static_cast<std::int32_t>(choices.below(6)) - 1;
+    if (choices.one_in(12)) somewhere().surface = static_cast<std::int32_t>(choices.below(6)) - 1;
+    config.rail_section_size = sizeof(wrc_rail_section);
     config.rail_section_count = static_cast<std::uint32_t>(made.sections.size());
     config.rail_sections = made.sections.data();
+    if (choices.one_in(8)) resize_sections(choices, config, made);
   }
   if (which == 0) return;
   const std::uint32_t angles = 9 + choices.below(choices.one_in(8) ? 4000 : 100), rows = 1 + choices.below(3);
@@ -298,12 +316,12 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
   poison_one(choices, made.angle);
   poison_one(choices, made.deviation);
   if (choices.one_in(16)) made.deviation.back() += deep;
-  config.roundness = {angles, rows, made.angle.data(), rows > 1 ? made.y.data() : nullptr,
-                      made.deviation.data()};
+  config.roundness = {
+      angles, rows, made.angle.data(), rows > 1 ? made.y.data() : nullptr, made.deviation.data(), {}};
 }
 
 wrc_planar_pose make_pose(Choices& choices) {
-  wrc_planar_pose pose = sized<wrc_planar_pose>();
+  wrc_planar_pose pose{};
   const bool far = choices.one_in(4);
   pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
   pose.roll =
@@ -358,7 +376,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     rail.z_slope = choices.signed_magnitude(1e-9, 0.1);
   }
   friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
-  if (choices.one_in(3)) rail = sized<wrc_rail_state>();
+  if (choices.one_in(3)) rail = wrc_rail_state{};
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(6) && friction.coefficient > 0.0) {
     friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
@@ -384,9 +402,11 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     input.roller_rate = choices.signed_magnitude(1e-9, 2000.0);
     input.distance = choices.signed_magnitude(1e-9, 0.25);
   }
-  if (config.rail_sections > 0) {  // near a section, somewhere, or far outside
-    input.distance = config.rail_section[choices.below(config.rail_sections)].distance +
-                     choices.signed_magnitude(1e-9, 10.0);
+  if (config.rail_section_count > 0) {  // near a section, somewhere, or far outside
+    const std::size_t at = std::size_t{choices.below(config.rail_section_count)} * config.rail_section_size;
+    wrc_rail_section near;
+    std::memcpy(&near, reinterpret_cast<const char*>(config.rail_sections) + at, sizeof near);
+    input.distance = near.distance + choices.signed_magnitude(1e-9, 10.0);
     if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
   }
   if (config.roundness.angle_count > 0)
@@ -404,6 +424,10 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
+  double* const kept_for_later[] = {&wheel.reserved[choices.below(6)], &rail.reserved[choices.below(6)],
+                                    &friction.reserved[choices.below(12)],
+                                    &input.frame.reserved[choices.below(4)]};
+  if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
 
 wrc_planar_load make_load(Choices& choices) {
@@ -430,7 +454,7 @@ wrc_planar_load make_load(Choices& choices) {
 }
 
 wrc_planar_motion make_motion(Choices& choices) {
-  wrc_planar_motion motion = sized<wrc_planar_motion>();
+  wrc_planar_motion motion{};
   motion.speed = sized(choices, member<wrc_planar_motion>("speed"), 1e-6);
   motion.lateral_velocity = sized(choices, member<wrc_planar_motion>("lateral_velocity"), 1e-9);
   motion.vertical_velocity = sized(choices, member<wrc_planar_motion>("vertical_velocity"), 1e-9);
@@ -444,7 +468,7 @@ wrc_planar_motion make_motion(Choices& choices) {
 wrc_wear_laws make_wear_laws(Choices& choices) {
   wrc_wear_laws laws = wrc_wear_laws_default();
   double* const parameters = &laws.t_gamma_mild_end;
-  const auto count = static_cast<std::uint32_t>(&laws.seizure_pressure - parameters) + 1;
+  const auto count = static_cast<std::uint32_t>(&laws.power_reference - parameters) + 1;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (choices.one_in(4)) parameters[i] *= choices.magnitude(1e-6, 1e6);
     if (choices.one_in(200)) parameters[i] = choices.poison();
@@ -512,7 +536,7 @@ double FrictionArrays::most() const {
 }
 
 wrc_ellipse make_ellipse(Choices& choices) {
-  wrc_ellipse ellipse = sized<wrc_ellipse>();
+  wrc_ellipse ellipse{};
   ellipse.a = sized(choices, member<wrc_ellipse>("a"));
   ellipse.b = sized(choices, member<wrc_ellipse>("b"));
   ellipse.psi = sized(choices, member<wrc_ellipse>("psi"), 1e-12);
@@ -575,8 +599,8 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   for (double& value : gap.curvature) value = std::clamp(value, 1e-3, 1e6);
   if (choices.one_in(24)) gap.y[special] = gap.y[0];  // rows twice, or out of order
   if (choices.one_in(12) && special > 0) gap.y[special] = next_to(choices, gap.y[special - 1]);
-  gap.gap = sized<wrc_planar_gap>();
-  gap.gap.rows = rows;
+  gap.gap = wrc_planar_gap{};
+  gap.gap.row_count = rows;
   gap.gap.y = gap.y.data();
   poison_one(choices, gap.y);
   if (!choices.one_in(3)) {
@@ -606,7 +630,7 @@ void make_gap(Choices& choices, std::int32_t room, GapArrays& gap) {
   if (choices.one_in(24)) gap.h[special * stride] = choices.poison();
   if (choices.one_in(24)) gap.x[1] = next_to(choices, gap.x[0]);
   poison_one(choices, gap.x);
-  gap.gap.columns = columns;
+  gap.gap.column_count = columns;
   gap.gap.x = gap.x.data();
   gap.gap.h = gap.h.data();
   gap.gap.row_stride = stride;
@@ -635,7 +659,7 @@ void make_strips(Choices& choices, std::int32_t room, StripArrays& strips) {
   poison_one(choices, strips.width);
   poison_one(choices, strips.peak);
   poison_one(choices, strips.half_length);
-  strips.strips = sized<wrc_planar_strips>();
+  strips.strips = wrc_planar_strips{};
   strips.strips.count = count;
   strips.strips.y = strips.y.data();
   strips.strips.width = strips.width.data();

@@ -37,6 +37,7 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
 /// What changes along the track and round the wheel: the sections of a rail, a deviation from round.
 struct AlongTrackArrays {
   std::vector<wrc_rail_section> sections;
+  std::vector<unsigned char> of_another_header;  ///< the same, as larger structs
   std::vector<double> marks, angle, y, deviation;
 };
 /// Gives a configuration both, one or nothing.

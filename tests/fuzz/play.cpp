@@ -6,8 +6,10 @@
 #include <ctime>
 #include <vector>
 
+#include "field_values.hpp"
 #include "inputs.hpp"
 #include "test_config.hpp"
+#include "versions.hpp"
 
 namespace hostile {
 namespace {
@@ -33,18 +35,13 @@ std::vector<double> all_doubles(const wrc_planar_output& results) {
 }
 
 /// The values of a field of one patch, or nothing when it has not been computed.
-std::vector<double> field_of_patch(const wrc_contact* contact, std::int32_t patch, std::int32_t id) {
-  wrc_view view{};
-  if (wrc_contact_field(contact, patch, id, &view) != WRC_OK) return {};
-  std::vector<double> values;
-  for (std::uint64_t i = 0; i < view.count[0]; ++i)
-    for (std::uint64_t j = 0; j < view.count[1]; ++j)
-      values.push_back(view.data[i * view.stride[0] + j * view.stride[1]]);
-  return values;
+std::vector<double> field_of_patch(wrc_contact* contact, std::int32_t patch, std::int32_t id) {
+  const FieldValues found = field_values(contact, patch, id);
+  return found.status == WRC_OK ? found.values : std::vector<double>{};
 }
 
 /// The same over all patches.
-std::vector<double> field(const wrc_contact* contact, std::int32_t id) {
+std::vector<double> field(wrc_contact* contact, std::int32_t id) {
   const bool of_gap = id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE;
   const std::int32_t patches = of_gap ? 1 : 16;
   std::vector<double> values;
@@ -78,6 +75,8 @@ bool documented(std::int32_t status) {
     case WRC_FLAG_BEYOND_GAP:
     case WRC_FLAG_CLIMBING:
     case WRC_FLAG_BEYOND_SECTIONS:
+    case WRC_FLAG_FORCE_JUMPS:
+    case WRC_FLAG_ROTATION_TRANSPOSED:
     case WRC_ERROR_NOT_FINITE:
     case WRC_ERROR_RANGE:
     case WRC_ERROR_GAP:
@@ -109,13 +108,18 @@ class Case {
     side_ = static_cast<std::int32_t>(choices_.below(2));
     const std::int32_t status =
         hand_over([&] { return wrc_model_create(&config_, nullptr, &model_, nullptr, 0); });
-    if (status != WRC_OK) {
+    if (choices_.one_in(8)) config_of_another_header(status);
+    if (status < WRC_OK) {
       expect(model_ == nullptr, "a refused model is NULL");
       expect(status == WRC_ERROR_PROFILE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_RANGE ||
-                 status == WRC_ERROR_UNSUPPORTED,
+                 status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_STRUCT_SIZE,
              "a model is refused with a documented status");
       return verdict_;
     }
+    const bool alike = config_.wheel_material.shear_modulus == config_.rail_material.shear_modulus &&
+                       config_.wheel_material.poisson == config_.rail_material.poisson;
+    expect(status == WRC_OK || (status == WRC_FLAG_DISSIMILAR_MATERIALS && !alike),
+           "a model is made without a flag, or of different materials");
     verdict_.model_made = true;
     if (!expect(wrc_contact_create(model_, side_, nullptr, &contact_, nullptr, 0) == WRC_OK,
                 "a contact can be made"))
@@ -162,7 +166,7 @@ class Case {
       curvature[j] = 1.0 / 0.46;
     }
     wrc_planar_gap gap = sized<wrc_planar_gap>();
-    gap.rows = rows;
+    gap.row_count = rows;
     gap.y = y;
     gap.height = height;
     gap.curvature = curvature;
@@ -181,7 +185,7 @@ class Case {
       check_step(status, results, input.load, input.creepage, input.friction.coefficient);
       all.push_back(status);
       for (double value : all_doubles(results)) all.push_back(value);
-      for (std::int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id)
+      for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id)
         for (double value : field(contact_, id)) all.push_back(value);
     }
     return all;
@@ -197,7 +201,7 @@ class Case {
       expect(status == (config_.wheel.kind != WRC_PROFILE_NONE ? WRC_OK : WRC_ERROR_SEQUENCE),
              "a model shows its profiles");
       expect(std::isfinite(deviation) && deviation >= 0.0, "the deviation is a distance");
-      for (std::uint64_t i = 0; i < y.count[0]; ++i) {
+      for (std::uint64_t i = 0; i < y.count; ++i) {
         expect(std::isfinite(y.data[i]) && std::isfinite(z.data[i]), "every node is finite");
         expect(i == 0 || y.data[i] > y.data[i - 1], "y increases from node to node");
       }
@@ -209,8 +213,9 @@ class Case {
     where_ = "wear";
     const wrc_wear_laws laws = make_wear_laws(choices_);
     wrc_wear result{};
-    const std::int32_t status =
-        hand_over([&] { return wrc_contact_wear(contact_, choices_.one_in(4) ? nullptr : &laws, &result); });
+    const std::int32_t status = hand_over([&] {
+      return wrc_contact_wear(contact_, WRC_ALL_REGIONS, choices_.one_in(4) ? nullptr : &laws, &result);
+    });
     expect(documented(status), "the status is documented for this call");
     for (double rate : {result.worn_area_rate, result.largest_depth_rate, result.largest_depth_velocity}) {
       expect(std::isfinite(rate) && rate >= 0.0, "wear takes away");
@@ -227,8 +232,10 @@ class Case {
     if (choices_.one_in(2)) bulk.wheel = choices_.between(-273.0, 2000.0);
     if (choices_.one_in(20)) bulk.rail = choices_.poison();
     wrc_temperature result = sized<wrc_temperature>();
-    const std::int32_t status = hand_over(
-        [&] { return wrc_contact_temperature(contact_, choices_.one_in(4) ? nullptr : &bulk, &result); });
+    const std::int32_t status = hand_over([&] {
+      return wrc_contact_temperature(contact_, WRC_ALL_REGIONS, choices_.one_in(4) ? nullptr : &bulk,
+                                     &result);
+    });
     expect(documented(status), "the status is documented for this call");
     for (double value : {result.at_entry, result.rise, result.x, result.y, result.largest, result.mean_rise,
                          result.wheel_heat, result.rail_heat})
@@ -257,7 +264,9 @@ class Case {
   }
 
   void call() {
-    switch (choices_.below(11)) {
+    switch (choices_.below(12)) {
+      case 11:
+        return structs_of_other_headers();
       case 8:
       case 9:
       case 10:
@@ -275,6 +284,65 @@ class Case {
       default:
         return step(config_.wheel.kind != WRC_PROFILE_NONE);
     }
+  }
+
+  /// The configuration of a program with another header, beside what became of that with ours.
+  void config_of_another_header(std::int32_t status) {
+    where_ = "configuration of another header";
+    OfAnotherHeader<wrc_config> config(choices_, config_);
+    char text[256] = "";
+    const std::int32_t found = hand_over([&] { return wrc_config_check(config.get(), text, sizeof text); });
+    expect(found == (config.is_readable() ? status : std::int32_t{WRC_ERROR_STRUCT_SIZE}),
+           "it is taken as ours, or refused by its size");
+    expect((found < 0) == (text[0] != '\0') || found > 0, "a refusal has a sentence");
+    where_ = "model";
+  }
+
+  /// Inputs and results of a program with another header: the same results, or refused by their size.
+  void structs_of_other_headers() {
+    where_ = "structs of other headers";
+    if (config_.wheel.kind != WRC_PROFILE_NONE && !size_.shallow) {
+      wrc_wheel_input given;
+      make_wheel_on_rail(choices_, config_, given);
+      given.start = WRC_START_COLD;
+      same_of_another_header<wrc_wheel_input, wrc_wrench>(given, wrc_contact_wrench, true);
+    }
+    wrc_planar_input given = wrc_planar_input_default();
+    GapArrays gap;
+    make_gap(choices_, config_.planar.gap_rows, gap);
+    given.gap = &gap.gap;
+    given.load = make_load(choices_);
+    given.creepage = make_creepage(choices_);
+    // Warm sweeps begin from the step before.
+    const bool cold = config_.planar.start == WRC_START_COLD;
+    same_of_another_header<wrc_planar_input, wrc_planar_output>(given, wrc_planar_step, cold);
+    OfAnotherHeader<wrc_region> region(choices_, sized<wrc_region>());
+    wrc_region ours = sized<wrc_region>();
+    const std::int32_t status = wrc_contact_region(contact_, 0, &ours);
+    const std::int32_t found = wrc_contact_region(contact_, 0, region.get());
+    expect(found == (region.has_a_size() ? status : std::int32_t{WRC_ERROR_STRUCT_SIZE}),
+           "a region is given as ours, or refused by its size");
+    expect(!region.has_a_size() || region.holds(ours), "a region of another header has the same numbers");
+  }
+
+  template <typename Input, typename Result, typename Call>
+  void same_of_another_header(const Input& given, const Call& call, bool repeatable) {
+    Result ours = sized<Result>();
+    const std::int32_t status = hand_over([&] { return call(contact_, &given, &ours); });
+    OfAnotherHeader<Input> input(choices_, given);
+    OfAnotherHeader<Result> result(choices_, sized<Result>());
+    const std::int32_t found = hand_over([&] { return call(contact_, input.get(), result.get()); });
+    if (!input.is_readable() || !result.has_a_size()) {
+      expect(found == WRC_ERROR_STRUCT_SIZE, "it is refused by its size");
+      char text[256] = "";
+      expect(wrc_contact_last_error(contact_, text, sizeof text) == WRC_OK && text[0] != '\0',
+             "an error has a sentence");
+      expect(!result.has_a_size() || result.holds(Result{}), "results of a refused call are zero");
+      return;
+    }
+    if (!repeatable) return;
+    expect(found == status, "the same call of another header has the same status");
+    expect(result.holds(ours), "the same call of another header gives the same bits");
   }
 
   void step(bool with_pose) {
@@ -302,12 +370,11 @@ class Case {
 
   /// Ellipse, damage and one field of a region.
   void ask_region(std::int32_t index, const wrc_region& region) {
-    wrc_ellipse ellipse{};
+    const wrc_ellipse& ellipse = region.ellipse;
     wrc_damage damage{};
-    expect(wrc_contact_region_ellipse(contact_, index, &ellipse) >= 0, "a region has an ellipse");
-    expect(wrc_contact_region_damage(contact_, index, &damage) == WRC_OK, "a region has damage numbers");
+    expect(wrc_contact_damage(contact_, index, &damage) == WRC_OK, "a region has damage numbers");
     wrc_temperature temperature = sized<wrc_temperature>();
-    const std::int32_t heated = wrc_contact_region_temperature(contact_, index, nullptr, &temperature);
+    const std::int32_t heated = wrc_contact_temperature(contact_, index, nullptr, &temperature);
     expect(heated == WRC_OK || heated == WRC_ERROR_UNSUPPORTED,
            "a region has temperatures, or whole patches");
     expect(
@@ -317,12 +384,13 @@ class Case {
                std::isfinite(damage.peak_power_density) && std::isfinite(damage.fatigue_index),
            "ellipse and damage of a region are finite");
     expect(std::fabs(ellipse.psi) <= 0.95 && ellipse.a > 0.0 && ellipse.b > 0.0, "an ellipse is one");
-    const auto which = static_cast<std::int32_t>(choices_.below(WRC_FIELD_TEMPERATURE_RISE + 1));
+    const auto which = static_cast<std::int32_t>(choices_.below(WRC_FIELD_STRIP_ANGLE + 1));
     const auto strips = static_cast<std::size_t>(region.strip_count),
                cells = static_cast<std::size_t>(region.cell_count);
-    const bool of_cells = which < WRC_FIELD_STRIP_Y || which == WRC_FIELD_TEMPERATURE_RISE;
+    const bool of_cells = which < WRC_FIELD_STRIP_Y;
     std::vector<double> values(of_cells ? strips * cells : strips);
-    const std::int32_t shown = wrc_contact_region_field(contact_, index, which, values.data(), values.size());
+    const std::int32_t shown =
+        wrc_contact_field(contact_, index, which, values.data(), values.size(), nullptr);
     expect(shown == WRC_OK ||
                (shown == WRC_ERROR_UNSUPPORTED && config_.tangential.method != WRC_TANGENTIAL_STRIP_FASTSIM),
            "a region has that field, or its method has none");
@@ -350,6 +418,7 @@ class Case {
              "an error has a sentence");
       return;
     }
+    check_flags(status, wrench.flags);
     expect(wrench.power >= 0.0 && wrench.area >= 0.0 && wrench.peak_pressure >= 0.0 &&
                wrench.normal_force >= 0.0,
            "areas, pressures and power are not negative");
@@ -371,7 +440,7 @@ class Case {
     for (int k = 0; k < 3; ++k) {
       expect(std::fabs(force[k] - wrench.force[k]) <= 1e-9 * size, "regions add up to the wrench");
     }
-    wrc_wrench_derivatives found{};
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hand_over([&] { return wrc_contact_wrench_derivatives(contact_, &given, nullptr, &found); });
     expect(std::all_of(&found.wrench[0][0], &found.wrench[0][0] + 6 * WRC_WRENCH_INPUTS,
                        [](double entry) { return std::isfinite(entry); }),
@@ -391,7 +460,8 @@ class Case {
     wrc_planar_output results = sized<wrc_planar_output>();
     std::int32_t status = hand_over(
         [&] { return wrc_planar_tangential(contact_, &ellipse, &creepage, &friction, &results.forces); });
-    if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &results.damage));
+    if (status >= 0)
+      status = std::max(status, wrc_contact_damage(contact_, WRC_ALL_REGIONS, &results.damage));
     check_results(status, results, given.most());
   }
 
@@ -411,7 +481,8 @@ class Case {
     wrc_planar_output rolling = sized<wrc_planar_output>();
     status = hand_over(
         [&] { return wrc_planar_tangential(contact_, nullptr, &creepage, &friction, &rolling.forces); });
-    if (status >= 0) status = std::max(status, wrc_contact_damage(contact_, &rolling.damage));
+    if (status >= 0)
+      status = std::max(status, wrc_contact_damage(contact_, WRC_ALL_REGIONS, &rolling.damage));
     check_results(status, rolling, given.most());
   }
 
@@ -449,10 +520,16 @@ class Case {
           creepages();
           break;
         default:
-          status = timed([&] { return wrc_contact_damage(contact_, &results.damage); });
+          status = timed([&] { return wrc_contact_damage(contact_, WRC_ALL_REGIONS, &results.damage); });
       }
       check_results(status, results, given.most());
     }
+  }
+
+  /// The status is one of the flags, and OK where there is none.
+  void check_flags(std::int32_t status, std::uint32_t flags) {
+    expect(status == WRC_OK ? flags == 0 : (flags & WRC_FLAG_BIT(status)) != 0,
+           "the status is one of the flags");
   }
 
   /// What must hold after a step.
@@ -460,6 +537,7 @@ class Case {
                   const wrc_creepage& creepage, double friction) {
     check_results(status, results, friction);
     if (status < 0) return;
+    check_flags(status, results.flags);
     if (load.prescribed == WRC_PRESCRIBE_NORMAL_FORCE) {
       expect(results.forces.fn > 0.0, "a prescribed load presses the bodies together");
       // The tolerance of the configuration, and what finite numbers allow.
@@ -475,22 +553,22 @@ class Case {
   }
 
   /// Of patches that stick wherever they have friction, but for those whose field has power all the same [W].
-  double power_of_sticking_patches() const {
+  double power_of_sticking_patches() {
     double power = 0.0;
     for (std::int32_t each = 0; each < 16; ++each) {
-      wrc_patch one = sized<wrc_patch>();
-      if (wrc_contact_patch(contact_, each, &one) != WRC_OK) break;
-      const bool sticks = one.forces.adhesion_fraction >= share_with_friction(each) * (1.0 - 1e-12);
+      wrc_region one = sized<wrc_region>();
+      if (wrc_contact_region(contact_, each, &one) != WRC_OK) break;
+      const bool sticks = one.adhesion_fraction >= share_with_friction(each) * (1.0 - 1e-12);
       const std::vector<double> strip_power = field_of_patch(contact_, each, WRC_FIELD_STRIP_POWER);
       const bool dissipates =
           std::any_of(strip_power.begin(), strip_power.end(), [](double value) { return value > 0.0; });
-      if (sticks && !strip_power.empty() && !dissipates) power += one.forces.power;
+      if (sticks && !strip_power.empty() && !dissipates) power += one.power;
     }
     return power;
   }
 
   /// Share of a patch's area on which there is friction; 1 with a method that does not show it.
-  double share_with_friction(std::int32_t patch) const {
+  double share_with_friction(std::int32_t patch) {
     const std::vector<double> friction = field_of_patch(contact_, patch, WRC_FIELD_STRIP_FRICTION),
                               width = field_of_patch(contact_, patch, WRC_FIELD_STRIP_WIDTH),
                               half_length = field_of_patch(contact_, patch, WRC_FIELD_STRIP_HALF_LENGTH);
@@ -535,11 +613,11 @@ class Case {
     if (forces.fn > 0.0) ++verdict_.solved;
     if (size_.shallow && !choices_.one_in(8)) return;
     for (std::int32_t each = 0; each < 16; ++each) {
-      wrc_patch one = sized<wrc_patch>();
-      if (wrc_contact_patch(contact_, each, &one) != WRC_OK) break;
-      expect(all_finite(doubles_from(one, one.ellipse.a)), "every number of each patch is finite");
+      wrc_region one = sized<wrc_region>();
+      if (wrc_contact_region(contact_, each, &one) != WRC_OK) break;
+      expect(all_finite(doubles_from(one, one.point[0])), "every number of each patch is finite");
     }
-    for (std::int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) {
+    for (std::int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
       const std::vector<double> values = field(contact_, id);
       expect(all_finite(values), "every field is finite");
       if (id == WRC_FIELD_PRESSURE || id == WRC_FIELD_POWER_DENSITY || id == WRC_FIELD_STRIP_POWER) {

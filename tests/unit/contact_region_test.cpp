@@ -387,7 +387,7 @@ TEST_F(ContactRegion, StressesBelowAWheelAreHertzs) {
   create();
   solve();
   const Assessed found = all_of(0);
-  const double p0 = found.region.extent.peak_pressure, nu = config.material.poisson;
+  const double p0 = found.region.extent.peak_pressure, nu = config.rail_material.poisson;
   const double a = std::sqrt(1.5 * 80e3 / (3.14159265358979 * p0));
   double largest = 0.0, depth = 0.0;  // on the axis: Johnson 1985, 3.4
   for (double z = 0.3; z < 0.7; z += 1e-4) {
@@ -412,8 +412,8 @@ TEST_F(ContactRegion, SpinMomentIsThatOfTheCells) {
       std::memcpy(wheel.rotation, turned, sizeof turned);
       create();
       const HostedWrench& hosted = solve();
-      ASSERT_GT(hosted.wrench.region_count, 0);
-      for (int32_t k = 0; k < hosted.wrench.region_count; ++k) {
+      ASSERT_GT(hosted.wrench.regions, 0);
+      for (int32_t k = 0; k < hosted.wrench.regions; ++k) {
         RegionResult region;
         ASSERT_EQ(find_region(*contact, k, region).status, WRC_OK);
         double load = 0.0, x0 = 0.0, s0 = 0.0, spin = 0.0, size = 0.0;
@@ -451,7 +451,7 @@ TEST_F(ContactRegion, ForcesAlongTheRailAreThoseOfTheWrench) {
   wheel.velocity[1] = 0.02;
   create();
   const HostedWrench& hosted = solve();
-  ASSERT_EQ(hosted.wrench.region_count, 2);
+  ASSERT_EQ(hosted.wrench.regions, 2);
   double along = 0.0;
   for (int32_t k = 0; k < 2; ++k) {
     RegionResult region;
@@ -649,7 +649,7 @@ TEST_F(ContactRegion, LoweredByItsClearanceAWheelTouches) {
         const double touch = wheel.z + solve().wrench.clearance;
         EXPECT_NEAR(touch, about, 1e-9) << above << " " << pose.y;
         wheel.z = touch - 1e-9;
-        EXPECT_EQ(solve().wrench.region_count, 0) << above << " " << pose.y;
+        EXPECT_EQ(solve().wrench.regions, 0) << above << " " << pose.y;
         EXPECT_NEAR(contact->wheel.wrench.clearance, 1e-9, 1e-10);
         wheel.z = touch + 1e-9;
         const Wrench& found = solve().wrench;
@@ -679,11 +679,11 @@ TEST_F(ContactRegion, ClearanceFollowsTheHeightAndEndsAtItsBound) {
   // beside the rail nothing is there to touch
   wheel.y = -0.19;
   wheel.z = 0.0;
-  ASSERT_EQ(solve().wrench.region_count, 0);
+  ASSERT_EQ(solve().wrench.regions, 0);
   EXPECT_EQ(contact->wheel.wrench.clearance, farthest_touch);
   // no clearance inside it
   wheel.y = 0.02;
-  ASSERT_EQ(solve().wrench.region_count, 0);
+  ASSERT_EQ(solve().wrench.regions, 0);
   EXPECT_EQ(contact->wheel.wrench.clearance, 0.0);
   // nor where a load is carried
   wheel.y = 0.0;

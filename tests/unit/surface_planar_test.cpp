@@ -178,7 +178,7 @@ TEST(PlanarMethodsOnASurface, GiveTheEllipseOfAnEllipticOverlap) {
     FlatRail flat(0.2e-3);
     const PlanarResult result = flat.press(planar(method), {{0.03e-3, 60e-6, 0.3}});
     EXPECT_EQ(result.fault.status, WRC_OK) << method.name;
-    EXPECT_FALSE(result.leaps);
+    EXPECT_FALSE(result.jumps);
     const HertzEllipse hertz = hertz_ellipse(0.5 / 0.46, 0.5 / 0.3, 60e-6, test::steel.normal_compliance());
     EXPECT_NEAR(flat.load(), hertz.normal_force, method.error * hertz.normal_force) << method.name;
     double moment = 0.0, longest = 0.0;

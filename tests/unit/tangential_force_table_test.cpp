@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "field_values.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
 #include "patch/material.hpp"
@@ -462,7 +463,7 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
               1e-12 * totals.power);
 
   wrc_damage damage = {};
-  ASSERT_EQ(wrc_contact_damage(contact, &damage), WRC_OK);
+  ASSERT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, &damage), WRC_OK);
   EXPECT_EQ(damage.power, totals.power);
   EXPECT_NEAR(damage.t_gamma, totals.power / 20.0, 1e-12 * totals.power);
   EXPECT_NEAR(damage.utilisation, std::hypot(totals.fx, totals.fy) / N, 1e-12);
@@ -470,17 +471,19 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   EXPECT_EQ(damage.local_fatigue_index, 0.0);
   EXPECT_EQ(damage.available & WRC_AVAILABLE_TRACTIONS, 0u);
   EXPECT_EQ(totals.available & WRC_AVAILABLE_TRACTIONS, 0u);
-  EXPECT_EQ(wrc_contact_wear(contact, nullptr, nullptr), WRC_ERROR_UNSUPPORTED);
+  wrc_wear wear = {};
+  EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, &wear), WRC_ERROR_UNSUPPORTED);
 
-  wrc_view view = {};
   for (const std::int32_t field :
        {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
         WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
-    EXPECT_EQ(wrc_contact_field(contact, 0, field, &view), WRC_ERROR_UNSUPPORTED) << field;
-    EXPECT_EQ(view.data, nullptr);
+    const FieldValues values = field_values(contact, 0, field);
+    EXPECT_EQ(values.status, WRC_ERROR_UNSUPPORTED) << field;
+    EXPECT_TRUE(values.values.empty());
   }
-  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_PEAK, &view), WRC_OK);
-  EXPECT_EQ(view.count[0], 60u);
+  const FieldValues peaks = field_values(contact, 0, WRC_FIELD_STRIP_PEAK);
+  EXPECT_EQ(peaks.status, WRC_OK);
+  EXPECT_EQ(peaks.strips, 60u);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
 }

@@ -13,7 +13,7 @@ inline TrackDimensions usual_track(double rail_inclination = 0.0) {
 
 inline WheelsetDimensions usual_wheelset() {
   constexpr wrc_config_wheelset wheelset = abi::defaults<wrc_config_wheelset>();
-  return {.flange_back_distance = wheelset.flange_back_distance, .nominal_radius = wheelset.wheel_radius};
+  return {.tape_circle_distance = wheelset.tape_circle_distance, .nominal_radius = wheelset.wheel_radius};
 }
 
 }  // namespace wrc

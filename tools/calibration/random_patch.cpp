@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "field_values.hpp"
 #include "patch/material.hpp"
 #include "random.hpp"
 #include "test_config.hpp"
@@ -40,16 +41,12 @@ void press_wheel_on_rail(double shift, double yaw, double load, Patch& p) {
     p.psi = normal.ellipse.psi;
     p.p0 = normal.peak_pressure;
     p.normal_force = normal.normal_force;
-    const auto value = [&](std::int32_t field, std::int32_t strip) {
-      wrc_view view{};
-      wrc_contact_field(contact, 0, field, &view);
-      return view.data[strip * view.stride[0]];
-    };
-    for (std::int32_t j = 0; j < normal.strips; ++j) {
-      p.strips.push_back({value(WRC_FIELD_STRIP_Y, j), value(WRC_FIELD_STRIP_WIDTH, j),
-                          value(WRC_FIELD_STRIP_CENTRE, j), value(WRC_FIELD_STRIP_HALF_LENGTH, j),
-                          value(WRC_FIELD_STRIP_PEAK, j)});
-    }
+    const auto field = [&](std::int32_t id) { return field_values(contact, 0, id); };
+    const FieldValues y = field(WRC_FIELD_STRIP_Y), width = field(WRC_FIELD_STRIP_WIDTH),
+                      centre = field(WRC_FIELD_STRIP_CENTRE), half = field(WRC_FIELD_STRIP_HALF_LENGTH),
+                      peak = field(WRC_FIELD_STRIP_PEAK);
+    for (std::size_t j = 0; j < y.strips; ++j)
+      p.strips.push_back({y[j], width[j], centre[j], half[j], peak[j]});
   }
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);

@@ -5,6 +5,8 @@
 
 #include "along_track.hpp"
 #include "test_config.hpp"
+#include "wrc/wrc_api.h"
+#include "wrc/wrc_experimental_api.h"
 
 namespace {
 
@@ -49,8 +51,8 @@ int32_t normal(Wheel& wheel) {
 
 int32_t normal_of_elements(Wheel& wheel) {
   wrc_planar_gap gap = sized<wrc_planar_gap>();
-  gap.rows = HostData::rows;
-  gap.columns = HostData::columns;
+  gap.row_count = HostData::rows;
+  gap.column_count = HostData::columns;
   gap.row_stride = HostData::columns;
   gap.y = host.y;
   gap.x = host.x;
@@ -67,33 +69,35 @@ int32_t tangential(Wheel& wheel) {
                                &wheel.output.forces);
 }
 
-int32_t damage_numbers(Wheel& wheel) { return wrc_contact_damage(wheel.contact, &wheel.output.damage); }
+int32_t damage_numbers(Wheel& wheel) {
+  return wrc_contact_damage(wheel.contact, WRC_ALL_REGIONS, &wheel.output.damage);
+}
 
 int32_t wear_numbers(Wheel& wheel) {
   wrc_wear wear{};
-  const int32_t status = wrc_contact_wear(wheel.contact, nullptr, &wear);
+  const int32_t status = wrc_contact_wear(wheel.contact, WRC_ALL_REGIONS, nullptr, &wear);
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
-/// Damage of the last wrench or step, to 300 bins of the wheel and rows of the rail, and what is done with
-/// bins.
-int32_t accumulate(Wheel& wheel, int32_t source) {
+/// Damage of the last solution, to 300 bins of the wheel and rows of the rail, and what is done with bins.
+int32_t accumulate(Wheel& wheel) {
   static wrc_damage_bin wheel_bin[301], other_bin[301], rail_bin[1001];
   static double values[1001];
   wrc_damage_bins bins = wrc_damage_bins_default(), rail = wrc_damage_bins_default();
   bins.count = 300;
   bins.first = -0.070;
   bins.width = 0.5e-3;
-  bins.bin = wheel_bin;
+  bins.bins = wheel_bin;
+  bins.bin_size = sizeof wheel_bin[0];
   wrc_damage_bins other = bins;
-  other.bin = other_bin;
+  other.bins = other_bin;
   rail.count = 100;
   rail.first = -0.050;
-  rail.rows = 10;
+  rail.row_count = 10;
   rail.row_length = 0.01;
-  rail.bin = rail_bin;
+  rail.bins = rail_bin;
+  rail.bin_size = sizeof rail_bin[0];
   wrc_accumulation step = sized<wrc_accumulation>();
-  step.source = source;
   step.duration = 1e-3;
   wrc_damage_totals totals{};
   const int32_t status = wrc_contact_accumulate(wheel.contact, &step, &bins, &rail, &totals);
@@ -108,19 +112,19 @@ int32_t accumulate(Wheel& wheel, int32_t source) {
 }
 
 int32_t accumulate_stages(Wheel& wheel) {
-  const int32_t status = accumulate(wheel, WRC_DAMAGE_OF_STAGES);
+  const int32_t status = accumulate(wheel);
   // of forces alone, or of what an entry before left in the contact
   return status == WRC_ERROR_UNSUPPORTED || status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
 }
 
 int32_t accumulate_wheel(Wheel& wheel) {
-  const int32_t status = accumulate(wheel, WRC_DAMAGE_OF_WRENCH);
+  const int32_t status = accumulate(wheel);
   return status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
 }
 
 int32_t temperatures(Wheel& wheel) {
   wrc_temperature temperature = sized<wrc_temperature>();
-  const int32_t status = wrc_contact_temperature(wheel.contact, nullptr, &temperature);
+  const int32_t status = wrc_contact_temperature(wheel.contact, WRC_ALL_REGIONS, nullptr, &temperature);
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
@@ -130,7 +134,8 @@ int32_t stresses(Wheel& wheel) {
   const double depth = 1e-3;
   wrc_stress_peaks level{};
   wrc_stresses found = sized<wrc_stresses>();
-  const int32_t status = wrc_contact_stresses(wheel.contact, wheel.methods.side, &depth, 1, &level, &found);
+  const int32_t status =
+      wrc_contact_stresses(wheel.contact, WRC_ALL_REGIONS, wheel.methods.side, &depth, 1, &level, &found);
   return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
@@ -141,13 +146,13 @@ int32_t flash_temperature(Wheel&) {
 }
 
 int32_t sensitivities(Wheel& wheel) {
-  wrc_planar_derivatives forces{};
+  wrc_planar_derivatives forces = sized<wrc_planar_derivatives>();
   return wrc_planar_tangential_derivatives(wheel.contact, &forces);
 }
 
-int32_t contact_patch(Wheel& wheel) {
-  wrc_patch patch = sized<wrc_patch>();
-  const int32_t status = wrc_contact_patch(wheel.contact, 0, &patch);
+int32_t patch(Wheel& wheel) {
+  wrc_region patch = sized<wrc_region>();
+  const int32_t status = wrc_contact_region(wheel.contact, 0, &patch);
   const bool apart = wheel.output.damage.load_factor == 0.0;
   return apart && status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
 }
@@ -155,11 +160,13 @@ int32_t contact_patch(Wheel& wheel) {
 /// All of them; which there are depends on the methods and on whether the bodies touch, those of the gap
 /// always.
 int32_t field(Wheel& wheel) {
+  static double values[256 * 32];
   int32_t of_gap = WRC_OK;
-  for (int32_t id = 0; id <= WRC_FIELD_TEMPERATURE_RISE; ++id) {
-    wrc_view view{};
-    const int32_t status = wrc_contact_field(wheel.contact, 0, id, &view);
+  for (int32_t id = 0; id <= WRC_FIELD_GAP_CURVATURE; ++id) {
+    std::uint64_t counts[2];
+    const int32_t status = wrc_contact_field(wheel.contact, 0, id, values, std::size(values), counts);
     if (id >= WRC_FIELD_GAP_Y && id <= WRC_FIELD_GAP_CURVATURE && status < 0) of_gap = status;
+    if (status == WRC_ERROR_BUFFER) return status;
   }
   return of_gap;
 }
@@ -263,7 +270,7 @@ int32_t wheel_heated(Wheel& wheel) {
   input.friction.speed_law = wheel.friction.speed_law;
   input.friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   wrc_wrench wrench = sized<wrc_wrench>();
-  wrc_wrench_derivatives found{};
+  wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
   int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   if (status == WRC_ERROR_UNSUPPORTED) status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   // it is for methods with tractions
@@ -273,7 +280,7 @@ int32_t wheel_heated(Wheel& wheel) {
 int32_t wheel_sensitivities(Wheel& wheel) {
   const wrc_wheel_input input = wheel_input(wheel);
   wrc_wrench wrench = sized<wrc_wrench>();
-  wrc_wrench_derivatives found{};
+  wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
   const int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   const bool the_default =
       wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
@@ -307,7 +314,7 @@ int32_t wheel_along_track(Wheel& wheel) {
   input.distance = wheel.pose.lateral > 0.0 ? 2.5 : 1.25;  // no arithmetic that a trap would notice
   input.angle = wheel.pose.yaw;
   wrc_wrench wrench = sized<wrc_wrench>();
-  wrc_wrench_derivatives found{};
+  wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
   const int32_t status = wrc_contact_wrench_derivatives(along_track.contact, &input, &wrench, &found);
   return status == WRC_ERROR_LOAD ? WRC_OK : status;
 }
@@ -320,15 +327,15 @@ int32_t wheel_region(Wheel& wheel) {
 
 int32_t wheel_region_results(Wheel& wheel) {
   static double values[256 * 32];
-  wrc_ellipse ellipse = sized<wrc_ellipse>();
   wrc_damage damage{};
+  wrc_wear wear{};
   const auto of = [](int32_t status) { return status == WRC_ERROR_RANGE ? WRC_OK : status; };
-  int32_t status = of(wrc_contact_region_ellipse(wheel.contact, 0, &ellipse));
-  if (status >= 0) status = of(wrc_contact_region_damage(wheel.contact, 0, &damage));
+  int32_t status = of(wrc_contact_damage(wheel.contact, 0, &damage));
+  if (status >= 0) status = of(wrc_contact_wear(wheel.contact, 0, nullptr, &wear));
   wrc_temperature temperature = sized<wrc_temperature>();
-  if (status >= 0) status = of(wrc_contact_region_temperature(wheel.contact, 0, nullptr, &temperature));
-  for (int32_t field = 0; status >= 0 && field <= WRC_FIELD_TEMPERATURE_RISE; ++field)
-    status = of(wrc_contact_region_field(wheel.contact, 0, field, values, 256 * 32));
+  if (status >= 0) status = of(wrc_contact_temperature(wheel.contact, 0, nullptr, &temperature));
+  for (int32_t field = 0; status >= 0 && field <= WRC_FIELD_STRIP_ANGLE; ++field)
+    status = of(wrc_contact_field(wheel.contact, 0, field, values, std::size(values), nullptr));
   // Methods that give forces alone have no damage and fields over a region.
   return wheel.methods.tangential != preset_strip_fastsim && status == WRC_ERROR_UNSUPPORTED ? WRC_OK
                                                                                              : status;
@@ -386,22 +393,38 @@ int32_t plain_numbers(Wheel&) {
   for (double ratio : {1e-3, 0.3, 2.0, 1e3}) {
     worst = std::min(worst, wrc_linear_coefficients(ratio, 0.4, 0.27, &coefficients));
     worst = std::min(worst, wrc_shakedown_limit(ratio < 10.0 ? ratio : 0.1, &load_factor));
+    worst = std::min(worst, wrc_shakedown_limit_point(ratio < 10.0 ? ratio : 0.1, &load_factor));
   }
   wrc_linear_coefficients(std::numeric_limits<double>::quiet_NaN(), 0.4, 0.27, &coefficients);
   return worst;
 }
 
 int32_t defaults_and_names(Wheel&) {
-  sized<wrc_profile>();
-  test_config();
+  wrc_config_default();
+  wrc_material_default();
+  wrc_friction_default();
+  wrc_wheel_input_default();
+  wrc_planar_load_default();
+  wrc_creepage_default();
+  wrc_planar_input_default();
+  wrc_bulk_temperatures_default();
   wrc_wear_laws_default();
-  sized<wrc_allocator>();
+  wrc_damage_bins_default();
+  wrc_fatigue_laws_default();
+  wrc_exact_normal_problem_default();
+  wrc_exact_rolling_problem_default();
+  wrc_exact_loads_default();
+  wrc_exact_check_options_default();
+  wrc_exact_wrench_options_default();
+  wrc_conicity_problem_default();
+  wrc_profile_wear_default();
   wrc_version();
   wrc_abi_version();
   wrc_version_text(1);
   wrc_status_name(WRC_ERROR_GAP);
   wrc_status_text(-1000);
   wrc_get_api(WRC_ABI_VERSION);
+  wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION);
   return WRC_OK;
 }
 
@@ -422,7 +445,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_stresses", stresses},
       {"wrc_planar_tangential_derivatives", sensitivities},
-      {"wrc_contact_patch", contact_patch},
+      {"wrc_contact_region, patch", patch},
       {"wrc_contact_field, all of them", field},
       {"wrc_contact_save, _restore", save_and_restore},
       {"wrc_contact_save_portable, _restore_portable", portable_state},
@@ -434,7 +457,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench, friction over temperature", wheel_heated},
       {"wrc_contact_wrench, _batch", wheel_step},  // whose regions the next ones read
       {"wrc_contact_region", wheel_region},
-      {"wrc_contact_region_ellipse, _damage, _temperature, _field", wheel_region_results},
+      {"wrc_contact_damage, _wear, _temperature, _field of a region", wheel_region_results},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_derivatives", wheel_sensitivities},
       {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "field_values.hpp"
 #include "test_config.hpp"
 
 std::vector<Methods> all_methods() {
@@ -61,7 +62,7 @@ Wheel::Wheel(const Methods& with) : methods(with) {
       wrc_contact_state_size(model, &state_bytes) < 0)
     throw std::runtime_error("no model");
   wrc_config of_memory = test_config();
-  of_memory.non_steady = 1;
+  of_memory.planar.non_steady = 1;
   of_memory.instruction_set = methods.instruction_set;
   if (wrc_model_create(&of_memory, nullptr, &remembering_model, nullptr, 0) < 0 ||
       wrc_contact_create(remembering_model, methods.side, nullptr, &remembering, nullptr, 0) < 0)
@@ -120,11 +121,7 @@ int32_t Wheel::step_with(const Gap& gap) {
 Gap Wheel::gap_of_pose() {
   Gap gap;
   geometry();
-  const auto copy = [&](int32_t field) {
-    wrc_view view{};
-    wrc_contact_field(contact, 0, field, &view);
-    return std::vector<double>(view.data, view.data + view.count[0]);
-  };
+  const auto copy = [&](int32_t field) { return field_values(contact, 0, field).values; };
   gap.y = copy(WRC_FIELD_GAP_Y);
   gap.height = copy(WRC_FIELD_GAP_HEIGHT);
   gap.centre = copy(WRC_FIELD_GAP_CENTRE);
@@ -134,7 +131,7 @@ Gap Wheel::gap_of_pose() {
 
 wrc_planar_gap shown(const Gap& gap) {
   wrc_planar_gap rows = sized<wrc_planar_gap>();
-  rows.rows = static_cast<uint32_t>(gap.y.size());
+  rows.row_count = static_cast<uint32_t>(gap.y.size());
   rows.y = gap.y.data();
   rows.height = gap.height.data();
   rows.centre = gap.centre.data();
