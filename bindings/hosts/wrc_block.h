@@ -62,8 +62,9 @@ static void wrc_block_give(wrc_block* block, const double in[]) {
 static int wrc_block_wrench(wrc_block* block, const double in[], double out[], double* slopes) {
   int status, i;
   wrc_block_give(block, in);
-  status = slopes ? wrc_contact_wrench_derivatives(block->contact, &block->input, &block->wrench, &block->slopes)
-                  : wrc_contact_wrench(block->contact, &block->input, &block->wrench);
+  status = slopes
+               ? wrc_contact_wrench_derivatives(block->contact, &block->input, &block->wrench, &block->slopes)
+               : wrc_contact_wrench(block->contact, &block->input, &block->wrench);
   if (status < 0) wrc_contact_last_error(block->contact, block->sentence, sizeof block->sentence);
   memcpy(out, block->wrench.force, sizeof block->wrench.force);
   memcpy(out + 3, block->wrench.moment, sizeof block->wrench.moment);

@@ -90,7 +90,7 @@ case $way in
         for exceptions in -fexceptions -fno-exceptions; do
           [ -n "${WRC_TEST_ALL:-}" ] || [ "$standard$exceptions" != c++20-fno-exceptions ] || continue
           "$compiler" -std=$standard $exceptions "${flags[@]}" "$source/bindings/cpp/header_test.cpp" -lwrc -o "$scratch/header_test"
-          echo "$compiler: $("$scratch/header_test")"
+          "$scratch/header_test" | sed "s/^/$compiler: /" # with pipefail
         done
       done
       "$compiler" -std=c++17 "${flags[@]}" "$source/bindings/cpp/first_step.cpp" -lwrc -o "$scratch/first_step"
