@@ -10,7 +10,6 @@
 #include "abi/handles.hpp"
 #include "abi/wear.hpp"
 #include "contact/region.hpp"
-#include "test_config.hpp"
 
 namespace wrc {
 namespace {
@@ -42,7 +41,7 @@ bool same(const BodyStresses& a, const BodyStresses& b) {
 
 class ContactRegion : public testing::Test {
  protected:
-  wrc_config config = test_config();
+  wrc_config config = wrc_config_default();
   HostedWheel wheel;
   WearLaws laws;
   wrc_model* model = nullptr;
