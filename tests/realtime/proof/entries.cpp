@@ -342,6 +342,19 @@ int32_t wheel_region_results(Wheel& wheel) {
                                                                                              : status;
 }
 
+/// Of a region of a wheel: with the default methods, whatever the others are it takes the same milliseconds.
+int32_t wheel_stresses(Wheel& wheel) {
+  const bool the_default =
+      wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
+  if (!the_default) return WRC_OK;
+  const double depth = 1e-3;
+  wrc_stress_peaks level{};
+  wrc_stresses found = sized<wrc_stresses>();
+  const int32_t status =
+      wrc_contact_stresses(wheel.contact, 0, wheel.methods.side, &depth, 1, &level, &found);
+  return status == WRC_ERROR_RANGE ? WRC_OK : status;  // apart: there is none
+}
+
 /// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
 /// failure it returns is that one was taken.
 int32_t refused_input(Wheel& wheel) {
@@ -459,6 +472,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench, _batch", wheel_step},  // whose regions the next ones read
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_damage, _wear, _temperature, _field of a region", wheel_region_results},
+      {"wrc_contact_stresses of a region", wheel_stresses},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_derivatives", wheel_sensitivities},
       {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},
