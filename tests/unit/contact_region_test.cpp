@@ -10,6 +10,7 @@
 #include "abi/handles.hpp"
 #include "abi/wear.hpp"
 #include "contact/region.hpp"
+#include "test_config.hpp"
 
 namespace wrc {
 namespace {
@@ -41,7 +42,7 @@ bool same(const BodyStresses& a, const BodyStresses& b) {
 
 class ContactRegion : public testing::Test {
  protected:
-  wrc_config config = wrc_config_default();
+  wrc_config config = test_config();
   HostedWheel wheel;
   WearLaws laws;
   wrc_model* model = nullptr;
