@@ -336,7 +336,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
              .field = "gap",
              .cause =
                  "no patch of finite size and pressure: is the gap flat, or far more slender than "
-                 "config.grid.strips can resolve?"};
+                 "config.planar.strips can resolve?"};
   if (fault.failed()) {
     back_to(contact, Stage::gap);
     return fault;

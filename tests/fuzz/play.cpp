@@ -431,7 +431,8 @@ class Case {
     double force[3] = {};
     for (std::int32_t i = 0; i < wrench.region_count; ++i) {
       wrc_region region = sized<wrc_region>();
-      expect(wrc_contact_region(contact_, i, &region) == WRC_OK, "every region can be seen");
+      const std::int32_t seen = wrc_contact_region(contact_, i, &region);
+      expect(seen == WRC_OK || seen == WRC_FLAG_TABLE_RANGE, "every region can be seen");
       expect(all_finite(doubles_from(region, region.point[0])), "every number of each region is finite");
       for (int k = 0; k < 3; ++k) force[k] += region.force[k];
       ask_region(i, region);

@@ -474,9 +474,8 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   wrc_wear wear = {};
   EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, &wear), WRC_ERROR_UNSUPPORTED);
 
-  for (const std::int32_t field :
-       {WRC_FIELD_PRESSURE, WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
-        WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
+  for (const std::int32_t field : {WRC_FIELD_TRACTION_X, WRC_FIELD_SLIP_Y, WRC_FIELD_POWER_DENSITY,
+                                   WRC_FIELD_STRIP_POWER, WRC_FIELD_STRIP_WEAR, WRC_FIELD_STRIP_FRICTION}) {
     const FieldValues values = field_values(contact, 0, field);
     EXPECT_EQ(values.status, WRC_ERROR_UNSUPPORTED) << field;
     EXPECT_TRUE(values.values.empty());
@@ -484,6 +483,10 @@ TEST(ForceTableMethod, GivesTotalsAndRefusesFields) {
   const FieldValues peaks = field_values(contact, 0, WRC_FIELD_STRIP_PEAK);
   EXPECT_EQ(peaks.status, WRC_OK);
   EXPECT_EQ(peaks.strips, 60u);
+  const FieldValues pressure = field_values(contact, 0, WRC_FIELD_PRESSURE);
+  EXPECT_EQ(pressure.status, WRC_OK);
+  EXPECT_EQ(pressure.strips, 60u);
+  EXPECT_GT(pressure.at(pressure.cells / 2, 30), 0.9 * peaks[30]);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
 }

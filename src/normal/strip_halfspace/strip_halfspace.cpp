@@ -259,7 +259,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   solution.stiffness = punch_stiffness(state.stiffness, totals(strips));
   if (!state.converged)
     keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP,
-                       .field = "config.normal.max_sweeps",
+                       .field = "config.planar.max_sweeps",
                        .value = static_cast<double>(options.max_sweeps),
                        .unit = "sweeps"});
   return fault;

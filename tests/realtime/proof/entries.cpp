@@ -76,7 +76,7 @@ int32_t damage_numbers(Wheel& wheel) {
 int32_t wear_numbers(Wheel& wheel) {
   wrc_wear wear{};
   const int32_t status = wrc_contact_wear(wheel.contact, WRC_ALL_REGIONS, nullptr, &wear);
-  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+  return !gives_tractions(wheel.methods.tangential) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 /// Damage of the last solution, to 300 bins of the wheel and rows of the rail, and what is done with bins.
@@ -125,18 +125,19 @@ int32_t accumulate_wheel(Wheel& wheel) {
 int32_t temperatures(Wheel& wheel) {
   wrc_temperature temperature = sized<wrc_temperature>();
   const int32_t status = wrc_contact_temperature(wheel.contact, WRC_ALL_REGIONS, nullptr, &temperature);
-  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+  return !gives_tractions(wheel.methods.tangential) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 /// It takes its milliseconds whatever the methods: with one that has tractions, and those that have none.
 int32_t stresses(Wheel& wheel) {
-  if (gives_tractions(wheel.contact) && wheel.methods.tangential != preset_strip_fastsim) return WRC_OK;
+  if (gives_tractions(wheel.methods.tangential) && wheel.methods.tangential != preset_strip_fastsim)
+    return WRC_OK;
   const double depth = 1e-3;
   wrc_stress_peaks level{};
   wrc_stresses found = sized<wrc_stresses>();
   const int32_t status =
       wrc_contact_stresses(wheel.contact, WRC_ALL_REGIONS, wheel.methods.side, &depth, 1, &level, &found);
-  return !gives_tractions(wheel.contact) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+  return !gives_tractions(wheel.methods.tangential) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 int32_t flash_temperature(Wheel&) {
@@ -154,7 +155,7 @@ int32_t patch(Wheel& wheel) {
   wrc_region patch = sized<wrc_region>();
   const int32_t status = wrc_contact_region(wheel.contact, 0, &patch);
   const bool apart = wheel.output.damage.load_factor == 0.0;
-  return apart && status == WRC_ERROR_SEQUENCE ? WRC_OK : status;
+  return apart && status == WRC_ERROR_RANGE ? WRC_OK : status;
 }
 
 /// All of them; which there are depends on the methods and on whether the bodies touch, those of the gap
@@ -341,6 +342,19 @@ int32_t wheel_region_results(Wheel& wheel) {
                                                                                              : status;
 }
 
+/// Of a region of a wheel: with the default methods, whatever the others are it takes the same milliseconds.
+int32_t wheel_stresses(Wheel& wheel) {
+  const bool the_default =
+      wheel.methods.normal == WRC_NORMAL_STRIP_HALFSPACE && wheel.methods.tangential == preset_strip_fastsim;
+  if (!the_default) return WRC_OK;
+  const double depth = 1e-3;
+  wrc_stress_peaks level{};
+  wrc_stresses found = sized<wrc_stresses>();
+  const int32_t status =
+      wrc_contact_stresses(wheel.contact, 0, wheel.methods.side, &depth, 1, &level, &found);
+  return status == WRC_ERROR_RANGE ? WRC_OK : status;  // apart: there is none
+}
+
 /// NaN, infinity and numbers out of range in every input, each refused, and the sentence about it. The
 /// failure it returns is that one was taken.
 int32_t refused_input(Wheel& wheel) {
@@ -458,6 +472,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wrench, _batch", wheel_step},  // whose regions the next ones read
       {"wrc_contact_region", wheel_region},
       {"wrc_contact_damage, _wear, _temperature, _field of a region", wheel_region_results},
+      {"wrc_contact_stresses of a region", wheel_stresses},
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_derivatives", wheel_sensitivities},
       {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},

@@ -12,7 +12,7 @@ std::uint64_t hash_of_step(Wheel& wheel, int i) {
   wheel.vary(i);
   wheel.vary_laws(i);
   const int32_t status = wheel.step();
-  hash_step(wheel.contact, status, wheel.output, gives_tractions(wheel.contact), hash);
+  hash_step(wheel.contact, status, wheel.output, gives_tractions(wheel.methods.tangential), hash);
   return hash.value();
 }
 
