@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "abi/handles.hpp"
+#include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
@@ -97,6 +98,7 @@ void zero_field(double* theirs, std::size_t cells) {
 Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_normal_solution& solution) {
   wrc_exact_normal_problem ours;
   Fault fault = read(theirs, "problem", ours);
+  if (!fault.failed()) fault = check_prescribed_of_plane(ours.prescribed, "problem");
   if (fault.failed()) return fault;
   const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());
@@ -600,7 +602,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
   if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  const Fault outcome = abi::guarded([&]() -> Fault {
     if (fault.failed()) return fault;
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
@@ -610,8 +612,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     abi::sample_gap(inside, ours, gap);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
+  return abi::keep(*contact, __func__, outcome);
 }
 
 int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
@@ -675,7 +676,7 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
   const Fault cleared = abi::clear(result);
   if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  const Fault outcome = abi::guarded([&]() -> Fault {
     if (cleared.failed()) return cleared;
     wrc_exact_check_options how;
     Fault fault = abi::read_or_defaults(options, "options", how);
@@ -687,8 +688,7 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
     if (!fault.failed()) abi::write(ours, result);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
+  return abi::keep(*contact, __func__, outcome);
 }
 
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
@@ -696,7 +696,7 @@ int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
   const Fault cleared = abi::clear(wrench);
   if (!abi::valid(contact) || wrench == nullptr) return WRC_ERROR_NULL;
   wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  const Fault outcome = abi::guarded([&]() -> Fault {
     if (cleared.failed()) return cleared;
     wrc_wrench ours = abi::empty<wrc_wrench>();
     const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
@@ -704,8 +704,7 @@ int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
     if (!fault.failed()) abi::write(ours, wrench);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
+  return abi::keep(*contact, __func__, outcome);
 }
 
 }  // extern "C"

@@ -6,6 +6,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "abi/prescribed.hpp"
 #include "abi/results.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
@@ -187,6 +188,7 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
 Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
+  if (!fault.failed()) fault = check_prescribed_of_wheel(ours.prescribed, "input");
   if (fault.failed()) return fault;
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
   const Fault wheel = read_wheel(ours.wheel, height, hosted);

@@ -31,7 +31,7 @@ double factor_of_temperature(const wrc_friction& law, double at_entry, const Num
   double sum = 0.0, weights = 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
-    const double weight = std::sqrt(1.0 - xi * xi), hot = at_entry + rise[i * strips + j];
+    const double weight = std::sqrt(1.0 - xi * xi), hot = at_entry + rise[j * cells + i];
     const double share = (hot - law.cold_temperature) / (law.hot_temperature - law.cold_temperature);
     sum += weight * (1.0 - (1.0 - law.hot_ratio) * std::clamp(share, 0.0, 1.0));
     weights += weight;
@@ -219,7 +219,7 @@ TEST_F(FrictionFactors, SensitivitiesAreThoseOfTheForces) {
     choose(law, WRC_TEMPERATURE_LAW_LINEAR);
     ASSERT_EQ(solve(), WRC_OK);
     const double limit = friction.coefficient * ellipse.normal_force;
-    wrc_planar_derivatives found{};
+    auto found = sized<wrc_planar_derivatives>();
     ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &found), WRC_OK);
     double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin};
     const double steps[] = {2e-4, 2e-4, 2e-2};
@@ -258,14 +258,10 @@ class WheelFrictionFactors : public testing::Test, protected PlacedWheel {
     friction.temperature_law = temperature_law;
     ASSERT_GE(step(), WRC_OK) << error();
   }
-  /// Values of cells in rows of strips: cell i of strip j at i * strips + j.
   Numbers field(int32_t index, int32_t which) {
     const FieldValues found = field_values(contact, index, which);
     EXPECT_EQ(found.status, WRC_OK) << which;
-    Numbers values;
-    for (std::size_t i = 0; i < found.cells; ++i)
-      for (std::size_t j = 0; j < found.strips; ++j) values.push_back(found.at(i, j));
-    return values;
+    return found.values;
   }
   /// Coefficients of the strips of all regions.
   Numbers coefficients() {

@@ -229,7 +229,7 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
                                       pressure = wheel.field(WRC_FIELD_PRESSURE);
             for (std::size_t at = 0; at < px.size(); ++at) {
               ASSERT_LE(std::hypot(px[at], py[at]),
-                        each[at % each.size()] * pressure[at] * (1.0 + 1e-3) + 1e-3)
+                        each[at / (px.size() / each.size())] * pressure[at] * (1.0 + 1e-3) + 1e-3)
                   << method << " " << law << " " << zoned;
             }
           }

@@ -44,7 +44,7 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
       for (std::size_t i = 0; i < cells; ++i) {
         const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
         const double weight = std::sqrt(1.0 - xi * xi);
-        const double hot = temperature.at_entry + rise[i * strips + j];
+        const double hot = temperature.at_entry + rise[j * cells + i];
         sum += weight * (1.0 - 0.5 * std::clamp(hot / 400.0, 0.0, 1.0));
         weights += weight;
       }
@@ -74,7 +74,7 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   double sum = 0.0, weights = 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
-    sum += std::sqrt(1.0 - xi * xi) * rise[i * strips + middle];
+    sum += std::sqrt(1.0 - xi * xi) * rise[middle * cells + i];
     weights += std::sqrt(1.0 - xi * xi);
   }
   const double expected = (1.0 - 20.0 / 2000.0) / (1.0 + sum / weights / 2000.0);
@@ -133,7 +133,7 @@ TEST_F(HeatedFriction, SlowerOrWiderBodiesStayCold) {
 
 TEST_F(HeatedFriction, SensitivitiesAreThoseOfTheForces) {
   ASSERT_EQ(solve(), WRC_OK);
-  wrc_planar_derivatives sensitivity{};
+  auto sensitivity = sized<wrc_planar_derivatives>();
   ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &sensitivity), WRC_OK);
   const double h = 2e-4;
   creepage.longitudinal += h;

@@ -253,9 +253,6 @@ TEST_F(Interface, WearFollowsItsLaws) {
   laws.hardness = 3.0;
   EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, &laws, &other), WRC_ERROR_RANGE);
   EXPECT_EQ(other.worn_area_rate, 0.0);
-  ASSERT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, &forces), WRC_OK);
-  FieldView stale{};
-  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_STRIP_WEAR, &stale), WRC_ERROR_SEQUENCE);
 }
 
 TEST_F(Interface, StripsOfTheCallerGoThrough) {
@@ -334,7 +331,7 @@ TEST_F(Interface, RailsCantedTwiceOrTooShallowAreRefused) {
 TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.wheel_material.poisson = config.rail_material.poisson = 0.51;
   expect_config_refused(WRC_ERROR_RANGE,
-                        {"config.wheel_material.poisson = config.rail_material.poisson = 0.51", "0 .. 0.5"});
+                        {"config.wheel_material.poisson = 0.51", "0 .. 0.5"});
   config.wheel_material.poisson = config.rail_material.poisson = -0.1;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson"});
   config.wheel_material.poisson = config.rail_material.poisson = nan_value;
@@ -484,7 +481,7 @@ TEST_F(Interface, OptionsTheMethodsDoNotReadAreRefused) {
   refused({"config.normal.load_tolerance = 1e-06", "only WRC_NORMAL_HERTZ, ", "WRC_NORMAL_STRIPES read it"});
   config.normal.method = WRC_NORMAL_EKP;
   config.planar.start = WRC_START_WARM;
-  refused({"config.planar.start = WRC_START_WARM", "only WRC_NORMAL_STRIP_HALFSPACE reads it"});
+  refused({"config.planar.start = 1", "only WRC_NORMAL_STRIP_HALFSPACE reads it"});
   config.tangential.force_table = "force_table.bin";
   refused({"config.tangential.force_table", "only WRC_TANGENTIAL_FORCE_TABLE reads it"});
   for (const Preset& preset : presets) {
@@ -587,9 +584,9 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, nullptr, &friction, &forces), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, nullptr, &forces), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_tangential(contact, nullptr, &creepage, &friction, nullptr), WRC_OK);
-  EXPECT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, nullptr), WRC_OK);
+  EXPECT_EQ(wrc_contact_damage(contact, WRC_ALL_REGIONS, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(view_field(contact, 0, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_X, nullptr, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);
@@ -673,7 +670,7 @@ TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {
   wrc_config config_of_run_time;
   config_of_run_time.struct_size = sizeof config_of_run_time;
   EXPECT_EQ(wrc_config_init(&config_of_run_time), WRC_OK);
-  const wrc_config by_value = test_config();
+  const wrc_config by_value = wrc_config_default();
   EXPECT_EQ(std::memcmp(&config_of_run_time, &by_value, sizeof by_value), 0);
 }
 

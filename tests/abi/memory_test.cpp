@@ -181,7 +181,7 @@ TEST_F(Memory, SentencesBelongToTheLastRestore) {
   const std::string of_step = sentence();
   EXPECT_NE(of_step.find("load.normal_force"), std::string::npos);
   EXPECT_EQ(wrc_contact_save(contact, saved.data(), 16), WRC_ERROR_BUFFER);
-  EXPECT_EQ(sentence(), of_step);
+  EXPECT_NE(sentence().find("wrc_contact_save: bytes = 16"), std::string::npos) << sentence();
 
   ASSERT_EQ(wrc_contact_restore(contact, rubbish.data(), bytes), WRC_ERROR_SEQUENCE);
   EXPECT_NE(sentence().find("of this model"), std::string::npos) << sentence();

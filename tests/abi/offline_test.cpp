@@ -138,7 +138,7 @@ TEST_F(ExactNormal, RefusesNullAndWrongSizes) {
   expect_refused(WRC_ERROR_RANGE, {"problem.grid.nx", "was it set?"});
   grid.nx = columns;
   problem.struct_size += 8;
-  expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_exact_normal_problem"});
+  expect_refused(WRC_ERROR_STRUCT_SIZE, {"problem.struct_size", "beyond what this library knows"});
   problem.struct_size = sizeof problem;
   solution.struct_size = 4;
   EXPECT_EQ(solve(), WRC_ERROR_STRUCT_SIZE);

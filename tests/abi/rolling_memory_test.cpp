@@ -160,7 +160,7 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   problem.grid.dy = 2.0 * b / n;
   problem.grid.x0 = -a + 0.5 * problem.grid.dx;
   problem.grid.y0 = -b + 0.5 * problem.grid.dy;
-  problem.wheel_material = problem.rail_material = {82e9, 0.28, 82e9, 0.28};
+  problem.wheel_material = problem.rail_material = wrc_material_default();
   std::vector<double> pressure;
   double sum = 0.0;
   for (uint32_t k = 0; k < n * n; ++k) {
@@ -258,7 +258,7 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   EXPECT_EQ(wrc_planar_roll(contact.handle(), -1e-3), WRC_ERROR_RANGE);
   EXPECT_EQ(wrc_planar_roll(contact.handle(), std::nan("")), WRC_ERROR_NOT_FINITE);
   contact.roll(1e-3);
-  wrc_planar_derivatives slopes{};
+  auto slopes = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
   wrc_planar_forces forces{};
   contact.creepage.speed = -1.0;

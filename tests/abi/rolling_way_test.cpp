@@ -152,7 +152,7 @@ TEST_F(RollingWay, SensitivitiesAreThoseOfTheForcesEitherWayAndBetween) {
       creepage.reverse_share = reverse_share;
       const wrc_creepage at = creepage;
       ASSERT_GE(step(), 0) << error();
-      wrc_planar_derivatives found{};
+      auto found = sized<wrc_planar_derivatives>();
       ASSERT_GE(wrc_planar_tangential_derivatives(contact, &found), 0) << error();
       for (int of = 0; of < 3; ++of) {
         const double h = of == 2 ? 2e-4 : 1e-6;

@@ -1,0 +1,35 @@
+/// Which half of enum wrc_prescribed a struct takes.
+#pragma once
+
+#include "base/fault.hpp"
+#include "wrc/wrc.h"
+
+namespace wrc::abi {
+
+/// A wheel prescribes its height or its vertical load.
+inline Fault check_prescribed_of_wheel(std::int32_t prescribed, const char* of) {
+  if (prescribed == WRC_PRESCRIBE_HEIGHT || prescribed == WRC_PRESCRIBE_VERTICAL_LOAD) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .of = of,
+          .field = "prescribed",
+          .value = static_cast<double>(prescribed),
+          .unit = "",
+          .cause =
+              "WRC_PRESCRIBE_NORMAL_FORCE and _APPROACH are of a contact plane: a wheel takes "
+              "WRC_PRESCRIBE_HEIGHT (0) or WRC_PRESCRIBE_VERTICAL_LOAD (1)"};
+}
+
+/// A load of a contact plane prescribes its force or its approach.
+inline Fault check_prescribed_of_plane(std::int32_t prescribed, const char* of) {
+  if (prescribed == WRC_PRESCRIBE_NORMAL_FORCE || prescribed == WRC_PRESCRIBE_APPROACH) return {};
+  return {.status = WRC_ERROR_UNSUPPORTED,
+          .of = of,
+          .field = "prescribed",
+          .value = static_cast<double>(prescribed),
+          .unit = "",
+          .cause =
+              "WRC_PRESCRIBE_HEIGHT and _VERTICAL_LOAD are of a wheel: a contact plane takes "
+              "WRC_PRESCRIBE_NORMAL_FORCE (2) or WRC_PRESCRIBE_APPROACH (3)"};
+}
+
+}  // namespace wrc::abi
