@@ -262,7 +262,7 @@ TEST_F(RegionResults, WithoutFrictionSlipIsRigidAndNothingIsDissipated) {
 /// Of both regions, of both wheels: the distance from the axle, and pressure without friction.
 TEST_F(RegionResults, PlaceRollingRadiusAndNormalAreThoseOfTheWheel) {
   friction.coefficient = 0.0;
-  wheel.roll = 3e-4;
+  wheel.roll = 2e-4;
   wheel.z -= 0.75 * wheel.roll;  // as far as it lowers the wheel
   wheel.y += 0.46 * wheel.roll;  // and moves it to the side
   create();
@@ -289,7 +289,7 @@ TEST_F(RegionResults, PlaceRollingRadiusAndNormalAreThoseOfTheWheel) {
     }
     EXPECT_LT(outward * region(0).angle, -0.3);  // the flange's root, at the gauge side
     EXPECT_GT(outward * region(0).normal[1], 0.3);
-    EXPECT_LT(std::abs(region(1).angle), 0.1);
+    EXPECT_LT(std::abs(region(1).angle), 0.2);
     EXPECT_GT(region(0).rolling_radius, region(1).rolling_radius + 2e-3);
     EXPECT_LT(region(0).y_rail, region(1).y_rail - 5e-3);
   }
