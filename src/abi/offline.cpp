@@ -587,6 +587,23 @@ int32_t solve_into(const char* function, const Problem* problem, Solution* solut
   return finish(function, fault, text, size);
 }
 
+/// An exact solution for a contact: `solve(contact, ours)` into `result`, which is zero on failure, with its
+/// flags; the outcome is the contact's last. `function`: the name of the call.
+template <typename Result, typename Solve>
+std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* result, Solve&& solve) {
+  const Fault cleared = clear(result);
+  if (!valid(contact) || result == nullptr) return WRC_ERROR_NULL;
+  const Fault outcome = guarded([&]() -> Fault {
+    if (cleared.failed()) return cleared;
+    Result ours = empty<Result>();
+    const Fault fault = solve(*contact->contact, ours);
+    ours.flags = fault.all_flags();
+    if (!fault.failed()) write(ours, result);
+    return fault;
+  });
+  return keep(*contact, function, outcome);
+}
+
 }  // namespace
 }  // namespace wrc::abi
 
@@ -673,38 +690,21 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
 
 int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
-  const Fault cleared = abi::clear(result);
-  if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
-  const Fault outcome = abi::guarded([&]() -> Fault {
-    if (cleared.failed()) return cleared;
-    wrc_exact_check_options how;
-    Fault fault = abi::read_or_defaults(options, "options", how);
-    if (fault.failed()) return fault;
-    abi::Reporter reporter{.progress = how.progress, .user = how.user};
-    wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
-    fault = abi::check_contact(inside, how.nx, how.ny, reporter, ours);
-    ours.flags = fault.all_flags();
-    if (!fault.failed()) abi::write(ours, result);
-    return fault;
-  });
-  return abi::keep(*contact, __func__, outcome);
+  return abi::solve_exactly(__func__, contact, result,
+                            [&](wrc::Contact& of, wrc_exact_check_result& ours) -> Fault {
+                              wrc_exact_check_options how;
+                              const Fault fault = abi::read_or_defaults(options, "options", how);
+                              if (fault.failed()) return fault;
+                              abi::Reporter reporter{.progress = how.progress, .user = how.user};
+                              return abi::check_contact(of, how.nx, how.ny, reporter, ours);
+                            });
 }
 
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                          const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
-  const Fault cleared = abi::clear(wrench);
-  if (!abi::valid(contact) || wrench == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
-  const Fault outcome = abi::guarded([&]() -> Fault {
-    if (cleared.failed()) return cleared;
-    wrc_wrench ours = abi::empty<wrc_wrench>();
-    const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
-    ours.flags = fault.all_flags();
-    if (!fault.failed()) abi::write(ours, wrench);
-    return fault;
+  return abi::solve_exactly(__func__, contact, wrench, [&](const wrc::Contact& of, wrc_wrench& ours) {
+    return abi::solve_exact_wheel(of, input, options, ours);
   });
-  return abi::keep(*contact, __func__, outcome);
 }
 
 }  // extern "C"

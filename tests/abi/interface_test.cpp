@@ -330,8 +330,7 @@ TEST_F(Interface, RailsCantedTwiceOrTooShallowAreRefused) {
 
 TEST_F(Interface, ConfigurationValuesAreChecked) {
   config.wheel_material.poisson = config.rail_material.poisson = 0.51;
-  expect_config_refused(WRC_ERROR_RANGE,
-                        {"config.wheel_material.poisson = 0.51", "0 .. 0.5"});
+  expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson = 0.51", "0 .. 0.5"});
   config.wheel_material.poisson = config.rail_material.poisson = -0.1;
   expect_config_refused(WRC_ERROR_RANGE, {"config.wheel_material.poisson"});
   config.wheel_material.poisson = config.rail_material.poisson = nan_value;
@@ -658,6 +657,47 @@ TEST_F(Interface, WrongStructSizeIsRefusedForInputsAndOutputs) {
   patch.struct_size -= 8;
   EXPECT_EQ(wrc_contact_region(contact, 0, &patch), WRC_ERROR_STRUCT_SIZE);
   expect_works();
+}
+
+/// Programs whose headers are newer: what lies beyond this library's struct must be zero on the way in, and
+/// is set to zero on the way out; the numbers are those of the library's own struct.
+TEST_F(Interface, StructsOfANewerHeaderAreTakenWhileTheirNewMembersAreZero) {
+  expect_works();
+  const wrc_planar_output own = output;
+  struct {
+    wrc_planar_input input;
+    double later[4];
+  } in{};
+  struct {
+    wrc_planar_output output;
+    double later[4];
+  } out{};
+  in.input = input;
+  in.input.struct_size = sizeof in;
+  out.output = sized<wrc_planar_output>();
+  out.output.struct_size = sizeof out;
+  for (double& each : out.later) each = 7.0;
+  ASSERT_EQ(wrc_planar_step(contact, &in.input, &out.output), WRC_OK) << error();
+  out.output.struct_size = own.struct_size;
+  EXPECT_EQ(std::memcmp(&out.output, &own, sizeof own), 0);
+  for (const double each : out.later) EXPECT_EQ(each, 0.0);
+  out.output.struct_size = sizeof out;
+  in.later[3] = 1e-300;
+  EXPECT_EQ(wrc_planar_step(contact, &in.input, &out.output), WRC_ERROR_STRUCT_SIZE);
+  expect_words(error(), {"wrc_planar_step: ", "input.struct_size", "header is newer than the library"});
+  EXPECT_EQ(out.output.forces.fn, 0.0);
+}
+
+TEST_F(Interface, ReservedMembersMustBeZero) {
+  friction.reserved[1] = 0.3;
+  input.friction = friction;
+  EXPECT_EQ(step(), WRC_ERROR_RANGE);
+  expect_words(error(), {"friction.reserved[1] = 0.3", "must be 0"});
+  friction.reserved[1] = 0.0;
+  expect_works();
+  config.track.reserved[0] = -1.0;
+  expect_config_refused(WRC_ERROR_RANGE, {"config.track.reserved[0] = -1", "must be 0"});
+  config.track.reserved[0] = 0.0;
 }
 
 TEST_F(Interface, DefaultsHaveTheSizeTheyWereCompiledWith) {

@@ -842,6 +842,34 @@ TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
   }
 }
 
+/// Raised out of contact by up to the reach of the search, it says by how much it must be lowered: lowered so
+/// far and 1 um more it touches, and lowered 1 um less it does not.
+TEST_F(WheelOnRail, ClearanceIsHowFarToTheRail) {
+  for (const double y : {-6e-3, 0.0, 4e-3, 5.8e-3}) {
+    for (const double yaw : {-8e-3, 0.0, 5e-3}) {
+      for (const double raised : {1e-4, 2e-3, 0.03}) {
+        wheel.y = y;
+        wheel.yaw = yaw;
+        wheel.z = -raised;
+        ASSERT_EQ(step(), WRC_FLAG_NO_CONTACT) << error();
+        const double clearance = wrench.clearance;
+        ASSERT_GT(clearance, 0.0);
+        ASSERT_LT(clearance, 50e-3);
+        wheel.z = -raised + clearance - 1e-6;
+        EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT) << y << ' ' << yaw << ' ' << raised;
+        EXPECT_NEAR(wrench.clearance, 1e-6, 0.5e-6);
+        wheel.z = -raised + clearance + 1e-6;
+        EXPECT_GE(step(), WRC_OK) << error();
+        EXPECT_GT(wrench.normal_force, 0.0) << y << ' ' << yaw << ' ' << raised;
+        EXPECT_EQ(wrench.clearance, 0.0);
+      }
+    }
+  }
+  wheel.z = -0.06;
+  EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrench.clearance, 50e-3);
+}
+
 TEST_F(WheelOnRail, NeedsProfiles) {
   config.wheel = config.rail = sized<wrc_profile>();
   config.track = test_config().track;
