@@ -740,21 +740,23 @@ TEST_F(Clearance, LoweredByItAWheelTouches) {
   constexpr struct {
     double y, yaw;
     bool on_flange;
-  } poses[] = {{0.0, 0.0, false}, {-4e-3, 5e-3, false}, {6.5e-3, 0.0, true}, {9e-3, -10e-3, true}};
+  } poses[] = {{0.0, 0.0, false},    {-6e-3, -8e-3, false}, {-4e-3, 5e-3, false}, {4e-3, -8e-3, false},
+               {5.8e-3, 5e-3, true}, {6.5e-3, 0.0, true},   {9e-3, -10e-3, true}};
   create();
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     take(which);
     outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
     for (const auto& pose : poses) {
-      for (const double height : {-0.048, -0.02, -0.013}) {
-        SCOPED_TRACE(testing::Message() << which << ' ' << pose.y << ' ' << height);
-        stand_at(pose.y, height, pose.yaw);
-        const double lower = clearance();
-        ASSERT_GT(lower, 0.0);
-        ASSERT_LT(lower, 50e-3);
-        wheel.z = height + lower - 1e-9;
+      stand_at(pose.y, -0.035, pose.yaw);
+      const double about = wheel.z + clearance();
+      for (const double above : {0.1e-3, 2e-3, 12e-3, 45e-3}) {
+        SCOPED_TRACE(testing::Message() << which << ' ' << pose.y << ' ' << above);
+        wheel.z = about - above;
+        const double touch = wheel.z + clearance();
+        EXPECT_NEAR(wrench.clearance, above, 1e-9);
+        wheel.z = touch - 1e-9;
         EXPECT_NEAR(clearance(), 1e-9, 1e-10);
-        wheel.z = height + lower + 1e-9;
+        wheel.z = touch + 1e-9;
         ASSERT_EQ(step(), WRC_OK) << error();
         EXPECT_EQ(wrench.clearance, 0.0);
         EXPECT_LT(wrench.force[2], 0.0);
