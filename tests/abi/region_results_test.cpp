@@ -166,39 +166,68 @@ TEST_F(RegionResults, FieldsAddUpToTheRegion) {
 }
 
 /// A wheel and a crown of the same radius: Hertz's circle, a^3 = 3 N R (1 - nu^2) / (2 E), E = 2 G (1 + nu).
-TEST_F(RegionResults, TheEllipseIsHertzs) {
-  constexpr double radius = 0.46;
-  Numbers y, z, level;
-  for (int i = -300; i <= 300; ++i) {
-    y.push_back(1e-4 * i);
-    z.push_back(radius - std::sqrt(radius * radius - y.back() * y.back()));
-    level.push_back(0.0);
+class HertzsCircle : public RegionResults {
+ protected:
+  static constexpr double radius = 0.46, load = 80e3;  // [m], [N]
+  double nu = config.wheel_material.poisson;
+  double a = std::cbrt(1.5 * load * radius * (1.0 - nu * nu) /
+                       (2.0 * config.wheel_material.shear_modulus * (1.0 + nu)));
+  double p0 = 1.5 * load / (3.14159265358979 * a * a);
+
+  HertzsCircle() {
+    Numbers y, z, level;
+    for (int i = -300; i <= 300; ++i) {
+      y.push_back(1e-4 * i);
+      z.push_back(radius - std::sqrt(radius * radius - y.back() * y.back()));
+      level.push_back(0.0);
+    }
+    config.wheel.kind = config.rail.kind = WRC_PROFILE_POINTS;
+    for (wrc_profile* profile : {&config.wheel, &config.rail}) {
+      profile->count = static_cast<uint32_t>(y.size());
+      profile->y = y.data();
+      profile->z = profile == &config.rail ? z.data() : level.data();
+    }
+    config.track.placement = WRC_PLACEMENT_ORIGIN;
+    config.track.rail_origin = 0.75;
+    wheel.y = wheel.yaw = wheel.velocity[1] = wheel.z = 0.0;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = load;
+    create();
   }
-  config.wheel.kind = config.rail.kind = WRC_PROFILE_POINTS;
-  for (wrc_profile* profile : {&config.wheel, &config.rail}) {
-    profile->count = static_cast<uint32_t>(y.size());
-    profile->y = y.data();
-    profile->z = profile == &config.rail ? z.data() : level.data();
-  }
-  config.track.placement = WRC_PLACEMENT_ORIGIN;
-  config.track.rail_origin = 0.75;
-  wheel.y = wheel.yaw = wheel.velocity[1] = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 80e3;
-  wheel.z = 0.0;
-  create();
+};
+
+TEST_F(HertzsCircle, TheEllipseIsHertzs) {
   solve();
   const wrc_ellipse ellipse = region(0).ellipse;
-  const double nu = config.wheel_material.poisson, E = 2.0 * config.wheel_material.shear_modulus * (1.0 + nu);
-  const double a = std::cbrt(1.5 * 80e3 * radius * (1.0 - nu * nu) / E);
-  EXPECT_NEAR(ellipse.normal_force, 80e3, 1.0);
+  EXPECT_NEAR(ellipse.normal_force, load, 1.0);
   EXPECT_NEAR(std::sqrt(ellipse.a * ellipse.b), a, 5e-3 * a);
   EXPECT_NEAR(ellipse.b, a, 0.06 * a);  // half strips of 0.25 mm
   EXPECT_NEAR(ellipse.psi, 0.0, 0.02);
   const Numbers s = field(0, WRC_FIELD_STRIP_Y);
   EXPECT_NEAR(ellipse.y, 0.5 * (s.front() + s.back()), 4e-5);
-  EXPECT_NEAR(region(0).peak_pressure, 1.5 * 80e3 / (3.14159265358979 * a * a),
-              0.01 * region(0).peak_pressure);
+  EXPECT_NEAR(region(0).peak_pressure, p0, 0.01 * region(0).peak_pressure);
+}
+
+/// Below its middle, without friction: Johnson 1985, eq. 3.45.
+TEST_F(HertzsCircle, StressesBelowIt) {
+  friction.coefficient = 0.0;
+  solve();
+  const double depths[] = {0.3 * a, 0.48 * a, 0.8 * a};
+  for (const int32_t body : {WRC_BODY_WHEEL, WRC_BODY_RAIL}) {
+    wrc_stress_peaks levels[3];
+    wrc_stresses stresses = sized<wrc_stresses>();
+    ASSERT_EQ(wrc_contact_stresses(contact, 0, body, depths, 3, levels, &stresses), WRC_OK) << error();
+    EXPECT_EQ(stresses.body, body);
+    for (int k = 0; k < 3; ++k) {
+      const double u = depths[k] / a, down = 1.0 / (1.0 + u * u);
+      const double across = (1.0 + nu) * (1.0 - u * std::atan(1.0 / u)) - 0.5 * down;
+      const double mises = p0 * std::abs(down - across);
+      EXPECT_NEAR(levels[k].von_mises.stress, mises, 0.02 * mises) << k;
+      EXPECT_EQ(levels[k].von_mises.depth, depths[k]);
+    }
+    EXPECT_NEAR(stresses.below.von_mises.depth, 0.48 * a, 0.05 * a);
+    EXPECT_EQ(stresses.largest.von_mises.stress, stresses.below.von_mises.stress);
+  }
 }
 
 TEST_F(RegionResults, AskingChangesNothing) {
@@ -365,6 +394,22 @@ TEST_F(RegionResults, TangentialForcesAndSpinMomentAreThoseOfTheCells) {
   }
 }
 
+TEST_F(RegionResults, AdhesionIsTheAreaWithoutSlip) {
+  wheel.y = wheel.yaw = 0.0;
+  wheel.velocity[1] = 5e-3;
+  wheel.z = 0.2e-3;
+  create();
+  solve();
+  Numbers sticks = field(0, WRC_FIELD_SLIP_X);
+  const Numbers to_side = field(0, WRC_FIELD_SLIP_Y);
+  for (std::size_t k = 0; k < sticks.size(); ++k)
+    sticks[k] = sticks[k] == 0.0 && to_side[k] == 0.0 ? 1.0 : 0.0;
+  const wrc_region shown = region(0);
+  EXPECT_GT(shown.adhesion_fraction, 0.2);
+  EXPECT_LT(shown.adhesion_fraction, 0.9);
+  EXPECT_NEAR(shown.adhesion_fraction, integral(0, sticks) / shown.area, 1e-12);
+}
+
 TEST_F(RegionResults, WearIsThatOfTheStrips) {
   create();
   solve();
@@ -384,50 +429,6 @@ TEST_F(RegionResults, WearIsThatOfTheStrips) {
                 1e-9 * worn[i]);
   }
   EXPECT_GT(worn[0], 2.0 * worn[1]);  // the flange's root
-}
-
-/// Below the middle of Hertz's circle without friction, of a region of a wheel: Johnson 1985, eq. 3.45.
-TEST_F(RegionResults, StressesBelowARegionAreHertzs) {
-  constexpr double radius = 0.46;
-  Numbers y, z, level;
-  for (int i = -300; i <= 300; ++i) {
-    y.push_back(1e-4 * i);
-    z.push_back(radius - std::sqrt(radius * radius - y.back() * y.back()));
-    level.push_back(0.0);
-  }
-  config.wheel.kind = config.rail.kind = WRC_PROFILE_POINTS;
-  for (wrc_profile* profile : {&config.wheel, &config.rail}) {
-    profile->count = static_cast<uint32_t>(y.size());
-    profile->y = y.data();
-    profile->z = profile == &config.rail ? z.data() : level.data();
-  }
-  config.track.placement = WRC_PLACEMENT_ORIGIN;
-  config.track.rail_origin = 0.75;
-  wheel.y = wheel.yaw = wheel.velocity[1] = wheel.z = 0.0;
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 80e3;
-  create();
-  solve();
-  const double nu = config.wheel_material.poisson, E = 2.0 * config.wheel_material.shear_modulus * (1.0 + nu);
-  const double a = std::cbrt(1.5 * 80e3 * radius * (1.0 - nu * nu) / E);
-  const double p0 = 1.5 * 80e3 / (3.14159265358979 * a * a);
-  const double depths[] = {0.3 * a, 0.48 * a, 0.8 * a};
-  for (const int32_t body : {WRC_BODY_WHEEL, WRC_BODY_RAIL}) {
-    wrc_stress_peaks levels[3];
-    wrc_stresses stresses = sized<wrc_stresses>();
-    ASSERT_EQ(wrc_contact_stresses(contact, 0, body, depths, 3, levels, &stresses), WRC_OK) << error();
-    EXPECT_EQ(stresses.body, body);
-    for (int k = 0; k < 3; ++k) {
-      const double u = depths[k] / a, down = 1.0 / (1.0 + u * u);
-      const double across = (1.0 + nu) * (1.0 - u * std::atan(1.0 / u)) - 0.5 * down;
-      const double mises = p0 * std::abs(down - across);
-      EXPECT_NEAR(levels[k].von_mises.stress, mises, 0.02 * mises) << k;
-      EXPECT_EQ(levels[k].von_mises.depth, depths[k]);
-    }
-    EXPECT_NEAR(stresses.below.von_mises.depth, 0.48 * a, 0.05 * a);
-    EXPECT_EQ(stresses.largest.von_mises.stress, stresses.below.von_mises.stress);
-  }
 }
 
 /// Numbers of a region once more, after all that can be asked of it and of the other one.
@@ -715,95 +716,6 @@ TEST_F(RegionOptions, OptionsOfTheSurfaceChangeNoBitOfAPlane) {
     }
     config.surface = test_config().surface;
   }
-}
-
-// ----------------------------------------------------------------------------------------------------------
-// clearance of a wheel that is apart
-
-class Clearance : public RegionResults {
- protected:
-  double outward = 1.0;
-
-  void stand_at(double y, double z, double yaw = 0.0) {
-    wheel.y = outward * y;
-    wheel.z = z;
-    wheel.yaw = outward * yaw;
-  }
-  double clearance() {
-    EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT) << wheel.y << ' ' << wheel.z << ' ' << error();
-    EXPECT_EQ(wrench.region_count, 0);
-    return wrench.clearance;
-  }
-};
-
-TEST_F(Clearance, LoweredByItAWheelTouches) {
-  constexpr struct {
-    double y, yaw;
-    bool on_flange;
-  } poses[] = {{0.0, 0.0, false},    {-6e-3, -8e-3, false}, {-4e-3, 5e-3, false}, {4e-3, -8e-3, false},
-               {5.8e-3, 5e-3, true}, {6.5e-3, 0.0, true},   {9e-3, -10e-3, true}};
-  create();
-  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
-    take(which);
-    outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
-    for (const auto& pose : poses) {
-      stand_at(pose.y, -0.035, pose.yaw);
-      const double about = wheel.z + clearance();
-      for (const double above : {0.1e-3, 2e-3, 12e-3, 45e-3}) {
-        SCOPED_TRACE(testing::Message() << which << ' ' << pose.y << ' ' << above);
-        wheel.z = about - above;
-        const double touch = wheel.z + clearance();
-        EXPECT_NEAR(wrench.clearance, above, 1e-9);
-        wheel.z = touch - 1e-9;
-        EXPECT_NEAR(clearance(), 1e-9, 1e-10);
-        wheel.z = touch + 1e-9;
-        ASSERT_EQ(step(), WRC_OK) << error();
-        EXPECT_EQ(wrench.clearance, 0.0);
-        EXPECT_LT(wrench.force[2], 0.0);
-        ASSERT_EQ(wrench.region_count, 1);
-        EXPECT_EQ(region(0).y_wheel < -25e-3, pose.on_flange) << region(0).y_wheel;
-      }
-    }
-  }
-}
-
-/// From the tread over the flange's root and its face to the tip, a micrometre at a time.
-TEST_F(Clearance, IsContinuousAndNoSteeperThanTheFlange) {
-  constexpr double a_step = 1e-6;
-  create();
-  for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
-    take(which);
-    outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
-    double last = 0.0, steepest = 0.0;
-    for (int k = 0; k <= 8000; ++k) {
-      stand_at(2e-3 + a_step * k, -0.035, 2e-3);
-      const double now = clearance();
-      if (k > 0) {
-        const double slope = (now - last) / a_step;
-        EXPECT_GT(slope, -2.9) << wheel.y;  // tan 70 degrees, and a little for the yaw
-        EXPECT_LT(slope, 0.2) << wheel.y;
-        steepest = std::min(steepest, slope);
-      }
-      last = now;
-    }
-    EXPECT_LT(steepest, -2.0);  // the flange's face was met
-  }
-}
-
-TEST_F(Clearance, IsOfGivenHeightsAloneAndEndsAtItsBound) {
-  create();
-  stand_at(0.0, -0.3);
-  EXPECT_EQ(clearance(), 50e-3);
-  stand_at(-0.19, 0.0);  // beside the rail
-  EXPECT_EQ(clearance(), 50e-3);
-  stand_at(20e-3, 0.0);  // a flange inside the side of a rail
-  EXPECT_EQ(clearance(), 0.0);
-  EXPECT_NE(error().find("inside the rail's side"), std::string::npos) << error();
-  stand_at(0.0, 0.0);
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 80e3;
-  ASSERT_EQ(step(), WRC_OK) << error();
-  EXPECT_EQ(wrench.clearance, 0.0);
 }
 
 TEST_F(RegionResults, WhatIsNotThereIsRefused) {
