@@ -688,6 +688,17 @@ TEST_F(Interface, StructsOfANewerHeaderAreTakenWhileTheirNewMembersAreZero) {
   EXPECT_EQ(out.output.forces.fn, 0.0);
 }
 
+TEST_F(Interface, AContactPlanePrescribesForceOrApproach) {
+  for (const int32_t of_a_wheel : {WRC_PRESCRIBE_HEIGHT, WRC_PRESCRIBE_VERTICAL_LOAD}) {
+    load.prescribed = of_a_wheel;
+    EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
+    expect_words(error(), {"wrc_planar_step: input.load.prescribed", "WRC_PRESCRIBE_APPROACH (3)"});
+    EXPECT_EQ(wrc_planar_normal(contact, nullptr, &load, &normal), WRC_ERROR_UNSUPPORTED);
+    expect_words(error(), {"wrc_planar_normal: load.prescribed", "WRC_PRESCRIBE_APPROACH (3)"});
+    EXPECT_EQ(normal.normal_force, 0.0);
+  }
+}
+
 TEST_F(Interface, ReservedMembersMustBeZero) {
   friction.reserved[1] = 0.3;
   input.friction = friction;
