@@ -820,36 +820,6 @@ TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
   }
 }
 
-/// Options of the stages change no bit of a wrench.
-TEST_F(WheelOnRail, PlanarOptionsAreNotRead) {
-  wheel.y = 5e-3;
-  wheel.yaw = 4e-3;
-  ASSERT_EQ(step(), WRC_OK) << error();
-  const wrc_wrench own = wrench;
-  const wrc_config good = config;
-  const auto changed = [&](auto& option, auto value) {
-    option = value;
-    create();
-    ASSERT_EQ(step(), WRC_OK) << error();
-    EXPECT_EQ(std::memcmp(&wrench, &own, sizeof own), 0);
-    config = good;
-  };
-  changed(config.planar.strips, 97);
-  changed(config.planar.cells, 11);
-  changed(config.planar.gap_rows, 100);
-  changed(config.planar.max_patches, 1);
-  changed(config.planar.max_sweeps, 4);
-  changed(config.planar.start, static_cast<int32_t>(WRC_START_WARM));
-  changed(config.planar.regularisation, static_cast<int32_t>(WRC_REGULARISE_KEEP_RATIO));
-  changed(config.planar.gap_limit, 2e-4);
-  config.surface.cells = 64;  // read: fields have as many
-  create();
-  ASSERT_EQ(step(), WRC_OK) << error();
-  wrc_region region = sized<wrc_region>();
-  ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
-  EXPECT_EQ(region.cell_count, 64);
-}
-
 TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
   const auto says = [&](int32_t status, const char* words) {
     EXPECT_EQ(step(), status) << wheel.y;
