@@ -63,8 +63,8 @@ TEST_F(Clearance, IsContinuousAndNoSteeperThanTheFlange) {
     take(which);
     outward = which == WRC_SIDE_RIGHT ? 1.0 : -1.0;
     double last = 0.0, steepest = 0.0;
-    for (int k = 0; k <= 8000; ++k) {
-      stand_at(2e-3 + a_step * k, -0.035, 2e-3);
+    for (int k = 0; k <= 11000; ++k) {
+      stand_at(-1e-3 + a_step * k, -0.035, 2e-3);
       const double now = clearance();
       if (k > 0) {
         const double slope = (now - last) / a_step;
