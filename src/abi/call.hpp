@@ -19,7 +19,7 @@ std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleare
   const FloatingPointScope scope;
   Contact& contact = *handle->contact;
   contact.last = cleared.failed() ? cleared : work(contact);
-  contact.last.call = function;
+  if (contact.last.status != WRC_OK) contact.last.call = function;  // else nothing of the call is left
   return contact.last.status;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "abi/handles.hpp"
+#include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
@@ -97,6 +98,7 @@ void zero_field(double* theirs, std::size_t cells) {
 Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_normal_solution& solution) {
   wrc_exact_normal_problem ours;
   Fault fault = read(theirs, "problem", ours);
+  if (!fault.failed()) fault = check_prescribed(ours.prescribed, "problem", true);
   if (fault.failed()) return fault;
   const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());

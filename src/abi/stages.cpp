@@ -5,6 +5,7 @@
 
 #include "abi/call.hpp"
 #include "abi/friction.hpp"
+#include "abi/prescribed.hpp"
 #include "abi/results.hpp"
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
@@ -20,19 +21,6 @@ Pose pose_of(const wrc_planar_pose& checked) {
   return {.lateral = flush_subnormals(checked.lateral),
           .roll = flush_subnormals(checked.roll),
           .yaw = flush_subnormals(checked.yaw)};
-}
-
-/// A load of a contact plane prescribes its force or its approach, not a height.
-Fault check_prescribed(std::int32_t prescribed, const char* of) {
-  if (prescribed == WRC_PRESCRIBE_NORMAL_FORCE || prescribed == WRC_PRESCRIBE_APPROACH) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .of = of,
-          .field = "prescribed",
-          .value = static_cast<double>(prescribed),
-          .unit = "",
-          .cause =
-              "WRC_PRESCRIBE_HEIGHT and _VERTICAL_LOAD are of wrc_contact_wrench: take "
-              "WRC_PRESCRIBE_NORMAL_FORCE (2) or WRC_PRESCRIBE_APPROACH (3)"};
 }
 
 Load load_of(const wrc_planar_load& checked) {
@@ -225,7 +213,7 @@ wrc_planar_forces forces_of(const Contact& contact) {
 Fault solve_step(Contact& contact, const wrc_planar_input* input) {
   wrc_planar_input in;
   Fault outcome = read(input, "input", in);
-  if (!outcome.failed()) outcome = check_prescribed(in.load.prescribed, "input.load");
+  if (!outcome.failed()) outcome = check_prescribed(in.load.prescribed, "input.load", true);
   if (outcome.failed()) return outcome;
   Friction friction;
   outcome = read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction);
@@ -311,7 +299,7 @@ int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const 
   return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     wrc_planar_load ours;
     Fault outcome = abi::read(load, "load", ours);
-    if (!outcome.failed()) outcome = abi::check_prescribed(ours.prescribed, "load");
+    if (!outcome.failed()) outcome = abi::check_prescribed(ours.prescribed, "load", true);
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
     if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
