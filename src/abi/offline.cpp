@@ -587,6 +587,20 @@ int32_t solve_into(const char* function, const Problem* problem, Solution* solut
   return finish(function, fault, text, size);
 }
 
+/// Runs an offline call on a contact, the outcome kept for wrc_contact_last_error. `function`: its name;
+/// `result`: the output without which there is nothing to do, and what the caller knows it as.
+template <typename Work>
+int32_t on_contact(const char* function, wrc_contact* handle, const void* result, const char* name,
+                   Work&& work) {
+  if (!valid(handle)) return WRC_ERROR_NULL;
+  Contact& contact = *handle->contact;
+  contact.last = guarded([&]() -> Fault {
+    return result == nullptr ? Fault{.status = WRC_ERROR_NULL, .field = name} : work(contact);
+  });
+  if (contact.last.status != WRC_OK) contact.last.call = function;
+  return contact.last.status;
+}
+
 }  // namespace
 }  // namespace wrc::abi
 
@@ -600,9 +614,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   const Fault fault = abi::read(grid, "grid", theirs);
   const wrc::halfspace::Grid ours = abi::grid_of(theirs);
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
-  if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  return abi::on_contact(__func__, contact, gap, "gap", [&](const wrc::Contact& inside) -> Fault {
     if (fault.failed()) return fault;
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
@@ -612,8 +624,6 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     abi::sample_gap(inside, ours, gap);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
 }
 
 int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
@@ -649,11 +659,12 @@ int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* d
 
 int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
                                    wrc_exact_transient** transient, char* text, uint64_t size) {
-  if (transient == nullptr) return WRC_ERROR_NULL;
-  *transient = nullptr;
-  return abi::finish(
-      __func__, abi::guarded([&]() -> Fault { return abi::create_transient(grid, wheel, rail, *transient); }),
-      text, size);
+  if (transient != nullptr) *transient = nullptr;
+  const Fault fault = abi::guarded([&]() -> Fault {
+    if (transient == nullptr) return {.status = WRC_ERROR_NULL, .field = "transient"};
+    return abi::create_transient(grid, wheel, rail, *transient);
+  });
+  return abi::finish(__func__, fault, text, size);
 }
 
 int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,
@@ -675,9 +686,7 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
 int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
   const Fault cleared = abi::clear(result);
-  if (!abi::valid(contact) || result == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  return abi::on_contact(__func__, contact, result, "result", [&](wrc::Contact& inside) -> Fault {
     if (cleared.failed()) return cleared;
     wrc_exact_check_options how;
     Fault fault = abi::read_or_defaults(options, "options", how);
@@ -689,16 +698,12 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
     if (!fault.failed()) abi::write(ours, result);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
 }
 
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                          const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
   const Fault cleared = abi::clear(wrench);
-  if (!abi::valid(contact) || wrench == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
-  inside.last = abi::guarded([&]() -> Fault {
+  return abi::on_contact(__func__, contact, wrench, "wrench", [&](wrc::Contact& inside) -> Fault {
     if (cleared.failed()) return cleared;
     wrc_wrench ours = abi::empty<wrc_wrench>();
     const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
@@ -706,8 +711,6 @@ int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
     if (!fault.failed()) abi::write(ours, wrench);
     return fault;
   });
-  inside.last.call = __func__;
-  return inside.last.status;
 }
 
 }  // extern "C"

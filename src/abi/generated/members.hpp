@@ -646,7 +646,7 @@ struct Description<wrc_config> {
       {.name = "check_rail.profile.reserved", .offset = offsetof(wrc_config, check_rail.profile.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "check_rail.reserved", .offset = offsetof(wrc_config, check_rail.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "rail_section_count", .offset = offsetof(wrc_config, rail_section_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "rail_section_size", .offset = offsetof(wrc_config, rail_section_size), .type = Type::uint32, .rule = Rule::range, .low = 168, .high = 4096, .or_zero = true, .too_large = "say sizeof(wrc_rail_section)"},
+      {.name = "rail_section_size", .offset = offsetof(wrc_config, rail_section_size), .type = Type::uint32, .rule = Rule::range, .low = 168, .high = 4096, .or_zero = true, .too_small = "say sizeof(wrc_rail_section)", .too_large = "say sizeof(wrc_rail_section)"},
       {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_section_count), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_section_count)},
   };
 };
