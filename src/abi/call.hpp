@@ -18,9 +18,7 @@ std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleare
   if (!valid(handle)) return WRC_ERROR_NULL;
   const FloatingPointScope scope;
   Contact& contact = *handle->contact;
-  contact.last = cleared.failed() ? cleared : work(contact);
-  if (contact.last.status != WRC_OK) contact.last.call = function;  // else nothing of the call is left
-  return contact.last.status;
+  return keep(*handle, function, cleared.failed() ? cleared : work(contact));
 }
 
 /// Element of an array of the caller's, `offset` bytes behind the first; none of no array.

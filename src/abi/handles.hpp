@@ -32,11 +32,12 @@ inline constexpr std::uint64_t contact_tag = 0x7463746e6f637277;  // "wrcontct"
 inline bool valid(const wrc_model* handle) { return handle != nullptr && handle->tag == model_tag; }
 inline bool valid(const wrc_contact* handle) { return handle != nullptr && handle->tag == contact_tag; }
 
-/// Keeps a failure of a call that leaves everything else in the contact as it is.
-inline std::int32_t keep(wrc_contact& handle, const char* function, const Fault& fault) {
-  handle.contact->last = fault;
-  handle.contact->last.call = function;
-  return fault.status;
+/// Keeps the outcome of a call for wrc_contact_last_error(). `function` is its name: of a call with nothing
+/// to say it is not kept, so that states saved before and after a call that only reads are equal.
+inline std::int32_t keep(wrc_contact& handle, const char* function, const Fault& outcome) {
+  handle.contact->last = outcome;
+  handle.contact->last.call = outcome.status == WRC_OK ? nullptr : function;
+  return outcome.status;
 }
 
 /// Memory for create: from the caller's allocator, or aligned_alloc and free.

@@ -98,7 +98,7 @@ void zero_field(double* theirs, std::size_t cells) {
 Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_normal_solution& solution) {
   wrc_exact_normal_problem ours;
   Fault fault = read(theirs, "problem", ours);
-  if (!fault.failed()) fault = check_prescribed(ours.prescribed, "problem", true);
+  if (!fault.failed()) fault = check_prescribed_of_plane(ours.prescribed, "problem");
   if (fault.failed()) return fault;
   const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());
@@ -587,18 +587,23 @@ int32_t solve_into(const char* function, const Problem* problem, Solution* solut
   return finish(function, fault, text, size);
 }
 
-/// Runs an offline call on a contact, the outcome kept for wrc_contact_last_error. `function`: its name;
-/// `result`: the output without which there is nothing to do, and what the caller knows it as.
-template <typename Work>
-int32_t on_contact(const char* function, wrc_contact* handle, const void* result, const char* name,
-                   Work&& work) {
-  if (!valid(handle)) return WRC_ERROR_NULL;
-  Contact& contact = *handle->contact;
-  contact.last = guarded([&]() -> Fault {
-    return result == nullptr ? Fault{.status = WRC_ERROR_NULL, .field = name} : work(contact);
+/// An exact solution for a contact: `solve(contact, ours)` into `result`, which is zero on failure, with its
+/// flags; the outcome is the contact's last. `function`: the name of the call; `name`: that of `result`.
+template <typename Result, typename Solve>
+std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* result, const char* name,
+                           Solve&& solve) {
+  const Fault cleared = clear(result);
+  if (!valid(contact)) return WRC_ERROR_NULL;
+  const Fault outcome = guarded([&]() -> Fault {
+    if (result == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
+    if (cleared.failed()) return cleared;
+    Result ours = empty<Result>();
+    const Fault fault = solve(*contact->contact, ours);
+    ours.flags = fault.all_flags();
+    if (!fault.failed()) write(ours, result);
+    return fault;
   });
-  if (contact.last.status != WRC_OK) contact.last.call = function;
-  return contact.last.status;
+  return keep(*contact, function, outcome);
 }
 
 }  // namespace
@@ -614,8 +619,11 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   const Fault fault = abi::read(grid, "grid", theirs);
   const wrc::halfspace::Grid ours = abi::grid_of(theirs);
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
-  return abi::on_contact(__func__, contact, gap, "gap", [&](const wrc::Contact& inside) -> Fault {
+  if (!abi::valid(contact)) return WRC_ERROR_NULL;
+  const wrc::Contact& inside = *contact->contact;
+  const Fault outcome = abi::guarded([&]() -> Fault {
     if (fault.failed()) return fault;
+    if (gap == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap"};
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",
@@ -624,6 +632,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     abi::sample_gap(inside, ours, gap);
     return fault;
   });
+  return abi::keep(*contact, __func__, outcome);
 }
 
 int32_t wrc_exact_normal(const wrc_exact_normal_problem* problem, wrc_exact_normal_solution* solution,
@@ -685,32 +694,22 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
 
 int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
-  const Fault cleared = abi::clear(result);
-  return abi::on_contact(__func__, contact, result, "result", [&](wrc::Contact& inside) -> Fault {
-    if (cleared.failed()) return cleared;
-    wrc_exact_check_options how;
-    Fault fault = abi::read_or_defaults(options, "options", how);
-    if (fault.failed()) return fault;
-    abi::Reporter reporter{.progress = how.progress, .user = how.user};
-    wrc_exact_check_result ours = abi::defaults<wrc_exact_check_result>();
-    fault = abi::check_contact(inside, how.nx, how.ny, reporter, ours);
-    ours.flags = fault.all_flags();
-    if (!fault.failed()) abi::write(ours, result);
-    return fault;
-  });
+  return abi::solve_exactly(__func__, contact, result, "result",
+                            [&](wrc::Contact& of, wrc_exact_check_result& ours) -> Fault {
+                              wrc_exact_check_options how;
+                              const Fault fault = abi::read_or_defaults(options, "options", how);
+                              if (fault.failed()) return fault;
+                              abi::Reporter reporter{.progress = how.progress, .user = how.user};
+                              return abi::check_contact(of, how.nx, how.ny, reporter, ours);
+                            });
 }
 
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                          const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
-  const Fault cleared = abi::clear(wrench);
-  return abi::on_contact(__func__, contact, wrench, "wrench", [&](wrc::Contact& inside) -> Fault {
-    if (cleared.failed()) return cleared;
-    wrc_wrench ours = abi::empty<wrc_wrench>();
-    const Fault fault = abi::solve_exact_wheel(inside, input, options, ours);
-    ours.flags = fault.all_flags();
-    if (!fault.failed()) abi::write(ours, wrench);
-    return fault;
-  });
+  return abi::solve_exactly(__func__, contact, wrench, "wrench",
+                            [&](const wrc::Contact& of, wrc_wrench& ours) {
+                              return abi::solve_exact_wheel(of, input, options, ours);
+                            });
 }
 
 }  // extern "C"

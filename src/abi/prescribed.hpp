@@ -1,26 +1,35 @@
-/// Which of enum wrc_prescribed a struct takes: a wheel the first two, a contact plane the others.
+/// Which half of enum wrc_prescribed a struct takes.
 #pragma once
-
-#include <cstdint>
 
 #include "base/fault.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {
 
-/// `of`: the struct as the caller knows it; `plane`: is it that of a contact plane?
-inline Fault check_prescribed(std::int32_t prescribed, const char* of, bool plane) {
-  const bool of_plane = prescribed == WRC_PRESCRIBE_NORMAL_FORCE || prescribed == WRC_PRESCRIBE_APPROACH;
-  if (of_plane == plane) return {};
+/// `prescribed` of the struct `of` must be one of two values; `cause`: which, and whose the others are.
+inline Fault check_prescribed(std::int32_t prescribed, std::int32_t one, std::int32_t other, const char* of,
+                              const char* cause) {
+  if (prescribed == one || prescribed == other) return {};
   return {.status = WRC_ERROR_UNSUPPORTED,
           .of = of,
           .field = "prescribed",
           .value = static_cast<double>(prescribed),
           .unit = "",
-          .cause = plane ? "WRC_PRESCRIBE_HEIGHT and _VERTICAL_LOAD are of a wheel: take "
-                           "WRC_PRESCRIBE_NORMAL_FORCE (2) or WRC_PRESCRIBE_APPROACH (3)"
-                         : "WRC_PRESCRIBE_NORMAL_FORCE and _APPROACH are of a contact plane: take "
-                           "WRC_PRESCRIBE_HEIGHT (0) or WRC_PRESCRIBE_VERTICAL_LOAD (1)"};
+          .cause = cause};
+}
+
+/// A wheel prescribes its height or its vertical load.
+inline Fault check_prescribed_of_wheel(std::int32_t prescribed, const char* of) {
+  return check_prescribed(prescribed, WRC_PRESCRIBE_HEIGHT, WRC_PRESCRIBE_VERTICAL_LOAD, of,
+                          "WRC_PRESCRIBE_NORMAL_FORCE and _APPROACH are of a contact plane: a wheel takes "
+                          "WRC_PRESCRIBE_HEIGHT (0) or WRC_PRESCRIBE_VERTICAL_LOAD (1)");
+}
+
+/// A load of a contact plane prescribes its force or its approach.
+inline Fault check_prescribed_of_plane(std::int32_t prescribed, const char* of) {
+  return check_prescribed(prescribed, WRC_PRESCRIBE_NORMAL_FORCE, WRC_PRESCRIBE_APPROACH, of,
+                          "WRC_PRESCRIBE_HEIGHT and _VERTICAL_LOAD are of a wheel: a contact plane takes "
+                          "WRC_PRESCRIBE_NORMAL_FORCE (2) or WRC_PRESCRIBE_APPROACH (3)");
 }
 
 }  // namespace wrc::abi

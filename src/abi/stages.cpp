@@ -214,7 +214,7 @@ wrc_planar_forces forces_of(const Contact& contact) {
 Fault solve_step(Contact& contact, const wrc_planar_input* input, Fault& normal, Fault& tangential) {
   wrc_planar_input in;
   Fault outcome = read(input, "input", in);
-  if (!outcome.failed()) outcome = check_prescribed(in.load.prescribed, "input.load", true);
+  if (!outcome.failed()) outcome = check_prescribed_of_plane(in.load.prescribed, "input.load");
   if (outcome.failed()) return outcome;
   Friction friction;
   outcome = read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction);
@@ -302,7 +302,7 @@ int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const 
   return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
     wrc_planar_load ours;
     Fault outcome = abi::read(load, "load", ours);
-    if (!outcome.failed()) outcome = abi::check_prescribed(ours.prescribed, "load", true);
+    if (!outcome.failed()) outcome = abi::check_prescribed_of_plane(ours.prescribed, "load");
     if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
     if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
     if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));

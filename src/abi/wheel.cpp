@@ -188,9 +188,7 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
 Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
-  // Its sentence comes first: a vertical_load beside it would be refused as one beside a height.
-  const Fault wrong = check_prescribed(ours.prescribed, "input", false);
-  if (wrong.failed()) fault = wrong;
+  if (!fault.failed()) fault = check_prescribed_of_wheel(ours.prescribed, "input");
   if (fault.failed()) return fault;
   const bool height = ours.prescribed == WRC_PRESCRIBE_HEIGHT;
   const Fault wheel = read_wheel(ours.wheel, height, hosted);

@@ -32,6 +32,7 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
   void give() {
     config.rail_section_count = static_cast<uint32_t>(sections.size());
     config.rail_sections = sections.data();
+    config.rail_section_size = sizeof sections[0];
   }
   template <class Deviation>
   void give_wheel(int count, Deviation&& of) {
@@ -139,7 +140,7 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   input.prescribed = WRC_PRESCRIBE_HEIGHT;
   input.vertical_load = 0.0;
   wheel.z = wrench.z;
-  wrc_wrench_derivatives slopes;
+  auto slopes = sized<wrc_wrench_derivatives>();
   ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes), WRC_OK);
   const double normal = wrench.normal_force;
   ASSERT_GT(normal, 20e3);
@@ -330,7 +331,7 @@ TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
   add(1.0005);
   give();
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
-  EXPECT_NE(sentence.find("config.rail_section.distance"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("config.rail_sections.distance["), std::string::npos) << sentence;
   sections[1].distance = 1.0;
   EXPECT_EQ(refused(), WRC_ERROR_RANGE) << sentence;
   sections[1].distance = 2.0;
@@ -341,7 +342,7 @@ TEST_F(AlongTrack, SectionsThatOverlapAreNamed) {
   add(4.0);
   give();
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
-  EXPECT_NE(sentence.find("config.rail_section.surface"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("config.rail_sections.surface["), std::string::npos) << sentence;
 }
 
 TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {

@@ -158,7 +158,7 @@ TEST_F(CheckRail, FarFromItNothingChanges) {
 TEST_F(CheckRail, DerivativesSeeIt) {
   create();
   lean_on_check_rail(1.0);
-  wrc_wrench_derivatives found{};
+  auto found = sized<wrc_wrench_derivatives>();
   ASSERT_GE(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), 0) << error();
   const double h = 1e-8, at = wheel.y;
   double ends[2];

@@ -57,12 +57,14 @@ TEST_F(Gauge, OfTheTrackIsARailMovedAside) {
     }
     config.rail_section_count = 3;
     config.rail_sections = sections.data();
+    config.rail_section_size = sizeof sections[0];
     create(which);
     input.distance = 1.3;
     ASSERT_EQ(step(), WRC_OK) << error();
     expect_equal(moved, wrench, 1e-4);
     config.rail_section_count = 0;
     config.rail_sections = nullptr;
+    config.rail_section_size = 0;
     input.distance = 0.0;
   }
 }
@@ -105,12 +107,14 @@ TEST_F(Gauge, ThatWidensAlongTheTrackIsARailTurned) {
   }
   config.rail_section_count = 5;
   config.rail_sections = sections.data();
+  config.rail_section_size = sizeof sections[0];
   create();
   wheel.y = 5.5e-3;
   ASSERT_EQ(step(), WRC_OK) << error();
   const wrc_wrench widening = wrench;
   config.rail_section_count = 0;
   config.rail_sections = nullptr;
+  config.rail_section_size = 0;
   create();
   const double c = std::cos(slope), s = std::sin(slope);
   const auto into_rail = [&](double* v) {

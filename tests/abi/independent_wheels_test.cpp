@@ -37,7 +37,7 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
     }
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = half;
-    config.wheelset.tape_circle_distance = 2.0 * (half - 0.070);
+    config.wheelset.tape_circle_distance = 2.0 * half;
     wrc_model_create(&config, nullptr, &model, nullptr, 0);
     for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT})
       wrc_contact_create(model, which, nullptr, &wheels_[which == WRC_SIDE_RIGHT ? 0 : 1], nullptr, 0);
@@ -71,7 +71,7 @@ class IndependentWheels : public testing::Test, protected PlacedWheel {
       wheel.velocity[0] = speed, wheel.velocity[1] = u[RATE_Y];
       wheel.velocity[2] = following_[0], wheel.angular_velocity[0] = following_[1];
       wheel.angular_velocity[1] = u[RIGHT + k], wheel.angular_velocity[2] = u[RATE_YAW];
-      wrc_wrench_derivatives slope{};
+      auto slope = sized<wrc_wrench_derivatives>();
       const int32_t status = wrc_contact_wrench_derivatives(wheels_[k], &input, &wrench, &slope);
       ASSERT_EQ(status, WRC_OK);
       const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],

@@ -597,7 +597,7 @@ TEST_F(Interface, NullIsSafeEverywhere) {
   EXPECT_EQ(wrc_contact_wear(contact, WRC_ALL_REGIONS, nullptr, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_region(contact, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_planar_step(contact, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(wrc_contact_field(contact, 0, 0, nullptr, 0, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_X, nullptr, 0, nullptr), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(contact, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_last_error(nullptr, nullptr, 0), WRC_ERROR_NULL);
   EXPECT_EQ(wrc_contact_save(contact, nullptr, 0), WRC_ERROR_NULL);

@@ -52,7 +52,7 @@ TEST_F(NaturalMotion, AVectorOfNoAxesIsRefused) {
   wheel.angular_velocity[1] = rolling;
   expect_refused({"input.wheel.angular_velocity[1] = -43.4783 rad/s",
                   "WRC_AXES_TRACK (components along x, y, z of the track)",
-                  "WRC_AXES_BODY (y along the axle)", "pitch_rate = -v/r"});
+                  "WRC_AXES_BODY (y along the axle)", "pitch_rate = -v / r0"});
   wheel.angular_axes = WRC_AXES_BODY;
   expect_the_force();
   wheel.angular_axes = WRC_AXES_TRACK;
@@ -136,7 +136,7 @@ TEST_F(NaturalMotion, ATransposeIsFlagged) {
   ReferenceWheel::expect_words(
       error(), {"along the axle of the transpose of input.wheel.rotation", "did you pass its columns?"});
   EXPECT_GT(wrench.normal_force, 0.0);  // a flag: a wheel may move like that
-  wrc_wrench_derivatives found{};
+  auto found = sized<wrc_wrench_derivatives>();
   EXPECT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_FLAG_ROTATION_TRANSPOSED);
   wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
   options.cell_x = options.cell_s = 1e-3;

@@ -137,8 +137,11 @@ TEST_F(ExactNormal, RefusesNullAndWrongSizes) {
   const uint32_t columns = std::exchange(grid.nx, 0U);
   expect_refused(WRC_ERROR_RANGE, {"problem.grid.nx", "was it set?"});
   grid.nx = columns;
+  problem.prescribed = WRC_PRESCRIBE_HEIGHT;
+  expect_refused(WRC_ERROR_UNSUPPORTED, {"problem.prescribed", "WRC_PRESCRIBE_NORMAL_FORCE (2)"});
+  problem.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
   problem.struct_size += 8;
-  expect_refused(WRC_ERROR_STRUCT_SIZE, {"wrc_exact_normal_problem"});
+  expect_refused(WRC_ERROR_STRUCT_SIZE, {"problem.struct_size", "beyond what this library knows"});
   problem.struct_size = sizeof problem;
   solution.struct_size = 4;
   EXPECT_EQ(solve(), WRC_ERROR_STRUCT_SIZE);

@@ -292,6 +292,7 @@ TEST_F(RailSlope, IsARailOfSectionsThatRunsSo) {
       }
       config.rail_section_count = static_cast<uint32_t>(sections.size());
       config.rail_sections = sections.data();
+      config.rail_section_size = sizeof sections[0];
       create(which);
       input.distance = 10.0;
       carry();

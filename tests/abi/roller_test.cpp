@@ -218,7 +218,7 @@ TEST_F(Roller, DerivativesAreThoseOfDifferences) {
   wheel.velocity[0] = -10.0;
   for (const int32_t which : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
     create(which);
-    wrc_wrench_derivatives found{};
+    auto found = sized<wrc_wrench_derivatives>();
     ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK) << error();
     double number[6][18] = {}, largest[6][2] = {};
     const auto column = [](int k) { return k < 16 ? k : k == 16 ? WRC_BY_DISTANCE : WRC_BY_ROLLER_RATE; };
@@ -367,6 +367,7 @@ TEST_F(Roller, WhatDoesNotBelongToItIsRefused) {
   for (wrc_rail_section& each : section) each.profile = config.rail;
   section[1].distance = 1.0;
   config.rail_sections = section;
+  config.rail_section_size = sizeof section[0];
   config.rail_section_count = 2;
   no_model("no sections");
 }

@@ -152,6 +152,7 @@ TEST_F(Temperature, RefusesWhatMakesNoSense) {
   EXPECT_EQ(wrc_contact_temperature(nullptr, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_NULL);
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, nullptr), WRC_ERROR_NULL);
+  EXPECT_EQ(field_values(contact, 0, WRC_FIELD_TEMPERATURE_RISE).status, WRC_OK);  // no call need come before
   EXPECT_EQ(wrc_contact_temperature(contact, 1, nullptr, &temperature), WRC_ERROR_RANGE);
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   bulk.rail = 3000.0;

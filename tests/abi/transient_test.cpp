@@ -98,7 +98,7 @@ TEST_F(Transient, FollowsTheReferenceFromRest) {
   grid.y0 = -22.5 * grid.dy;
   press(a, b, psi, load, grid);
   problem.collocation = WRC_COLLOCATION_REFERENCE;
-  problem.wheel_material = problem.rail_material = {82e9, 0.28, 82e9, 0.28};
+  problem.wheel_material = problem.rail_material = wrc_material_default();
   problem.coefficient = 0.28589;
   problem.creepage.longitudinal = 0.0028128879;
   create();

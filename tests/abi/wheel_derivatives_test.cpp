@@ -24,7 +24,7 @@ constexpr int slopes[] = {WRC_BY_RAIL_Y_SLOPE, WRC_BY_RAIL_Z_SLOPE};
 /// S1002 on the benchmark UIC60 with a little of everything.
 class WheelDerivatives : public testing::TestWithParam<int32_t>, protected PlacedWheel {
  protected:
-  wrc_wrench_derivatives found{};
+  wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
 
   WheelDerivatives() {
     friction.coefficient = 0.0;

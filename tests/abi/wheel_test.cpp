@@ -735,7 +735,15 @@ TEST_F(WheelOnRail, ChoicesThatDoNotExistAreRefused) {
   refuse(wheel.reference, {"wheel.reference", "wrc_wheel_reference"});
   refuse(wheel.angular_axes, {"wheel.angular_axes", "wrc_axes"});
   refuse(wheel.orientation, {"wheel.orientation", "wrc_orientation"});
-  refuse(input.prescribed, {"input.prescribed", "wrc_prescribed"});
+  for (const int32_t of_a_plane : {WRC_PRESCRIBE_NORMAL_FORCE, WRC_PRESCRIBE_APPROACH}) {
+    input.prescribed = of_a_plane;
+    expect_refused(WRC_ERROR_UNSUPPORTED, {"input.prescribed", "WRC_PRESCRIBE_VERTICAL_LOAD"});
+  }
+  for (const int32_t bad : {-1, 4, 99}) {
+    input.prescribed = bad;
+    expect_refused(WRC_ERROR_UNSUPPORTED, {"input.prescribed", "wrc_prescribed"});
+  }
+  input.prescribed = WRC_PRESCRIBE_HEIGHT;
   const double at[] = {0.0}, zone[] = {0.2};
   friction.zone_count = 1;
   friction.zone_y = at;
@@ -812,6 +820,36 @@ TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
   }
 }
 
+/// Options of the stages change no bit of a wrench.
+TEST_F(WheelOnRail, PlanarOptionsAreNotRead) {
+  wheel.y = 5e-3;
+  wheel.yaw = 4e-3;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const wrc_wrench own = wrench;
+  const wrc_config good = config;
+  const auto changed = [&](auto& option, auto value) {
+    option = value;
+    create();
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_EQ(std::memcmp(&wrench, &own, sizeof own), 0);
+    config = good;
+  };
+  changed(config.planar.strips, 97);
+  changed(config.planar.cells, 11);
+  changed(config.planar.gap_rows, 100);
+  changed(config.planar.max_patches, 1);
+  changed(config.planar.max_sweeps, 4);
+  changed(config.planar.start, static_cast<int32_t>(WRC_START_WARM));
+  changed(config.planar.regularisation, static_cast<int32_t>(WRC_REGULARISE_KEEP_RATIO));
+  changed(config.planar.gap_limit, 2e-4);
+  config.surface.cells = 64;  // read: fields have as many
+  create();
+  ASSERT_EQ(step(), WRC_OK) << error();
+  wrc_region region = sized<wrc_region>();
+  ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+  EXPECT_EQ(region.cell_count, 64);
+}
+
 TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
   const auto says = [&](int32_t status, const char* words) {
     EXPECT_EQ(step(), status) << wheel.y;
@@ -827,10 +865,39 @@ TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
     rail = sized<wrc_rail_state>();
     wheel.roll = wheel.yaw = 0.0;
     wheel.y = outward * 105e-3;
-    says(WRC_FLAG_PATCH_AT_EDGE, "the flange's back is against the rail's field side");
+    says(WRC_FLAG_BEYOND_GAP, "overlap = ");
+    EXPECT_NE(wrench.flags & WRC_FLAG_BIT(WRC_FLAG_PATCH_AT_EDGE), 0U);
     wheel.y = outward * 0.15;
     says(WRC_FLAG_NO_CONTACT, "do not touch");
   }
+}
+
+/// Raised out of contact by up to the reach of the search, it says by how much it must be lowered: lowered so
+/// far and 1 um more it touches, and lowered 1 um less it does not.
+TEST_F(WheelOnRail, ClearanceIsHowFarToTheRail) {
+  for (const double y : {-6e-3, 0.0, 4e-3, 5.8e-3}) {
+    for (const double yaw : {-8e-3, 0.0, 5e-3}) {
+      for (const double raised : {1e-4, 2e-3, 0.03}) {
+        wheel.y = y;
+        wheel.yaw = yaw;
+        wheel.z = -raised;
+        ASSERT_EQ(step(), WRC_FLAG_NO_CONTACT) << error();
+        const double clearance = wrench.clearance;
+        ASSERT_GT(clearance, 0.0);
+        ASSERT_LT(clearance, 50e-3);
+        wheel.z = -raised + clearance - 1e-6;
+        EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT) << y << ' ' << yaw << ' ' << raised;
+        EXPECT_NEAR(wrench.clearance, 1e-6, 0.5e-6);
+        wheel.z = -raised + clearance + 1e-6;
+        EXPECT_GE(step(), WRC_OK) << error();
+        EXPECT_GT(wrench.normal_force, 0.0) << y << ' ' << yaw << ' ' << raised;
+        EXPECT_EQ(wrench.clearance, 0.0);
+      }
+    }
+  }
+  wheel.z = -0.06;
+  EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
+  EXPECT_EQ(wrench.clearance, 50e-3);
 }
 
 TEST_F(WheelOnRail, NeedsProfiles) {
@@ -925,7 +992,7 @@ TEST_P(WheelByMethods, DoesNotLeapWhereTheLowestPointDoes) {
 }
 
 TEST_P(WheelByMethods, DerivativesAreRefusedByName) {
-  wrc_wrench_derivatives found{};
+  auto found = sized<wrc_wrench_derivatives>();
   const bool normal = GetParam() < normal_methods - 1;
   const bool the_default = !normal && GetParam() - normal_methods + 1 == preset_strip_fastsim;
   const int32_t status = wrc_contact_wrench_derivatives(contact, &input, &wrench, &found);

@@ -75,7 +75,8 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
       .low = 0.0,
       .high = load ? most : deepest,
       .cause =
-          load ? "the gap given, or config.planar.gap_limit, carries no more: continued with the last stiffness"
+          load ? "the gap given, or config.planar.gap_limit, carries no more: continued with the last "
+                 "stiffness"
                : "the gap given, or config.planar.gap_limit, ends there: continued with the last stiffness; "
                  "did you pass mm?"};
 }
