@@ -99,7 +99,7 @@ extern "C" {
 
 int32_t wrc_contact_accumulate(wrc_contact* handle, const wrc_accumulation* accumulation,
                                wrc_damage_bins* wheel, wrc_damage_bins* rail, wrc_damage_totals* totals) {
-  return abi::call(__func__, handle, abi::clear(totals), [&](const wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(totals), [&](wrc::Contact& contact) {
     wrc::Accumulation ours;
     wrc::DamageBins on_wheel, on_rail;
     wrc::DamageTotals found;

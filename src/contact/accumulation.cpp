@@ -80,10 +80,12 @@ void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int3
   for (std::int32_t j = 0; j < count; ++j) sum[j] = std::sqrt(x[j] * x[j] + y[j] * y[j]);
 }
 
-Fault add_stages(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+Fault add_stages(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals) {
-  if (contact.reached < Stage::damage)
-    return {.status = WRC_ERROR_SEQUENCE, .field = "damage", .cause = "call wrc_contact_damage first"};
+  if (contact.reached < Stage::damage) {
+    const Fault fault = assess_damage(contact);
+    if (fault.status != WRC_OK) return fault;
+  }
   if (!gives_fields(contact))
     return {.status = WRC_ERROR_UNSUPPORTED,
             .field = "config.tangential.method",
@@ -176,7 +178,7 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
 
 }  // namespace
 
-Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+Fault accumulate(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals) {
   totals = {};
   return contact.newest == Solution::wheel ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)

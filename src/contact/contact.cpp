@@ -60,7 +60,6 @@ void back_to(Contact& contact, Stage stage) {
   contact.extent = {};
   contact.forces = {};
   contact.damage = {};
-  contact.beside = 0;
 }
 
 /// Where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which come

@@ -180,12 +180,10 @@ struct Contact {
   Fault last;  ///< of the last call
 
   Stage reached = Stage::none;
-  bool touching = false;  ///< false: the bodies are apart and forces are zero
-  bool posed = false;     ///< pose and point belong to the gap in the contact
-  bool pressed = false;   ///< the patch belongs to the load
-  /// What has been made of the present tractions beside the stages, and its fields belong to.
-  enum Beside : std::uint8_t { wear = 1, temperature = 2 };
-  std::uint8_t beside = 0;
+  bool touching = false;          ///< false: the bodies are apart and forces are zero
+  bool posed = false;             ///< pose and point belong to the gap in the contact
+  bool pressed = false;           ///< the patch belongs to the load
+  std::uint8_t filling = 0;       ///< in the place of padding
   std::int32_t gap_rows = 0;      ///< rows in use
   std::int32_t start_strips = 0;  ///< of the last solution the next normal solve may start from; 0: none
   std::int32_t strips = 0;        ///< of all patches
@@ -317,22 +315,6 @@ Fault assess_damage(Contact& contact);
 /// `why_not` is the sentence, or no contact.
 Fault tractions_needed(const Contact& contact, const char* why_not);
 
-/// Wear of the tractions in the contact; no stage of its own: any laws, any number of times.
-Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear);
-
-/// Temperatures by the frictional power of the tractions in the contact; the same.
-Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature);
-
-/// Largest stresses in one of the bodies under the tractions in the contact.
-struct BodyStresses {
-  StressPeaks surface, below;
-};
-
-/// At the surface, at `depths` (increasing; into `levels`, one for each, where not nullptr) and around the
-/// largest of these.
-Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
-                    StressPeaks* levels, BodyStresses& stresses);
-
 /// What the last results of the contact, of the stages or of a wheel on a rail, do in a time
 /// (accumulation.cpp).
 struct Accumulation {
@@ -348,8 +330,9 @@ struct DamageTotals {
   double largest_pressure = 0.0, largest_traction = 0.0;  ///< [Pa]
 };
 
-/// Adds to the bins of wheel and rail; nullptr: not wanted.
-Fault accumulate(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
+/// Adds to the bins of wheel and rail; nullptr: not wanted. The stages' frictional power is assessed where it
+/// has not been.
+Fault accumulate(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals);
 
 /// Derivatives of the last tangential stage (sensitivities.cpp), found on a copy: the contact stays as it is.

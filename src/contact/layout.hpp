@@ -34,7 +34,6 @@ enum class Array : std::size_t {
   gap_height,
   gap_centre,
   gap_curvature,
-  strip_wear,
   strip_friction,
   temperature_rise,
   region_y,

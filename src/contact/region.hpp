@@ -81,7 +81,13 @@ Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, We
 Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
                          TemperatureNumbers& temperature);
 
-/// Of a wheel's region laid flat along the rail's arc, y its arc length; arguments as find_stresses().
+/// Largest stresses in one of the bodies.
+struct BodyStresses {
+  StressPeaks surface, below;
+};
+
+/// At the surface, at `depths` (increasing; into `levels`, one for each, where not nullptr) and around the
+/// largest of these. A wheel's region is laid flat along the rail's arc, y its arc length.
 Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const double* depths,
                       std::int32_t count, StressPeaks* levels, BodyStresses& stresses);
 

@@ -1,5 +1,5 @@
-/// What the tractions of a solution do to the bodies: damage, wear, temperatures, stresses. The stages' own
-/// calls are of all their patches and fill the contact's arrays; those by index leave the contact as it is.
+/// What the tractions of a solution do to the bodies: damage, wear, temperatures, stresses. Calls by index
+/// leave the contact as it is; the stage of damage is of all patches and fills the contact's arrays.
 #include <algorithm>
 #include <cmath>
 
@@ -336,40 +336,6 @@ Fault assess_damage(Contact& contact) {
                        cell_block(contact, Array::fatigue_index, patch),
                        array(contact, Array::strip_power) + patch.region_first};
   });
-  return {};
-}
-
-Fault assess_wear(Contact& contact, const WearLaws& laws, WearNumbers& wear) {
-  wear = {};
-  const Fault fault = tractions_needed(contact, no_wear);
-  if (fault.status != WRC_OK) return fault;
-  wear.worn_area_rate = worn_area(contact, laws, t_gamma(contact.forces));
-  for (std::int32_t k = 0; k < contact.patches; ++k)
-    add_wear(RolledRegion(contact, contact.patch[k]), laws,
-             array(contact, Array::strip_wear) + contact.patch[k].region_first, wear);
-  contact.beside |= Contact::wear;
-  return {};
-}
-
-Fault assess_temperature(Contact& contact, const BulkTemperatures& bulk, TemperatureNumbers& temperature) {
-  temperature = {};
-  const Fault fault = tractions_needed(contact, no_power);
-  if (fault.status != WRC_OK) return fault;
-  TemperatureSums sums = temperature_sums(contact, bulk, contact.rolling.speed);
-  for (std::int32_t k = 0; k < contact.patches; ++k)
-    add_temperature(RolledRegion(contact, contact.patch[k]),
-                    cell_block(contact, Array::temperature_rise, contact.patch[k]), sums);
-  temperature = sums.numbers();
-  contact.beside |= Contact::temperature;
-  return {};
-}
-
-Fault find_stresses(Contact& contact, bool in_rail, const double* depths, std::int32_t count,
-                    StressPeaks* levels, BodyStresses& stresses) {
-  stresses = {};
-  const Fault fault = tractions_needed(contact, no_stresses);
-  if (fault.status != WRC_OK) return fault;
-  stresses = stresses_of_patches(contact, all_regions, {in_rail, depths, count, levels});
   return {};
 }
 

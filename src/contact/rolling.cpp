@@ -280,7 +280,6 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.rolling = rolling;
   contact.forces = {};
   contact.damage = {};
-  contact.beside = 0;
   void* const memory = contact.model->options.non_steady ? array(contact, Array::rolling_memory) : nullptr;
   if (memory) begin_step(memory);
   if (!contact.touching) {

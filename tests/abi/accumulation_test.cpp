@@ -251,6 +251,36 @@ TEST_F(Line, RowsShareTheDistance) {
   for (std::size_t r = 0; r < 10; ++r) EXPECT_NEAR(row[r] / work, expected[r], 2e-3) << r;
 }
 
+/// Stages called one by one, with damage asked for or not, add what the step adds.
+TEST_F(Line, StagesOneByOneAddWhatTheStepAdds) {
+  step(0.0);
+  Bins at_once;
+  add(&at_once, nullptr);
+  const wrc_planar_pose pose = sized<wrc_planar_pose>();
+  wrc_planar_load load = wrc_planar_load_default();
+  load.normal_force = 90e3;
+  wrc_creepage creepage = wrc_creepage_default();
+  creepage.longitudinal = 2e-3;
+  creepage.lateral = 4e-3;
+  creepage.spin = 0.1;
+  creepage.speed = 20.0;
+  const wrc_friction friction = wrc_friction_default();
+  for (const bool asked : {false, true}) {
+    ASSERT_EQ(wrc_planar_geometry(contact[0], &pose, nullptr), WRC_OK);
+    ASSERT_GE(wrc_planar_normal(contact[0], nullptr, &load, nullptr), WRC_OK);
+    ASSERT_GE(wrc_planar_tangential(contact[0], nullptr, &creepage, &friction, nullptr), WRC_OK);
+    wrc_damage damage = sized<wrc_damage>();
+    if (asked) {
+      ASSERT_EQ(wrc_contact_damage(contact[0], WRC_ALL_REGIONS, &damage), WRC_OK);
+    }
+    Bins one_by_one;
+    add(&one_by_one, nullptr);
+    for (int32_t sum = 0; sum < WRC_DAMAGE_SUMS; ++sum)
+      EXPECT_EQ(one_by_one.values(sum), at_once.values(sum)) << asked << ' ' << sum;
+    EXPECT_GT(one_by_one.total(WRC_DAMAGE_WORK), 0.0);
+  }
+}
+
 TEST_F(Line, RefusesWhatItCannotUse) {
   Bins wheel;
   wrc_accumulation a = accumulation();

@@ -18,7 +18,7 @@ class Wheelset:
         self.scale = rms / np.sqrt(0.5 * np.sum(WAVES ** 2))
         at_rest = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=LOAD / 2, friction={"coefficient": 0.0})
         self.height = self.wheels.wrench(at_rest)["z"][0]
-        self.input, self.out = wrc.WheelInput(wheel={"angular_axes": "TRACK"}, friction={"coefficient": 0.3}), wrc.Wrench.array(2)
+        self.input, self.out = wrc.WheelInput(friction={"coefficient": 0.3}), wrc.Wrench.array(2)
 
     def track(self, x):
         """Lateral displacement of both rails: 40 cosines of 3 to 60 m, faded in over the first 10 m."""
