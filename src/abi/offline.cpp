@@ -588,12 +588,14 @@ int32_t solve_into(const char* function, const Problem* problem, Solution* solut
 }
 
 /// An exact solution for a contact: `solve(contact, ours)` into `result`, which is zero on failure, with its
-/// flags; the outcome is the contact's last. `function`: the name of the call.
+/// flags; the outcome is the contact's last. `function`: the name of the call; `name`: that of `result`.
 template <typename Result, typename Solve>
-std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* result, Solve&& solve) {
+std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* result, const char* name,
+                           Solve&& solve) {
   const Fault cleared = clear(result);
-  if (!valid(contact) || result == nullptr) return WRC_ERROR_NULL;
+  if (!valid(contact)) return WRC_ERROR_NULL;
   const Fault outcome = guarded([&]() -> Fault {
+    if (result == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
     if (cleared.failed()) return cleared;
     Result ours = empty<Result>();
     const Fault fault = solve(*contact->contact, ours);
@@ -617,10 +619,11 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   const Fault fault = abi::read(grid, "grid", theirs);
   const wrc::halfspace::Grid ours = abi::grid_of(theirs);
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
-  if (!abi::valid(contact) || gap == nullptr) return WRC_ERROR_NULL;
-  wrc::Contact& inside = *contact->contact;
+  if (!abi::valid(contact)) return WRC_ERROR_NULL;
+  const wrc::Contact& inside = *contact->contact;
   const Fault outcome = abi::guarded([&]() -> Fault {
     if (fault.failed()) return fault;
+    if (gap == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap"};
     if (inside.gap_rows == 0) {
       return {.status = WRC_ERROR_SEQUENCE,
               .field = "gap",
@@ -665,11 +668,12 @@ int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const double* d
 
 int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
                                    wrc_exact_transient** transient, char* text, uint64_t size) {
-  if (transient == nullptr) return WRC_ERROR_NULL;
-  *transient = nullptr;
-  return abi::finish(
-      __func__, abi::guarded([&]() -> Fault { return abi::create_transient(grid, wheel, rail, *transient); }),
-      text, size);
+  if (transient != nullptr) *transient = nullptr;
+  const Fault fault = abi::guarded([&]() -> Fault {
+    if (transient == nullptr) return {.status = WRC_ERROR_NULL, .field = "transient"};
+    return abi::create_transient(grid, wheel, rail, *transient);
+  });
+  return abi::finish(__func__, fault, text, size);
 }
 
 int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,
@@ -690,7 +694,7 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
 
 int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
-  return abi::solve_exactly(__func__, contact, result,
+  return abi::solve_exactly(__func__, contact, result, "result",
                             [&](wrc::Contact& of, wrc_exact_check_result& ours) -> Fault {
                               wrc_exact_check_options how;
                               const Fault fault = abi::read_or_defaults(options, "options", how);
@@ -702,9 +706,10 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
 
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                          const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
-  return abi::solve_exactly(__func__, contact, wrench, [&](const wrc::Contact& of, wrc_wrench& ours) {
-    return abi::solve_exact_wheel(of, input, options, ours);
-  });
+  return abi::solve_exactly(__func__, contact, wrench, "wrench",
+                            [&](const wrc::Contact& of, wrc_wrench& ours) {
+                              return abi::solve_exact_wheel(of, input, options, ours);
+                            });
 }
 
 }  // extern "C"

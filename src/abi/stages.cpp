@@ -210,7 +210,8 @@ wrc_planar_forces forces_of(const Contact& contact) {
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
-Fault solve_step(Contact& contact, const wrc_planar_input* input) {
+/// The gravest of all stages, with the flags of all; `normal` and `tangential`: what these two came to.
+Fault solve_step(Contact& contact, const wrc_planar_input* input, Fault& normal, Fault& tangential) {
   wrc_planar_input in;
   Fault outcome = read(input, "input", in);
   if (!outcome.failed()) outcome = check_prescribed_of_plane(in.load.prescribed, "input.load");
@@ -223,24 +224,26 @@ Fault solve_step(Contact& contact, const wrc_planar_input* input) {
   } else {
     keep_worst(outcome, find_gap(contact, pose_of(in.pose)));
   }
-  if (!outcome.failed()) keep_worst(outcome, solve_normal(contact, load_of(in.load)));
-  if (!outcome.failed()) keep_worst(outcome, regularise_patch(contact));
+  if (!outcome.failed()) normal = solve_normal(contact, load_of(in.load));
+  if (!outcome.failed() && !normal.failed()) keep_worst(normal, regularise_patch(contact));
+  keep_worst(outcome, normal);
   if (!outcome.failed())
-    keep_worst(outcome,
-               solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage)));
+    tangential = solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage));
+  keep_worst(outcome, tangential);
   if (!outcome.failed()) keep_worst(outcome, assess_damage(contact));
   return outcome;
 }
 
 std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
   return call("wrc_planar_step", handle, clear(output), [&](Contact& contact) {
-    const Fault outcome = solve_step(contact, input);
+    Fault normal, tangential;
+    const Fault outcome = solve_step(contact, input, normal, tangential);
     if (outcome.failed() || output == nullptr) return outcome;
     wrc_planar_output ours = empty<wrc_planar_output>();
     if (contact.posed) ours.point = point_of(contact);
     ours.flags = outcome.all_flags();
-    ours.normal = with_flags(normal_of(contact), outcome);
-    ours.forces = with_flags(forces_of(contact), outcome);
+    ours.normal = with_flags(normal_of(contact), normal);
+    ours.forces = with_flags(forces_of(contact), tangential);
     if (contact.touching) ours.damage = damage_of(contact.damage, gives_fields(contact));
     write(ours, output);
     return outcome;

@@ -26,12 +26,10 @@ void prescribe_approach(ReferenceWheel& wheel, double approach) {
 double load_of_strips(const ReferenceWheel& wheel) {
   double load = 0.0;
   for (int32_t k = 0; k < wheel.normal.patch_count; ++k) {
-    FieldView width{}, half = width, peak = width;
-    view_field(wheel.contact, k, WRC_FIELD_STRIP_WIDTH, &width);
-    view_field(wheel.contact, k, WRC_FIELD_STRIP_HALF_LENGTH, &half);
-    view_field(wheel.contact, k, WRC_FIELD_STRIP_PEAK, &peak);
-    for (uint64_t j = 0; j < width.count[0]; ++j)
-      load += 0.5 * pi * width.data[j] * half.data[j] * peak.data[j];
+    const FieldValues width = field_values(wheel.contact, k, WRC_FIELD_STRIP_WIDTH),
+                      half = field_values(wheel.contact, k, WRC_FIELD_STRIP_HALF_LENGTH),
+                      peak = field_values(wheel.contact, k, WRC_FIELD_STRIP_PEAK);
+    for (std::size_t j = 0; j < width.strips; ++j) load += 0.5 * pi * width[j] * half[j] * peak[j];
   }
   return load;
 }

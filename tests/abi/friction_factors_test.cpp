@@ -25,13 +25,13 @@ double factor_of_speed(const wrc_friction& law, double w) {
 }
 
 /// The factor of the temperature of strip j: the mean over its semi-elliptic load.
-double factor_of_temperature(const wrc_friction& law, double at_entry, const Numbers& rise,
-                             std::size_t strips, std::size_t j) {
-  const std::size_t cells = rise.size() / strips;
+double factor_of_temperature(const wrc_friction& law, double at_entry, const FieldValues& rise,
+                             std::size_t j) {
+  const std::size_t cells = rise.cells;
   double sum = 0.0, weights = 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
-    const double weight = std::sqrt(1.0 - xi * xi), hot = at_entry + rise[j * cells + i];
+    const double weight = std::sqrt(1.0 - xi * xi), hot = at_entry + rise.at(i, j);
     const double share = (hot - law.cold_temperature) / (law.hot_temperature - law.cold_temperature);
     sum += weight * (1.0 - (1.0 - law.hot_ratio) * std::clamp(share, 0.0, 1.0));
     weights += weight;
@@ -93,11 +93,12 @@ class FrictionFactors : public LoadedEllipse {
     friction.speed_law = speed_law;
     friction.temperature_law = temperature_law;
   }
-  Numbers field(int32_t id) {
-    FieldView view{};
-    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
-    return {view.data, view.data + view.count[0] * view.count[1]};
+  FieldValues cells_of(int32_t id) {
+    FieldValues found = field_values(contact, 0, id);
+    EXPECT_EQ(found.status, WRC_OK);
+    return found;
   }
+  Numbers field(int32_t id) { return cells_of(id).values; }
   double at_entry() {
     wrc_temperature found = sized<wrc_temperature>();
     EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &friction.bulk, &found), WRC_OK);
@@ -122,16 +123,16 @@ TEST_F(FrictionFactors, CoefficientsAreTheProductOfTheirFactors) {
         creepage.lateral = -0.3 * slip;
         ASSERT_EQ(solve(), WRC_OK);
         const double entry = at_entry();
-        const Numbers rise = field(WRC_FIELD_TEMPERATURE_RISE), found = field(WRC_FIELD_STRIP_FRICTION),
-                      y = field(WRC_FIELD_STRIP_Y), x = field(WRC_FIELD_STRIP_CENTRE),
-                      half = field(WRC_FIELD_STRIP_HALF_LENGTH);
+        const FieldValues rise = cells_of(WRC_FIELD_TEMPERATURE_RISE);
+        const Numbers found = field(WRC_FIELD_STRIP_FRICTION), y = field(WRC_FIELD_STRIP_Y),
+                      x = field(WRC_FIELD_STRIP_CENTRE), half = field(WRC_FIELD_STRIP_HALF_LENGTH);
         for (std::size_t j = 0; j < found.size(); ++j) {
           const double along = modified ? slip : slip - creepage.spin * y[j];
           const double across = creepage.lateral + (modified ? 0.0 : creepage.spin * x[j]);
           const double turning = modified ? 0.0 : creepage.spin * half[j] / std::sqrt(3.0);
           const double w = creepage.speed * std::sqrt(along * along + across * across + turning * turning);
           const double by_speed = factor_of_speed(friction, w);
-          const double by_heat = factor_of_temperature(friction, entry, rise, found.size(), j);
+          const double by_heat = factor_of_temperature(friction, entry, rise, j);
           EXPECT_NEAR(found[j], 0.4 * by_speed * by_heat, 0.4e-3) << j;
           least_by_speed = std::min(least_by_speed, by_speed);
           least_by_heat = std::min(least_by_heat, by_heat);
@@ -219,7 +220,7 @@ TEST_F(FrictionFactors, SensitivitiesAreThoseOfTheForces) {
     choose(law, WRC_TEMPERATURE_LAW_LINEAR);
     ASSERT_EQ(solve(), WRC_OK);
     const double limit = friction.coefficient * ellipse.normal_force;
-    auto found = sized<wrc_planar_derivatives>();
+    wrc_planar_derivatives found = sized<wrc_planar_derivatives>();
     ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &found), WRC_OK);
     double* const inputs[] = {&creepage.longitudinal, &creepage.lateral, &creepage.spin};
     const double steps[] = {2e-4, 2e-4, 2e-2};
@@ -258,11 +259,12 @@ class WheelFrictionFactors : public testing::Test, protected PlacedWheel {
     friction.temperature_law = temperature_law;
     ASSERT_GE(step(), WRC_OK) << error();
   }
-  Numbers field(int32_t index, int32_t which) {
-    const FieldValues found = field_values(contact, index, which);
-    EXPECT_EQ(found.status, WRC_OK) << which;
-    return found.values;
+  FieldValues cells_of(int32_t index, int32_t which) {
+    FieldValues found = field_values(contact, index, which);
+    EXPECT_EQ(found.status, WRC_OK);
+    return found;
   }
+  Numbers field(int32_t index, int32_t which) { return cells_of(index, which).values; }
   /// Coefficients of the strips of all regions.
   Numbers coefficients() {
     Numbers all;
@@ -295,12 +297,11 @@ TEST_F(WheelFrictionFactors, CoefficientsAreTheProductOfTheirFactors) {
           const Numbers& by_speed = cold[static_cast<std::size_t>(r)];
           wrc_temperature temperature = sized<wrc_temperature>();
           ASSERT_EQ(wrc_contact_temperature(contact, r, &friction.bulk, &temperature), WRC_OK);
-          const Numbers rise = field(r, WRC_FIELD_TEMPERATURE_RISE),
-                        found = field(r, WRC_FIELD_STRIP_FRICTION);
+          const FieldValues rise = cells_of(r, WRC_FIELD_TEMPERATURE_RISE);
+          const Numbers found = field(r, WRC_FIELD_STRIP_FRICTION);
           ASSERT_EQ(found.size(), by_speed.size());
           for (std::size_t j = 0; j < found.size(); ++j) {
-            const double by_heat =
-                factor_of_temperature(friction, temperature.at_entry, rise, found.size(), j);
+            const double by_heat = factor_of_temperature(friction, temperature.at_entry, rise, j);
             EXPECT_NEAR(found[j], by_speed[j] * by_heat, 0.4e-3) << r << ' ' << j;
           }
           EXPECT_LT(lowest(by_speed), 0.4 * 0.95);

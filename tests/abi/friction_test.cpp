@@ -42,11 +42,12 @@ class Wheel : public ReferenceWheel {
     friction.zone_coefficients = mu.data();
     friction.zone_frame = frame;
   }
-  std::vector<double> field(int32_t id) {
-    FieldView view{};
-    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
-    return {view.data, view.data + view.count[0] * view.count[1]};
+  FieldValues all_of(int32_t id) {
+    FieldValues found = field_values(contact, 0, id);
+    EXPECT_EQ(found.status, WRC_OK);
+    return found;
   }
+  std::vector<double> field(int32_t id) { return all_of(id).values; }
 };
 
 TEST(FrictionInterface, ZeroMeansZero) {
@@ -224,13 +225,16 @@ TEST(FrictionInterface, EveryMethodObeysEveryLaw) {
               ASSERT_GE(value, 0.0);
               ASSERT_LE(value, zoned ? 0.5 : 0.35);
             }
-            const std::vector<double> px = wheel.field(WRC_FIELD_TRACTION_X),
-                                      py = wheel.field(WRC_FIELD_TRACTION_Y),
-                                      pressure = wheel.field(WRC_FIELD_PRESSURE);
-            for (std::size_t at = 0; at < px.size(); ++at) {
-              ASSERT_LE(std::hypot(px[at], py[at]),
-                        each[at / (px.size() / each.size())] * pressure[at] * (1.0 + 1e-3) + 1e-3)
-                  << method << " " << law << " " << zoned;
+            const FieldValues px = wheel.all_of(WRC_FIELD_TRACTION_X),
+                              py = wheel.all_of(WRC_FIELD_TRACTION_Y),
+                              pressure = wheel.all_of(WRC_FIELD_PRESSURE);
+            ASSERT_EQ(px.strips, each.size());
+            for (std::size_t j = 0; j < px.strips; ++j) {
+              for (std::size_t i = 0; i < px.cells; ++i) {
+                ASSERT_LE(std::hypot(px.at(i, j), py.at(i, j)),
+                          each[j] * pressure.at(i, j) * (1.0 + 1e-3) + 1e-3)
+                    << method << " " << law << " " << zoned;
+              }
             }
           }
         }

@@ -20,10 +20,10 @@ class HeatedFriction : public LoadedEllipse {
     make();
   }
   int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
-  std::vector<double> field(int32_t id) {
-    FieldView view{};
-    EXPECT_EQ(view_field(contact, 0, id, &view), WRC_OK);
-    return {view.data, view.data + view.count[0] * view.count[1]};
+  FieldValues field(int32_t id) {
+    FieldValues found = field_values(contact, 0, id);
+    EXPECT_EQ(found.status, WRC_OK);
+    return found;
   }
 };
 
@@ -36,15 +36,15 @@ TEST_F(HeatedFriction, CoefficientsGoWithTheTemperaturesTheyMake) {
     ASSERT_EQ(solve(), WRC_OK) << slip;
     wrc_temperature temperature = sized<wrc_temperature>();
     ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &friction.bulk, &temperature), WRC_OK);
-    const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
-    const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);
-    const std::size_t strips = coefficient.size(), cells = rise.size() / strips;
+    const FieldValues rise = field(WRC_FIELD_TEMPERATURE_RISE);
+    const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION).values;
+    const std::size_t strips = coefficient.size(), cells = rise.cells;
     for (std::size_t j = 0; j < strips; ++j) {
       double sum = 0.0, weights = 0.0;
       for (std::size_t i = 0; i < cells; ++i) {
         const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
         const double weight = std::sqrt(1.0 - xi * xi);
-        const double hot = temperature.at_entry + rise[j * cells + i];
+        const double hot = temperature.at_entry + rise.at(i, j);
         sum += weight * (1.0 - 0.5 * std::clamp(hot / 400.0, 0.0, 1.0));
         weights += weight;
       }
@@ -67,14 +67,14 @@ TEST_F(HeatedFriction, FullSlipIsLinear) {
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &constant, &forces), WRC_OK);
   wrc_temperature temperature = sized<wrc_temperature>();
   ASSERT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &temperature), WRC_OK);
-  const std::vector<double> rise = field(WRC_FIELD_TEMPERATURE_RISE);
+  const FieldValues rise = field(WRC_FIELD_TEMPERATURE_RISE);
   ASSERT_EQ(solve(), WRC_OK);
-  const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION);
-  const std::size_t strips = coefficient.size(), cells = rise.size() / strips, middle = strips / 2;
+  const std::vector<double> coefficient = field(WRC_FIELD_STRIP_FRICTION).values;
+  const std::size_t cells = rise.cells, middle = coefficient.size() / 2;
   double sum = 0.0, weights = 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double xi = (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(cells) - 1.0;
-    sum += std::sqrt(1.0 - xi * xi) * rise[middle * cells + i];
+    sum += std::sqrt(1.0 - xi * xi) * rise.at(i, middle);
     weights += std::sqrt(1.0 - xi * xi);
   }
   const double expected = (1.0 - 20.0 / 2000.0) / (1.0 + sum / weights / 2000.0);
@@ -133,7 +133,7 @@ TEST_F(HeatedFriction, SlowerOrWiderBodiesStayCold) {
 
 TEST_F(HeatedFriction, SensitivitiesAreThoseOfTheForces) {
   ASSERT_EQ(solve(), WRC_OK);
-  auto sensitivity = sized<wrc_planar_derivatives>();
+  wrc_planar_derivatives sensitivity = sized<wrc_planar_derivatives>();
   ASSERT_EQ(wrc_planar_tangential_derivatives(contact, &sensitivity), WRC_OK);
   const double h = 2e-4;
   creepage.longitudinal += h;

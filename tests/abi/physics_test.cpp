@@ -61,21 +61,20 @@ class Wheel : public ReferenceWheel {
     creep(motion);
     return wrc_planar_tangential(contact, &own, &creepage, &friction, &forces);
   }
-  FieldView field(int32_t id, int32_t of_patch = 0) const {
-    FieldView view{};
-    EXPECT_EQ(view_field(contact, of_patch, id, &view), WRC_OK) << id;
-    return view;
+  FieldValues field(int32_t id, int32_t of_patch = 0) const {
+    FieldValues found = field_values(contact, of_patch, id);
+    EXPECT_EQ(found.status, WRC_OK) << id;
+    return found;
   }
   /// Integral of a field of cells over all patches.
   double integral(int32_t id) const {
     double sum = 0.0;
     for (int32_t k = 0; k < normal.patch_count; ++k) {
-      const FieldView values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
-                      half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
-      for (uint64_t j = 0; j < values.count[1]; ++j)
-        for (uint64_t i = 0; i < values.count[0]; ++i)
-          sum += values.data[i * values.stride[0] + j * values.stride[1]] * width.data[j * width.stride[0]] *
-                 2.0 * half.data[j * half.stride[0]] / static_cast<double>(values.count[0]);
+      const FieldValues values = field(id, k), width = field(WRC_FIELD_STRIP_WIDTH, k),
+                        half = field(WRC_FIELD_STRIP_HALF_LENGTH, k);
+      for (std::size_t j = 0; j < values.strips; ++j)
+        for (std::size_t i = 0; i < values.cells; ++i)
+          sum += values.at(i, j) * width[j] * 2.0 * half[j] / static_cast<double>(values.cells);
     }
     return sum;
   }
@@ -175,14 +174,13 @@ TEST_P(Physics, ASymmetricGapGivesASymmetricFieldUnderPureLongitudinalCreepage) 
   EXPECT_NEAR(wheel.forces.fy, 0.0, 1e-6 * std::fabs(wheel.forces.fx));
   EXPECT_NEAR(wheel.forces.mz, 0.0, 1e-6 * std::fabs(wheel.forces.fx) * wheel.normal.width);
   EXPECT_NEAR(wheel.normal.ellipse.psi, 0.0, 1e-6);
-  const FieldView traction = wheel.field(WRC_FIELD_TRACTION_X), pressure = wheel.field(WRC_FIELD_PRESSURE);
-  const uint64_t strips = traction.count[1];
-  for (uint64_t i = 0; i < traction.count[0]; ++i) {
-    for (uint64_t j = 0; j < strips / 2; ++j) {
-      const uint64_t here = i * traction.stride[0] + j * traction.stride[1];
-      const uint64_t there = i * traction.stride[0] + (strips - 1 - j) * traction.stride[1];
-      ASSERT_NEAR(traction.data[here], traction.data[there], 1e-5 * 0.3 * wheel.normal.peak_pressure);
-      ASSERT_NEAR(pressure.data[here], pressure.data[there], 1e-5 * wheel.normal.peak_pressure);
+  const FieldValues traction = wheel.field(WRC_FIELD_TRACTION_X), pressure = wheel.field(WRC_FIELD_PRESSURE);
+  const std::size_t strips = traction.strips;
+  for (std::size_t i = 0; i < traction.cells; ++i) {
+    for (std::size_t j = 0; j < strips / 2; ++j) {
+      const std::size_t there = strips - 1 - j;
+      ASSERT_NEAR(traction.at(i, j), traction.at(i, there), 1e-5 * 0.3 * wheel.normal.peak_pressure);
+      ASSERT_NEAR(pressure.at(i, j), pressure.at(i, there), 1e-5 * wheel.normal.peak_pressure);
     }
   }
 }

@@ -153,14 +153,17 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   Contact contact;
   contact.creepage.longitudinal = 1.5e-3;
   constexpr uint32_t n = 24;
-  wrc_exact_rolling_problem problem = of_the_papers_steel(wrc_exact_rolling_problem_default());
+  wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
   const double a = contact.ellipse.a, b = contact.ellipse.b;
   problem.grid.nx = problem.grid.ny = n;
   problem.grid.dx = 2.0 * a / n;
   problem.grid.dy = 2.0 * b / n;
   problem.grid.x0 = -a + 0.5 * problem.grid.dx;
   problem.grid.y0 = -b + 0.5 * problem.grid.dy;
-  problem.wheel_material = problem.rail_material = wrc_material_default();
+  wrc_material steel = wrc_material_default();
+  steel.shear_modulus = 82e9;
+  steel.poisson = 0.28;
+  problem.wheel_material = problem.rail_material = steel;
   std::vector<double> pressure;
   double sum = 0.0;
   for (uint32_t k = 0; k < n * n; ++k) {
@@ -172,9 +175,7 @@ TEST(RollingMemory, FollowsTheExactSolver) {
   for (double& p : pressure) p *= contact.ellipse.normal_force / sum;
   problem.pressure = pressure.data();
   wrc_exact_transient* bodies = nullptr;
-  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &problem.wheel_material, &problem.rail_material,
-                                       &bodies, nullptr, 0),
-            WRC_OK);
+  ASSERT_EQ(wrc_exact_transient_create(&problem.grid, &steel, &steel, &bodies, nullptr, 0), WRC_OK);
   wrc_exact_rolling_solution exact = sized<wrc_exact_rolling_solution>();
   double worst = 0.0, largest = 0.0;
   for (int k = 0; k < 80; ++k) {
@@ -258,7 +259,7 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   EXPECT_EQ(wrc_planar_roll(contact.handle(), -1e-3), WRC_ERROR_RANGE);
   EXPECT_EQ(wrc_planar_roll(contact.handle(), std::nan("")), WRC_ERROR_NOT_FINITE);
   contact.roll(1e-3);
-  auto slopes = sized<wrc_planar_derivatives>();
+  wrc_planar_derivatives slopes = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
   wrc_planar_forces forces{};
   contact.creepage.speed = -1.0;

@@ -31,9 +31,9 @@ class Temperature : public LoadedEllipse {
     return status < 0 ? status : wrc_contact_temperature(contact, WRC_ALL_REGIONS, bulk, &temperature);
   }
   std::vector<double> rises() {
-    FieldView view{};
-    EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
-    return {view.data, view.data + view.count[0] * view.count[1]};
+    const FieldValues found = field_values(contact, 0, WRC_FIELD_TEMPERATURE_RISE);
+    EXPECT_EQ(found.status, WRC_OK);
+    return found.values;
   }
 };
 
@@ -132,28 +132,28 @@ TEST_F(Temperature, GoesWithTheRootOfTheSpeedToNothing) {
 TEST_F(Temperature, StripOfTheCallerIsTheContacts) {
   creepage.spin = 0.3;
   ASSERT_EQ(solve(), WRC_OK);
-  FieldView power{}, half = FieldView{}, rise = FieldView{};
-  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_POWER_DENSITY, &power), WRC_OK);
-  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_STRIP_HALF_LENGTH, &half), WRC_OK);
-  ASSERT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &rise), WRC_OK);
-  const uint64_t j = 20;
+  const FieldValues power = field_values(contact, 0, WRC_FIELD_POWER_DENSITY),
+                    half = field_values(contact, 0, WRC_FIELD_STRIP_HALF_LENGTH),
+                    rise = field_values(contact, 0, WRC_FIELD_TEMPERATURE_RISE);
+  for (const FieldValues* each : {&power, &half, &rise}) ASSERT_EQ(each->status, WRC_OK);
+  const std::size_t j = 20;
   std::vector<double> strip;
-  for (uint64_t i = 0; i < power.count[0]; ++i)
-    strip.push_back(power.data[i * power.stride[0] + j * power.stride[1]]);
-  ASSERT_EQ(wrc_flash_temperature(static_cast<uint32_t>(strip.size()), 2.0 * half.data[j] / 64.0,
-                                  strip.data(), creepage.speed, nullptr, nullptr, strip.data()),
+  for (std::size_t i = 0; i < power.cells; ++i) strip.push_back(power.at(i, j));
+  ASSERT_EQ(wrc_flash_temperature(static_cast<uint32_t>(strip.size()), 2.0 * half[j] / 64.0, strip.data(),
+                                  creepage.speed, nullptr, nullptr, strip.data()),
             WRC_OK);
-  for (uint64_t i = 0; i < strip.size(); ++i)
-    EXPECT_NEAR(strip[i], rise.data[i * rise.stride[0] + j * rise.stride[1]], 1e-10 * temperature.rise);
+  for (std::size_t i = 0; i < strip.size(); ++i)
+    EXPECT_NEAR(strip[i], rise.at(i, j), 1e-10 * temperature.rise);
 }
 
 TEST_F(Temperature, RefusesWhatMakesNoSense) {
-  FieldView view{};
   EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_SEQUENCE);
+  EXPECT_EQ(field_values(contact, 0, WRC_FIELD_TEMPERATURE_RISE).status, WRC_ERROR_SEQUENCE);
   EXPECT_EQ(wrc_contact_temperature(nullptr, WRC_ALL_REGIONS, nullptr, &temperature), WRC_ERROR_NULL);
   ASSERT_EQ(wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces), WRC_OK);
   EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, nullptr, nullptr), WRC_ERROR_NULL);
-  EXPECT_EQ(view_field(contact, 0, WRC_FIELD_TEMPERATURE_RISE, &view), WRC_OK);
+  EXPECT_EQ(field_values(contact, 0, WRC_FIELD_TEMPERATURE_RISE).status, WRC_OK);  // no call need come before
+  EXPECT_EQ(wrc_contact_temperature(contact, 1, nullptr, &temperature), WRC_ERROR_RANGE);
   wrc_bulk_temperatures bulk = wrc_bulk_temperatures_default();
   bulk.rail = 3000.0;
   EXPECT_EQ(wrc_contact_temperature(contact, WRC_ALL_REGIONS, &bulk, &temperature), WRC_ERROR_RANGE);
