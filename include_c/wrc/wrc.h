@@ -414,12 +414,13 @@ typedef struct wrc_config_tangential {
 
 /** Options of wrc_contact_wrench() alone. */
 typedef struct wrc_config_surface {
-  int32_t cells;       /**< cells along each strip, of fields and of FASTSIM, 4..512 [32] */
+  int32_t cells;       /**< cells along each strip, in which it rolls and fields are given, 4..512 [32] */
   uint32_t reserved0;  /**< 0 */
   double reserved[14]; /**< 0 */
 } wrc_config_surface;
 
-/** Options of the stages of wrc_planar.h, and of their normal methods where wrc_contact_wrench() applies them. */
+/** Options of the stages of wrc_planar.h, and of their normal methods where wrc_contact_wrench() applies them. The ellipse of any
+ * region follows `regularisation`. */
 typedef struct wrc_config_planar {
   int32_t strips;         /**< strips across the patch, 4..512 [60] */
   int32_t cells;          /**< cells along each strip, 4..512 [32] */
@@ -591,7 +592,8 @@ typedef struct wrc_wrench {
   double rail_force[3];  /**< on the rail, track axes: -force [N] */
   double rail_moment[3]; /**< on the rail about the displaced origin of its profile, track axes [N m] */
   double z;              /**< displacement of the reference point, as given or as found [m] */
-  double clearance;      /**< apart, at a given height: by how much the wheel must be lowered to touch. 50e-3: that or more [m] */
+  double clearance;      /**< apart, at a given height: by how much the wheel must be lowered to touch. 50e-3: that or more.
+                              wrc_exact_wrench() has 0 [m] */
   double normal_force;   /**< sum over the regions of the resultants of their pressures. It steps where regions join [N] */
   double area;           /**< [m^2] */
   double peak_pressure;  /**< [Pa] */

@@ -904,7 +904,7 @@ class ConfigSurface(s.Struct):
     """Options of Contact.wrench() alone.
 
     Members:
-      cells: cells along each strip, of fields and of FASTSIM (4 .. 512; default 32)
+      cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)
     """
 
     _c_name_ = 'wrc_config_surface'
@@ -921,6 +921,7 @@ assert c.sizeof(ConfigSurface) == 120
 
 class ConfigPlanar(s.Struct):
     """Options of the stages of wrc_planar.h, and of their normal methods where Contact.wrench() applies them.
+        The ellipse of any region follows regularisation.
 
     Members:
       strips: strips across the patch (4 .. 512; default 60)
@@ -1375,7 +1376,7 @@ class Wrench(s.Struct):
       rail_moment [N m]: on the rail about the displaced origin of its profile, track axes
       z [m]: displacement of the reference point, as given or as found
       clearance [m]: apart, at a given height: by how much the wheel must be lowered to touch. 50e-3: that or
-          more
+          more. Contact.exact_wrench() has 0
       normal_force [N]: sum over the regions of the resultants of their pressures. It steps where regions join
       area [m^2]:
       peak_pressure [Pa]:
