@@ -261,6 +261,23 @@ TEST_F(ExactWheel, TellsItsProgressAndIsCancelled) {
   }
 }
 
+/// Parameters of laws and slopes that are not chosen, or of methods that it is not.
+TEST_F(ExactWheel, WhatItDoesNotReadChangesNoBit) {
+  friction = wrc_friction_default();
+  options.cell_x = options.cell_s = 8e-4;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  const wrc_wrench plain = wrench;
+  friction.slope_fall = 0.5;
+  friction.slope_limit = 0.1;
+  friction.kinetic_ratio = 0.7;
+  friction.hot_ratio = 0.2;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  EXPECT_EQ(std::memcmp(&wrench, &plain, sizeof plain), 0);
+  friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
+  ASSERT_EQ(solve(), WRC_OK) << error();
+  EXPECT_NE(wrench.force[0], plain.force[0]);
+}
+
 TEST_F(ExactWheel, RefusesWhatItCannotSolve) {
   const auto expect = [&](int32_t status, const std::vector<std::string>& words) {
     wrench.force[2] = 1.0;

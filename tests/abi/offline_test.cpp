@@ -27,18 +27,32 @@ std::vector<double> field(const wrc_grid& grid, const std::function<double(doubl
   return out;
 }
 
+/// A struct of a newer header: a member that this library does not know.
+template <typename Struct>
+struct Newer {
+  Struct known{};
+  double beyond = 0.0;  ///< without padding before it: structs of the interface are multiples of 8 bytes
+};
+
 TEST(OfflineDefaults, AreStatedOnesAndRefuseWrongSizes) {
-  const auto refuses = [](auto init) { EXPECT_EQ(init(nullptr), WRC_ERROR_NULL); };
-  refuses(wrc_exact_normal_problem_init);
-  refuses(wrc_exact_rolling_problem_init);
-  const auto refuses_sizes = [](auto value, auto init) {
-    value.struct_size = sizeof value - 8;
-    EXPECT_EQ(init(&value), WRC_ERROR_STRUCT_SIZE);
-    value.struct_size = sizeof value + 100000;
-    EXPECT_EQ(init(&value), WRC_ERROR_STRUCT_SIZE);
+  const auto sizes_count = [](auto value, auto init) {
+    EXPECT_EQ(init(nullptr), WRC_ERROR_NULL);
+    for (const std::size_t bad : {std::size_t{0}, sizeof value - 8, sizeof value + 1032}) {
+      value.struct_size = static_cast<uint32_t>(bad);
+      EXPECT_EQ(init(&value), WRC_ERROR_STRUCT_SIZE) << bad;
+    }
+    Newer<decltype(value)> newer;
+    newer.beyond = 7.0;
+    newer.known.struct_size = sizeof newer;
+    EXPECT_EQ(init(&newer.known), WRC_OK);
+    EXPECT_EQ(newer.known.struct_size, sizeof newer);
+    EXPECT_EQ(newer.beyond, 0.0);
   };
-  refuses_sizes(wrc_exact_normal_problem{}, wrc_exact_normal_problem_init);
-  refuses_sizes(wrc_exact_rolling_problem{}, wrc_exact_rolling_problem_init);
+  sizes_count(wrc_exact_normal_problem{}, wrc_exact_normal_problem_init);
+  sizes_count(wrc_exact_rolling_problem{}, wrc_exact_rolling_problem_init);
+  sizes_count(wrc_exact_loads{}, wrc_exact_loads_init);
+  sizes_count(wrc_exact_check_options{}, wrc_exact_check_options_init);
+  sizes_count(wrc_exact_wrench_options{}, wrc_exact_wrench_options_init);
 
   const auto normal = wrc_exact_normal_problem_default();
   EXPECT_EQ(normal.wheel_material.shear_modulus, 82e9);
@@ -46,7 +60,9 @@ TEST(OfflineDefaults, AreStatedOnesAndRefuseWrongSizes) {
   EXPECT_EQ(normal.prescribed, WRC_PRESCRIBE_NORMAL_FORCE);
   EXPECT_EQ(normal.max_iterations, 1000);
   EXPECT_EQ(normal.tolerance, 1e-6);
-  const auto rolling = of_the_papers_steel(wrc_exact_rolling_problem_default());
+  const auto rolling = wrc_exact_rolling_problem_default();
+  EXPECT_EQ(rolling.wheel_material.poisson, 0.28);
+  EXPECT_EQ(rolling.rail_material.shear_modulus, 82e9);
   EXPECT_EQ(rolling.adhesion, WRC_ADHESION_COULOMB);
   EXPECT_EQ(rolling.collocation, WRC_COLLOCATION_QUARTER_POINT);
   EXPECT_EQ(rolling.max_iterations, 60);
@@ -140,8 +156,16 @@ TEST_F(ExactNormal, RefusesNullAndWrongSizes) {
   problem.prescribed = WRC_PRESCRIBE_HEIGHT;
   expect_refused(WRC_ERROR_UNSUPPORTED, {"problem.prescribed", "WRC_PRESCRIBE_NORMAL_FORCE (2)"});
   problem.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
-  problem.struct_size += 8;
-  expect_refused(WRC_ERROR_STRUCT_SIZE, {"problem.struct_size", "beyond what this library knows"});
+  Newer<wrc_exact_normal_problem> newer{.known = problem};
+  newer.known.struct_size = sizeof newer;
+  EXPECT_EQ(wrc_exact_normal(&newer.known, &solution, text, sizeof text), WRC_OK) << text;
+  newer.beyond = 1.0;
+  EXPECT_EQ(wrc_exact_normal(&newer.known, &solution, text, sizeof text), WRC_ERROR_STRUCT_SIZE);
+  EXPECT_NE(std::string(text).find("beyond what this library knows"), std::string::npos) << text;
+  for (const uint32_t bad : {0U, 8U, 4096U}) {
+    problem.struct_size = bad;
+    expect_refused(WRC_ERROR_STRUCT_SIZE, {"struct_size", "sizeof the struct"});
+  }
   problem.struct_size = sizeof problem;
   solution.struct_size = 4;
   EXPECT_EQ(solve(), WRC_ERROR_STRUCT_SIZE);

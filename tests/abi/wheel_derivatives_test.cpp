@@ -294,6 +294,7 @@ TEST_P(WheelDerivatives, OnARailThatRunsAslant) {
 
 TEST_P(WheelDerivatives, ByAFactorOnFriction) {
   const double y[] = {-0.06, -0.03, 0.0, 0.02};
+  double coefficient[4] = {};  // outlives the loop: input.friction points to it
   wheel.velocity[1] = 0.06;
   const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
   for (const int kind : {0, 1, 2})  // constant, falling with speed, with temperature
@@ -303,7 +304,6 @@ TEST_P(WheelDerivatives, ByAFactorOnFriction) {
         press(outward * at, 60e3);
         wrc_wrench ends[2] = {wrench, wrench};
         constexpr double h = 1e-6;
-        double coefficient[4];
         for (const double factor : {1.0 - h, 1.0 + h, 1.0}) {
           input.friction = wrc_friction_default();
           if (kind == 1) input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
