@@ -160,28 +160,28 @@ TEST_F(ExactCheck, IsCancelled) {
 TEST_F(ExactCheck, GapOnTheTreadIsThatOfItsRows) {
   pose.yaw = 0.01;
   ASSERT_EQ(wrc_planar_geometry(contact, &pose, &point), WRC_OK);
-  FieldValues row_of[4];
-  const int32_t fields[4] = {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE,
-                             WRC_FIELD_GAP_CURVATURE};
-  for (int k = 0; k < 4; ++k) {
-    row_of[k] = field_values(contact, 0, fields[k]);
-    ASSERT_EQ(row_of[k].status, WRC_OK);
-    ASSERT_EQ(row_of[k].cells, 1u);
+  const FieldValues y = field_values(contact, 0, WRC_FIELD_GAP_Y),
+                    height = field_values(contact, 0, WRC_FIELD_GAP_HEIGHT),
+                    centre = field_values(contact, 0, WRC_FIELD_GAP_CENTRE),
+                    curvature = field_values(contact, 0, WRC_FIELD_GAP_CURVATURE);
+  for (const FieldValues* each : {&y, &height, &centre, &curvature}) {
+    ASSERT_EQ(each->status, WRC_OK);
+    ASSERT_EQ(each->cells, 1U);
   }
-  const std::size_t rows = row_of[0].strips;
-  const double lowest = *std::min_element(row_of[1].values.begin(), row_of[1].values.end());
+  const std::size_t rows = y.strips;
+  const double lowest = *std::min_element(height.values.begin(), height.values.end());
   for (const std::size_t row : {rows / 4, rows / 2, 3 * rows / 4}) {
     wrc_grid grid = sized<wrc_grid>();
     grid.nx = grid.ny = 4;
     grid.dx = 1e-3;
     grid.dy = 1e-4;
     grid.x0 = -2e-3;
-    grid.y0 = row_of[0][row];  // its first row of cells lies on a row of the gap
+    grid.y0 = y[row];  // its first row of cells lies on a row of the gap
     std::vector<double> gap(16);
     ASSERT_EQ(wrc_exact_gap(contact, &grid, gap.data()), WRC_OK) << error();
     for (uint32_t i = 0; i < 4; ++i) {
-      const double x = grid.x0 + i * grid.dx - row_of[2][row];
-      EXPECT_NEAR(gap[i], row_of[1][row] - lowest + 0.5 * row_of[3][row] * x * x, 2e-9);
+      const double x = grid.x0 + i * grid.dx - centre[row];
+      EXPECT_NEAR(gap[i], height[row] - lowest + 0.5 * curvature[row] * x * x, 2e-9);
     }
   }
 }
@@ -214,7 +214,7 @@ TEST_F(ExactCheck, GapOfAPoseIsThatOfTheSurfacesAndNotOfTheRows) {
   for (const int32_t field :
        {WRC_FIELD_GAP_Y, WRC_FIELD_GAP_HEIGHT, WRC_FIELD_GAP_CENTRE, WRC_FIELD_GAP_CURVATURE}) {
     row.push_back(field_values(contact, 0, field).values);
-    ASSERT_GT(row.back().size(), 3u);
+    ASSERT_GT(row.back().size(), 0U);
   }
   wrc_planar_gap rows = sized<wrc_planar_gap>();
   rows.row_count = static_cast<uint32_t>(row[0].size());
