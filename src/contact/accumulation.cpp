@@ -82,19 +82,14 @@ void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int3
 
 Fault add_stages(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                  const DamageBins* rail, DamageTotals& totals) {
-  if (contact.reached < Stage::damage) {
-    const Fault fault = assess_damage(contact);
-    if (fault.status != WRC_OK) return fault;
-  }
-  if (!gives_fields(contact))
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.tangential.method",
-            .cause = "this method has no tractions: choose another"};
+  const Fault fault = tractions_needed(contact, "this method has no tractions: choose another");
+  if (fault.failed()) return fault;
   if (!contact.posed)
     return {.status = WRC_ERROR_SEQUENCE,
             .field = "contact point",
             .cause = "bins lie on profiles: the stages must begin with wrc_planar_geometry"};
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (fault.status != WRC_OK) return fault;
+  if (contact.reached < Stage::damage) assess_damage(contact);
   const Model& model = *contact.model;
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
   PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},

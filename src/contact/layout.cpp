@@ -16,7 +16,7 @@ std::size_t length(Array which, const ArraySizes& sizes) {
   if (which == Array::rolling_memory) return doubles(sizes.rolling_memory_bytes);
   if (which == Array::surface_state) return doubles(sizes.surface_state_bytes);
   if (which == Array::surface_workspace) return doubles(sizes.surface_workspace_bytes);
-  if (which <= Array::fatigue_index || which == Array::temperature_rise)
+  if (which <= Array::slip_y || which == Array::temperature_rise)
     return strips * static_cast<std::size_t>(sizes.cells);
   if (which >= Array::gap_y && which <= Array::gap_curvature) return static_cast<std::size_t>(sizes.gap_rows);
   return strips;

@@ -16,14 +16,10 @@ inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the w
 /// then over the `region_` strips that rolled (the same values unless a variant replaces the patch by an
 /// ellipse).
 enum class Array : std::size_t {
-  x,
-  pressure,
   traction_x,
   traction_y,
   slip_x,
   slip_y,
-  power_density,
-  fatigue_index,
   strip_y,
   strip_width,
   strip_centre,

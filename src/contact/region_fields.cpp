@@ -41,9 +41,8 @@ Fault check_needs(const Contact& contact, FieldNeeds needs) {
       break;
   }
   if (!wheel) return tractions_needed(contact, "this method has no tractions over the patch: choose another");
-  return kept_strips(contact).by_region > 0.0
-             ? unsupported("whole patches rolled: their strips have no tractions")
-             : Fault{};
+  return has_tractions(contact) ? Fault{}
+                                : unsupported("whole patches rolled: their strips have no tractions");
 }
 
 /// Which of a row of fields one is; `first`: the first of them.

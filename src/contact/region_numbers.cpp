@@ -1,5 +1,5 @@
 /// What the tractions of a solution do to the bodies: damage, wear, temperatures, stresses. Calls by index
-/// leave the contact as it is; the stage of damage is of all patches and fills the contact's arrays.
+/// leave the contact as it is; the stage of damage is of all patches and keeps the power of their strips.
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +54,7 @@ Fault region_tractions_needed(const Contact& contact, std::int32_t index, const 
   const Fault fault = check_region(contact, index, true);
   if (fault.status != WRC_OK) return fault;
   if (contact.newest == Solution::stages) return tractions_needed(contact, why_not);
-  if (kept_strips(contact).by_region == 0.0) return {};
+  if (has_tractions(contact)) return {};
   return {.status = WRC_ERROR_UNSUPPORTED,
           .field = "config.tangential.method",
           .cause = "whole patches rolled: their strips have no tractions"};
@@ -115,7 +115,7 @@ DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
   place_in_map(shakedown_point(sums.forces, sums.extent.normal_force, sums.extent.peak_pressure,
                                contact.model->options.shear_yield),
                damage);
-  if (kept_strips(contact).by_region > 0.0) return damage;
+  if (!has_tractions(contact)) return damage;
   const RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
   const CellDamage found = assess(contact, rolled, rolled.work);
   damage.peak_power_density = found.peak_power_density;
@@ -331,11 +331,12 @@ Fault assess_damage(Contact& contact) {
   const Fault fault = rolling_needed(contact);
   if (!fault.failed()) contact.reached = Stage::damage;
   if (fault.status != WRC_OK) return fault;
-  contact.damage = damage_of_patches(contact, all_regions, [&](const Patch& patch, const RolledRegion&) {
-    return CellNumbers{cell_block(contact, Array::power_density, patch),
-                       cell_block(contact, Array::fatigue_index, patch),
-                       array(contact, Array::strip_power) + patch.region_first};
-  });
+  contact.damage =
+      damage_of_patches(contact, all_regions, [&](const Patch& patch, const RolledRegion& rolled) {
+        CellNumbers into = rolled.work;
+        into.strip_power = array(contact, Array::strip_power) + patch.region_first;
+        return into;
+      });
   return {};
 }
 

@@ -41,7 +41,7 @@ void mirror_region(Contact& contact, const Patch& patch) {
   for (std::int32_t j = 0; j < region.count; ++j) region.centre[j] = mirrored(region.centre[j], -1.0);
   if (!gives_fields(contact)) return;
   const std::int32_t cells = contact.model->options.sizes.cells * region.count;
-  for (const Array which : {Array::x, Array::traction_x, Array::slip_x}) {
+  for (const Array which : {Array::traction_x, Array::slip_x}) {
     double* const along_x = cell_block(contact, which, patch);
     for (std::int32_t i = 0; i < cells; ++i) along_x[i] = mirrored(along_x[i], -1.0);
   }
@@ -65,13 +65,6 @@ void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, dou
   std::copy_n(own.width, own.count, region.width);
   std::copy_n(own.half_length, own.count, region.half_length);
   std::copy_n(own.peak, own.count, region.peak);
-}
-
-/// x and normal pressure of every cell of a patch.
-void place_cells(Contact& contact, const Patch& patch) {
-  const MarchGrid& grid = contact.model->march_grid;
-  grid.kernels->place_cells(region_strips(contact, patch), grid, cell_block(contact, Array::x, patch),
-                            cell_block(contact, Array::pressure, patch));
 }
 
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
@@ -136,16 +129,19 @@ RollingMemory memory_of(Contact& contact, const Patch& patch) {
 Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
   if (!contact.model->options.non_steady) return {};
   if (friction.law.heated()) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "friction.temperature_law",
-            .cause = "config.non_steady rolls on once a step, friction over temperature would several times"};
+    return {
+        .status = WRC_ERROR_UNSUPPORTED,
+        .field = "friction.temperature_law",
+        .cause =
+            "config.planar.non_steady rolls on once a step, friction over temperature would several times"};
   }
   if (rolling.way > 0.0 && rolling.reverse_share == 0.0) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "creepage.speed",
-          .value = rolling.way * rolling.speed,
-          .unit = "m/s",
-          .cause = "config.non_steady remembers rolling forwards, not backwards nor through standstill"};
+  return {
+      .status = WRC_ERROR_UNSUPPORTED,
+      .field = "creepage.speed",
+      .value = rolling.way * rolling.speed,
+      .unit = "m/s",
+      .cause = "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill"};
 }
 
 /// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
@@ -190,7 +186,6 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
-  if (method.gives_tractions) place_cells(contact, patch);
   if (way > 0.0) return fault;
   mirror(patch.forces, way);
   mirror_region(contact, patch);

@@ -26,7 +26,7 @@ void scale(Friction& friction, Contact& contact, double factor) {
 Fault check_steady(const Contact& contact) {
   if (!contact.model->options.non_steady) return {};
   return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "config.non_steady",
+          .field = "config.planar.non_steady",
           .cause = "derivatives are those of steady rolling: use a model without it"};
 }
 

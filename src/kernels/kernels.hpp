@@ -79,8 +79,6 @@ struct Kernels {
   void (*strip_fastsim)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_fields)(const simd::StripFastsimTask& task, simd::Sums& sums);
   void (*strip_fastsim_sensitivities)(const simd::StripFastsimTask& task, simd::Sums& sums);
-  /// x [m] and normal pressure [Pa] at the middle of every cell; arrays laid out as the fields.
-  void (*place_cells)(const Strips& region, const MarchGrid& grid, double* x, double* pressure);
 
   // contact on the rail's surface
   /// Fills the arrays from loads and means on.

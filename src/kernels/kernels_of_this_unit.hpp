@@ -18,7 +18,6 @@
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
 #include "surface/simd/strip_numbers_kernel.hpp"
-#include "tangential/simd/cells_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
 #include "tangential/simd/surface_strips_slopes_kernel.hpp"
@@ -41,7 +40,6 @@ constexpr Kernels kernels_of(InstructionSet set) {
       .strip_fastsim = strip_fastsim_kernel<Output::forces, StripFastsimTask>,
       .strip_fastsim_fields = strip_fastsim_kernel<Output::fields, StripFastsimTask>,
       .strip_fastsim_sensitivities = strip_fastsim_kernel<Output::sensitivities, StripFastsimTask>,
-      .place_cells = place_cells_kernel,
       .strip_numbers = strip_numbers_kernel,
       .surface_march = march_kernel<Output::forces, SurfaceMarchTask>,
       .surface_march_fields = march_kernel<Output::fields, SurfaceMarchTask>,

@@ -48,7 +48,12 @@ double bend(const Numbers& f) {
 }
 
 /// Coefficients under both laws lie above the product of what either alone makes of 0.4, and below either.
-void expect_between(const Numbers& by_speed, const Numbers& by_heat, const Numbers& by_both) {
+/// `solved(speed law, temperature law)`: the coefficients of strips.
+template <class Solved>
+void expect_between(int32_t law, Solved&& solved) {
+  const Numbers by_speed = solved(law, WRC_TEMPERATURE_LAW_NONE),
+                by_heat = solved(WRC_SPEED_LAW_NONE, WRC_TEMPERATURE_LAW_LINEAR),
+                by_both = solved(law, WRC_TEMPERATURE_LAW_LINEAR);
   double over_product = 0.0;
   for (std::size_t j = 0; j < by_both.size(); ++j) {
     const double product = by_speed[j] * by_heat[j] / 0.4;
@@ -88,7 +93,6 @@ class FrictionFactors : public LoadedEllipse {
     friction.bulk.wheel = 60.0;
     make();
   }
-  int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   void choose(int32_t speed_law, int32_t temperature_law) {
     friction.speed_law = speed_law;
     friction.temperature_law = temperature_law;
@@ -193,11 +197,8 @@ TEST_F(FrictionFactors, LieBetweenTheirProductAndEither) {
         EXPECT_GE(solve(), WRC_OK);
         return field(WRC_FIELD_STRIP_FRICTION);
       };
-      const Numbers by_speed = solved(law, WRC_TEMPERATURE_LAW_NONE),
-                    by_heat = solved(WRC_SPEED_LAW_NONE, WRC_TEMPERATURE_LAW_LINEAR),
-                    by_both = solved(law, WRC_TEMPERATURE_LAW_LINEAR);
       SCOPED_TRACE(testing::Message() << method << ' ' << law);
-      expect_between(by_speed, by_heat, by_both);
+      expect_between(law, solved);
     }
   }
 }
@@ -370,11 +371,8 @@ TEST_F(WheelFrictionFactors, LieBetweenTheirProductAndEither) {
         solve(speed_law, temperature_law);
         return coefficients();
       };
-      const Numbers by_speed = solved(law, WRC_TEMPERATURE_LAW_NONE),
-                    by_heat = solved(WRC_SPEED_LAW_NONE, WRC_TEMPERATURE_LAW_LINEAR),
-                    by_both = solved(law, WRC_TEMPERATURE_LAW_LINEAR);
       SCOPED_TRACE(testing::Message() << method << ' ' << law);
-      expect_between(by_speed, by_heat, by_both);
+      expect_between(law, solved);
     }
   }
 }

@@ -19,7 +19,6 @@ class HeatedFriction : public LoadedEllipse {
     friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
     make();
   }
-  int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   FieldValues field(int32_t id) {
     FieldValues found = field_values(contact, 0, id);
     EXPECT_EQ(found.status, WRC_OK);

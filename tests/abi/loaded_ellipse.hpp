@@ -25,6 +25,7 @@ class LoadedEllipse : public testing::Test {
     ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
     ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
   }
+  int32_t solve() { return wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces); }
   void destroy() {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);

@@ -27,7 +27,7 @@ class Temperature : public LoadedEllipse {
     make();
   }
   int32_t solve(const wrc_bulk_temperatures* bulk = nullptr) {
-    const int32_t status = wrc_planar_tangential(contact, &ellipse, &creepage, &friction, &forces);
+    const int32_t status = LoadedEllipse::solve();
     return status < 0 ? status : wrc_contact_temperature(contact, WRC_ALL_REGIONS, bulk, &temperature);
   }
   std::vector<double> rises() {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "test_config.hpp"
@@ -42,6 +43,20 @@ class PlacedWheel {
     config.wheel_material.poisson = config.rail_material.poisson = 0.28;
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = 0.7605325577;
+  }
+  /// At 20 m/s, shifted, rolled, yawed and slipping; the rail displaced and moving.
+  void roll_with_a_little_of_everything() {
+    wheel.y = 1e-3;
+    wheel.z = 1.2e-3;
+    wheel.roll = -0.7e-3;
+    wheel.yaw = 2e-3;
+    const double velocity[3] = {20.0, 0.03, 0.0}, turning[3] = {0.01, -20.0 / 0.46 * 1.0015, 0.02};
+    std::copy_n(velocity, 3, wheel.velocity);
+    std::copy_n(turning, 3, wheel.angular_velocity);
+    rail.y = 0.4e-3;
+    rail.z = 0.38e-3;
+    rail.roll = 2e-3;
+    rail.y_velocity = 0.01;
   }
   /// From the present configuration, with a contact of that side.
   void create(int32_t which = WRC_SIDE_RIGHT) {

@@ -24,16 +24,7 @@ class WheelOnRail : public testing::Test, protected PlacedWheel {
  protected:
   WheelOnRail() {
     take_reference_bodies();
-    wheel.y = 1e-3;
-    wheel.z = 1.2e-3;
-    wheel.roll = -0.7e-3;
-    wheel.yaw = 2e-3;
-    put({20.0, 0.03, 0.0}, wheel.velocity);
-    put({0.01, -20.0 / radius * 1.0015, 0.02}, wheel.angular_velocity);
-    rail.y = 0.4e-3;
-    rail.z = 0.38e-3;
-    rail.roll = 2e-3;
-    rail.y_velocity = 0.01;
+    roll_with_a_little_of_everything();
   }
   void SetUp() override { create(); }
   void expect_works() {

@@ -24,7 +24,14 @@ std::vector<double> everything(const Strips& region, int cells, const std::vecto
   const CellDamage found = assess_cells(
       {&region, &tangential, &grid.get().middles, cells, 23.0, 250e6, out, out + field, out + 4 * field},
       kernels_for(set));
-  kernels_for(set).place_cells(region, grid.get(), out + 2 * field, out + 3 * field);
+  const auto& middles = grid.get().middles;
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < region.count; ++j) {
+      double* const at = out + i * region.count + j;
+      at[2 * field] = region.centre[j] + middles.place[i] * region.half_length[j];
+      at[3 * field] = region.peak[j] * middles.pressure[i];
+    }
+  }
   for (double value : {found.power, found.peak_power_density, found.fatigue_index}) all.push_back(value);
   return all;
 }
