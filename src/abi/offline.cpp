@@ -21,7 +21,7 @@
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
-#include "surface/wrench_at_height.hpp"
+#include "surface/wrench/wrench_at_height.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies that have rolled so far, and what they are.
@@ -408,7 +408,7 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
   strips = strips_before(surface, see(surface, problem, problem.wheel.position[2]), strips);
   const bool same_everywhere = has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
-    const StripRange& range = strips.range[r];
+    const FaceStrips& range = strips.range[r];
     constexpr std::int32_t fewest = 4;  // a spline has
     if (range.count < fewest) continue;
     const auto part = [&](const double* of) {
@@ -440,7 +440,7 @@ Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOpt
 Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
                         const wrc_exact_wrench_options* options, wrc_wrench& ours) {
   const Model& model = *of.model;
-  HostedWheel hosted;
+  HostWheel hosted;
   halfspace::SurfaceOptions solver;
   PlacedWheel placed;
   Reporter reporter;
@@ -477,7 +477,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   keep_worst(fault, outside);
   keep_worst(fault, reading);
 
-  HostedWrench result;
+  HostWrench result;
   Wrench& wrench = result.wrench;
   for (int k = 0; k < 3; ++k) {
     wrench.force[k] = found.force[k];

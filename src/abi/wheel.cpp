@@ -72,7 +72,7 @@ Fault check_rotation(const double (&r)[9]) {
 
 /// Reads the direction of the axle into hosted.rotation; `axes`: those of the body, which may be turned by
 /// the pitch, track = axes * body.
-Fault read_axle(const wrc_wheel_state& ours, HostedWheel& hosted, double (&axes)[3][3]) {
+Fault read_axle(const wrc_wheel_state& ours, HostWheel& hosted, double (&axes)[3][3]) {
   if (ours.orientation == WRC_ORIENTATION_ANGLES) {
     const auto [sine_roll, cosine_roll] = sine_cosine(flush_subnormals(ours.roll));
     const auto [sine_yaw, cosine_yaw] = sine_cosine(flush_subnormals(ours.yaw));
@@ -94,7 +94,7 @@ Fault read_axle(const wrc_wheel_state& ours, HostedWheel& hosted, double (&axes)
 }
 
 /// Reads the angular velocity; `body`: the body's axes.
-void read_turning(const wrc_wheel_state& ours, const double (&body)[3][3], HostedWheel& hosted) {
+void read_turning(const wrc_wheel_state& ours, const double (&body)[3][3], HostWheel& hosted) {
   const double rates[3] = {ours.roll_rate, ours.pitch_rate, ours.yaw_rate};
   const bool by_rates = ours.angular_axes == WRC_AXES_NONE, in_track = ours.angular_axes == WRC_AXES_TRACK;
   const double* const w = by_rates ? rates : ours.angular_velocity;
@@ -121,7 +121,7 @@ double part_across(const double (&v)[3], double x, double y, double z) {
 
 /// Flags a rotation whose transpose has its axle along the angular velocity, which its own has not: without
 /// pitch a transpose is a rotation that a wheel may have.
-Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3], const HostedWheel& hosted) {
+Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3], const HostWheel& hosted) {
   constexpr double least = 1e-3, much_less = 0.05;
   if (ours.orientation == WRC_ORIENTATION_ANGLES || ours.angular_axes != WRC_AXES_TRACK) return {};
   const auto& w = hosted.angular_velocity;
@@ -141,7 +141,7 @@ Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3]
                          "did you pass its rows? then say WRC_ORIENTATION_ROWS"};
 }
 
-Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostedWheel& hosted) {
+Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostWheel& hosted) {
   Fault fault;
   double body[3][3];
   if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
@@ -167,7 +167,7 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 }
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
-Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostedWheel& hosted) {
+Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostWheel& hosted) {
   hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
   if (hosted.frictionless) return {};
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
@@ -185,7 +185,7 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
 
 }  // namespace
 
-Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted) {
+Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
   if (!fault.failed()) fault = check_prescribed_of_wheel(ours.prescribed, "input");
@@ -209,7 +209,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   return wheel;
 }
 
-wrc_wrench wrench_of(const HostedWrench& hosted) {
+wrc_wrench wrench_of(const HostWrench& hosted) {
   const Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
   ours.region_count = wrench.regions;
@@ -232,7 +232,7 @@ wrc_wrench wrench_of(const HostedWrench& hosted) {
 
 namespace {
 
-wrc_wrench_derivatives derivatives_of(const HostedSlopes& slopes) {
+wrc_wrench_derivatives derivatives_of(const HostJacobian& slopes) {
   static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
   wrc_wrench_derivatives ours = empty<wrc_wrench_derivatives>();
   for (int i = 0; i < 6; ++i) std::copy_n(slopes.wrench[i], hosted_inputs, ours.wrench[i]);
@@ -241,9 +241,9 @@ wrc_wrench_derivatives derivatives_of(const HostedSlopes& slopes) {
 }
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
-Fault solve(Contact& contact, const wrc_wheel_input* input, HostedSlopes* slopes = nullptr) {
+Fault solve(Contact& contact, const wrc_wheel_input* input, HostJacobian* slopes = nullptr) {
   contact.wheel_solved = 0;
-  HostedWheel hosted;
+  HostWheel hosted;
   const Fault reading = read_hosted(input, *contact.model->options.tangential_method, hosted);
   if (reading.failed()) return reading;
   Fault fault = solve_wheel(contact, hosted, slopes);
@@ -274,7 +274,7 @@ int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_inpu
                                        wrc_wrench_derivatives* derivatives) {
   return abi::call(__func__, handle, abi::first_of({abi::clear(wrench), abi::clear(derivatives)}),
                    [&](wrc::Contact& contact) {
-                     wrc::HostedSlopes slopes;
+                     wrc::HostJacobian slopes;
                      const wrc::Fault outcome =
                          abi::solve(contact, input, derivatives == nullptr ? nullptr : &slopes);
                      if (outcome.failed()) return outcome;

@@ -8,9 +8,9 @@ namespace wrc::abi {
 
 /// What the caller asks for, checked; `method`: the one that reads its friction. A flag where the rotation
 /// may be a transpose: the least grave of a call's.
-Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostedWheel& hosted);
+Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostWheel& hosted);
 
 /// struct_size of the result is that of today's struct; write() keeps the caller's.
-wrc_wrench wrench_of(const HostedWrench& hosted);
+wrc_wrench wrench_of(const HostWrench& hosted);
 
 }  // namespace wrc::abi

@@ -141,7 +141,8 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
   if (contact.wheel_solved == 0)
     return {.status = WRC_ERROR_SEQUENCE, .field = "wrench", .cause = "call wrc_contact_wrench first"};
   const Model& model = *contact.model;
-  const KeptStrips& kept = reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
+  const StripResults& kept =
+      reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
   const auto count = static_cast<std::int32_t>(kept.count);
   if (count == 0) return {.status = WRC_FLAG_NO_CONTACT};
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];

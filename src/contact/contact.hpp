@@ -13,7 +13,6 @@
 #include "base/fault.hpp"
 #include "contact/model.hpp"
 #include "damage/bins.hpp"
-#include "damage/flash_temperature.hpp"
 #include "damage/stress.hpp"
 #include "damage/wear.hpp"
 #include "geometry/contact_search.hpp"
@@ -23,7 +22,8 @@
 #include "patch/sdec.hpp"
 #include "patch/split.hpp"
 #include "patch/strips.hpp"
-#include "surface/wheel_on_rail.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 #include "tangential/friction/friction.hpp"
 #include "tangential/problem.hpp"
 
@@ -86,7 +86,7 @@ struct Load {
 };
 
 /// A wheel on a rail as a host has them, track axes; what the wheel is displaced from is in wrc_wheel.h.
-struct HostedWheel {
+struct HostWheel {
   bool of_wheelset = true;  ///< the reference point is the middle of the axle; otherwise that of the wheel
   double y = 0.0, z = 0.0;  ///< displacement of the reference point [m]
   double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
@@ -115,14 +115,14 @@ struct RegionPlace {
 };
 
 /// What a wheel on a rail came to, track axes of the host.
-struct HostedWrench {
+struct HostWrench {
   Wrench wrench;  ///< about the reference point; height: displacement z of that point
   double rail_moment[3] = {};
   RegionPlace place[most_surface_regions];
 };
 
 /// What a wrench is differentiated by, as enum wrc_wrench_input. Roll and yaw are those of the axle.
-enum HostedInput : std::int32_t {
+enum HostInput : std::int32_t {
   by_y,
   by_z,
   by_roll,
@@ -146,7 +146,7 @@ enum HostedInput : std::int32_t {
 };
 
 /// Derivatives of a wrench: rows force x, y, z, moment x, y, z, on the wheel about its reference point.
-struct HostedSlopes {
+struct HostJacobian {
   double wrench[6][hosted_inputs] = {};
   double z[hosted_inputs] = {};  ///< of the displacement z, given or found
 };
@@ -208,7 +208,7 @@ struct Contact {
 
   std::int32_t wheel_solved = 0;  ///< 1: `wheel` holds the last solve_wheel(); the stages do not use it
   Solution newest = Solution::none;
-  HostedWrench wheel;
+  HostWrench wheel;
 };
 
 // What is saved are the bytes of a contact: with padding, where anything may lie, equal states could differ
@@ -224,11 +224,10 @@ static_assert(sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) +
                                      sizeof(StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(Creepage) +
                                      sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
                                      sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) +
-                                     sizeof(std::int32_t) + sizeof(Solution) + sizeof(HostedWrench));
+                                     sizeof(std::int32_t) + sizeof(Solution) + sizeof(HostWrench));
 static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
-static_assert(sizeof(HostedWrench) ==
-              2 * sizeof(std::int32_t) + 16 * sizeof(double) +
-                  most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
+static_assert(sizeof(HostWrench) == 2 * sizeof(std::int32_t) + 16 * sizeof(double) +
+                                        most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Memory of a contact: its state, and behind it room for a copy on which sensitivities are found or for the
 /// work space of a wheel on a rail.
@@ -293,19 +292,19 @@ struct PlacedWheel {
 
 /// WRC_ERROR_UNSUPPORTED where the model has no surfaces: no profiles, or such as cannot be cut into strips.
 /// The problem points to `hosted` where friction has a law.
-Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed);
+Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& placed);
 
 /// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
-void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result);
+void hand_back(const Model& model, const PlacedWheel& placed, HostWrench& result);
 
 /// Takes derivatives by what the rail sees to those by what the host gives (wheel_slopes.cpp). The height in
 /// `placed.problem` is that of the solution.
-void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
-               const SeenWrench& found, const SeenWrench& by_track, HostedSlopes& slopes);
+void hand_back(const Model& model, const HostWheel& hosted, const PlacedWheel& placed,
+               const RailFrameJacobian& found, const RailFrameJacobian& by_track, HostJacobian& slopes);
 
 /// A wheel on a rail, from the pose to the wrench in one; the stages above are not touched (wheel.cpp).
 /// `slopes`: nullptr, not wanted.
-Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes = nullptr);
+Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes = nullptr);
 
 /// The friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);

@@ -7,7 +7,6 @@
 
 #include "base/fault.hpp"
 #include "contact/layout.hpp"
-#include "damage/flash_temperature.hpp"
 #include "geometry/arc_length.hpp"
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
@@ -17,6 +16,7 @@
 #include "patch/regularise.hpp"
 #include "surface/surface_model.hpp"
 #include "tangential/force_table/force_table.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 #include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 #include "tangential/rolling_contact.hpp"
@@ -36,7 +36,8 @@ struct ProfileSource {
   double smoothing = 0.0;     ///< wavelength below which waves of the points are damped; 0: kept [m]
 };
 
-/// A cross section of a rail that changes along the track, as the caller has it (surface/varying_rail.hpp).
+/// A cross section of a rail that changes along the track, as the caller has it
+/// (surface/geometry/varying_rail.hpp).
 struct RailSectionSource {
   RailSection section;  ///< all but its profile
   ProfileSource profile;

@@ -206,7 +206,7 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   const SurfaceRegion& region = contact.wheel.wrench.region[index];
-  const KeptStrips& kept = kept_strips(contact);
+  const StripResults& kept = kept_strips(contact);
   const std::int32_t first = kept_run(kept, region).first;
   const RolledRegion rolled(contact, region, false);
   const Strips& strips = rolled.strips;

@@ -4,7 +4,7 @@
 
 #include "contact/region.hpp"
 #include "contact/rolled_region.hpp"
-#include "damage/flash_temperature.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 
 namespace wrc {
 namespace {

@@ -2,14 +2,14 @@
 
 namespace wrc {
 
-KeptStrips& kept_strips(Contact& contact) {
+StripResults& kept_strips(Contact& contact) {
   return reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
-const KeptStrips& kept_strips(const Contact& contact) {
+const StripResults& kept_strips(const Contact& contact) {
   return reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
 
-KeptRun kept_run(const KeptStrips& kept, const SurfaceRegion& region) {
+KeptRun kept_run(const StripResults& kept, const SurfaceRegion& region) {
   const auto all = static_cast<std::int32_t>(kept.count);
   KeptRun run;
   while (run.first < all && kept.strip[run.first] < region.first) ++run.first;
@@ -35,7 +35,7 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
 
 RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells)
     : grid(&contact.model->surface_grid) {
-  KeptStrips& kept = kept_strips(contact);
+  StripResults& kept = kept_strips(contact);
   const auto [first, count] = kept_run(kept, region);
   strips = {count,
             count,
@@ -51,7 +51,7 @@ RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool w
   speed = kept.speed;
   way = kept.backwards > 0.0 ? -1.0 : 1.0;
   if (!with_cells || kept.by_region > 0.0) return;
-  const KeptFields rolled = roll_kept(*contact.model->surface, kept, first, count, work_space(contact));
+  const StripFields rolled = roll_kept(*contact.model->surface, kept, first, count, work_space(contact));
   for (double* const a : {rolled.traction_x, rolled.traction_y})
     for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.factor;
   fields = {rolled.traction_x, rolled.traction_y, rolled.slip_x, rolled.slip_y};

@@ -13,14 +13,14 @@
 namespace wrc {
 
 /// The strips in contact of the last solve_wheel().
-KeptStrips& kept_strips(Contact& contact);
-const KeptStrips& kept_strips(const Contact& contact);
+StripResults& kept_strips(Contact& contact);
+const StripResults& kept_strips(const Contact& contact);
 
 /// Some of them.
 struct KeptRun {
   std::int32_t first = 0, count = 0;
 };
-KeptRun kept_run(const KeptStrips& kept, const SurfaceRegion& region);
+KeptRun kept_run(const StripResults& kept, const SurfaceRegion& region);
 
 /// Where numbers over the cells of a region go, and one per strip.
 struct CellNumbers {

@@ -4,8 +4,8 @@
 
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
-#include "damage/heated_friction.hpp"
 #include "kernels/kernels.hpp"
+#include "tangential/friction/heated_friction.hpp"
 #include "tangential/methods/strip_memory.hpp"
 #include "tangential/simd/tasks.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/contact.hpp"
-#include "damage/flash_temperature.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 
 namespace wrc {
 

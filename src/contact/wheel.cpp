@@ -5,7 +5,7 @@
 #include "base/elementary.hpp"
 #include "contact/contact.hpp"
 #include "contact/methods.hpp"
-#include "surface/rail_direction.hpp"
+#include "surface/geometry/rail_direction.hpp"
 
 namespace wrc {
 namespace {
@@ -58,7 +58,7 @@ void mirror_wrench(Wrench& wrench) {
 
 /// From velocities in the frame that follows the track to those against the ground, at a point of the frame.
 /// Nothing at all where it does not move: bits stay.
-void add_frame(const HostedWheel& hosted, const double (&point)[3], WheelMotion& wheel) {
+void add_frame(const HostWheel& hosted, const double (&point)[3], WheelMotion& wheel) {
   if (hosted.frame_speed == 0.0) return;
   wheel.velocity[0] += hosted.frame_speed;
   add_cross(wheel.velocity, hosted.frame_turning, point);
@@ -94,7 +94,7 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
 
 }  // namespace
 
-Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel& placed) {
+Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& placed) {
   const Model& model = *contact.model;
   if (model.surface == nullptr) {
     return {
@@ -172,7 +172,7 @@ Fault place_wheel(const Contact& contact, const HostedWheel& hosted, PlacedWheel
   return {};
 }
 
-void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& result) {
+void hand_back(const Model& model, const PlacedWheel& placed, HostWrench& result) {
   Wrench& wrench = result.wrench;
   if (placed.left) mirror_wrench(wrench);
   add_cross(wrench.moment, placed.arm, wrench.force);
@@ -184,7 +184,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostedWrench& resu
   for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
 }
 
-Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slopes) {
+Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
   contact.wheel_solved = 0;
   contact.newest = Solution::wheel;
   if (slopes) *slopes = {};
@@ -207,10 +207,10 @@ Fault solve_wheel(Contact& contact, const HostedWheel& hosted, HostedSlopes* slo
   }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
-  HostedWrench& result = contact.wheel;
+  HostWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
-  SeenWrench found, by_track;
+  RailFrameJacobian found, by_track;
   fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state, work_space(contact), wrench,
                               slopes ? &found : nullptr, slopes ? &by_track : nullptr);
   const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);

@@ -3,7 +3,7 @@
 #include "base/dual.hpp"
 #include "base/elementary.hpp"
 #include "contact/contact.hpp"
-#include "surface/rail_direction.hpp"
+#include "surface/geometry/rail_direction.hpp"
 
 namespace wrc {
 namespace {
@@ -47,7 +47,7 @@ struct Moving {
   RailDirection<Number> direction;
 };
 
-Moving moving(const HostedWheel& hosted, const PlacedWheel& placed) {
+Moving moving(const HostWheel& hosted, const PlacedWheel& placed) {
   Moving m;
   const auto input = [](double value, std::size_t k) { return Number::input(value, k); };
   const auto& R = hosted.rotation;
@@ -149,8 +149,8 @@ void into_track(const RailDirection<Each>& direction, const Each& cosine, const 
 }
 
 /// Adds the columns of what changes along the track and round the wheel; turning moves the wheel along it.
-void add_track(const Moving& m, double cosine, double sine, bool left, const SeenWrench& found,
-               HostedSlopes& slopes) {
+void add_track(const Moving& m, double cosine, double sine, bool left, const RailFrameJacobian& found,
+               HostJacobian& slopes) {
   const RailDirection<double> direction{m.direction.x.value, m.direction.y.value, m.direction.z.value};
   const std::size_t columns[] = {by_distance, by_angle};
   for (std::size_t c = 0; c < 2; ++c) {
@@ -175,8 +175,8 @@ void add_track(const Moving& m, double cosine, double sine, bool left, const See
 
 }  // namespace
 
-void hand_back(const Model& model, const HostedWheel& hosted, const PlacedWheel& placed,
-               const SeenWrench& found, const SeenWrench& by_track, HostedSlopes& slopes) {
+void hand_back(const Model& model, const HostWheel& hosted, const PlacedWheel& placed,
+               const RailFrameJacobian& found, const RailFrameJacobian& by_track, HostJacobian& slopes) {
   const Moving m = moving(hosted, placed);
   const SineCosine roll = sine_cosine(m.rail_roll.value);
   const Number cosine = m.rail_roll.chain(roll.cosine, -roll.sine);

@@ -3,7 +3,7 @@
 /// Cells lie at equal steps of x along the rail and of s, the arc length of its cross section: a fixed
 /// lattice, whatever the pose. Every row has one normal, the mean of the rail's and the wheel's (or the
 /// rail's alone); along it each cell has its gap to the wheel, a surface of revolution in its pose.
-/// Right-hand wheel and rail, track axes and types of surface/wheel_on_rail.hpp.
+/// Right-hand wheel and rail, track axes and types of surface/wrench/wheel_on_rail.hpp.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 #include "halfspace/section_curve.hpp"
 #include "halfspace/wheel_deviation.hpp"
 #include "patch/material.hpp"
-#include "surface/out_of_round.hpp"
-#include "surface/rail_direction.hpp"
-#include "surface/varying_rail.hpp"
-#include "surface/wheel_on_rail.hpp"
+#include "surface/geometry/out_of_round.hpp"
+#include "surface/geometry/rail_direction.hpp"
+#include "surface/geometry/varying_rail.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc::halfspace {
 
@@ -86,8 +86,8 @@ class TurnedAboveAxle {
   double down_y_ = 0.0, down_z_ = 1.0;  // of the rail's z axis
 };
 
-/// A wheel on a rail that runs aslant of the track (surface/rail_direction.hpp), seen in axes along it, and
-/// back.
+/// A wheel on a rail that runs aslant of the track (surface/geometry/rail_direction.hpp), seen in axes along
+/// it, and back.
 class SeenAlongRail {
  public:
   /// Turns the wheel of `state` about the displaced origin of the rail's profile, and leaves it no slopes.

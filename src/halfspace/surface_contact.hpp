@@ -28,7 +28,7 @@
 #include "halfspace/normal.hpp"
 #include "halfspace/rolling_surfaces.hpp"
 #include "halfspace/tangential.hpp"
-#include "surface/wheel_on_rail.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc::halfspace {
 

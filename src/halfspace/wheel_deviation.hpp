@@ -1,7 +1,8 @@
 /// The radius of a wheel that is not round, as far as a rail that is level along the track can touch it.
 ///
 /// The real-time side knows of the deviation d(theta) how deep it reaches, the largest of parabolas D(tau) =
-/// max of d(theta) - r (theta - tau)^2 / 2 (surface/out_of_round.hpp). The least surface that reaches so is
+/// max of d(theta) - r (theta - tau)^2 / 2 (surface/geometry/out_of_round.hpp). The least surface that
+/// reaches so is
 ///
 ///     d*(theta) = min over tau of  D(tau) + r (theta - tau)^2 / 2,
 ///
@@ -11,7 +12,7 @@
 
 #include <vector>
 
-#include "surface/out_of_round.hpp"
+#include "surface/geometry/out_of_round.hpp"
 
 namespace wrc::halfspace {
 

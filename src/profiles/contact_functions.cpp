@@ -59,7 +59,7 @@ struct Elastic {
   HeapContact contacts[2] = {{model, Side::right}, {model, Side::left}};
 
   Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) {
-    HostedWheel hosted;
+    HostWheel hosted;
     hosted.y = lateral;
     const SineCosine turned = sine_cosine(roll);
     const double rotation[3][3] = {
@@ -71,7 +71,7 @@ struct Elastic {
     Contact& contact = *contacts[static_cast<int>(side)];
     const Fault fault = solve_wheel(contact, hosted);
     if (fault.failed()) return fault;
-    const HostedWrench& result = contact.wheel;
+    const HostWrench& result = contact.wheel;
     place = {};
     double carried = 0.0;
     for (std::int32_t i = 0; i < result.wrench.regions; ++i) {

@@ -5,21 +5,21 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "damage/flash_temperature.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
-#include "surface/out_of_round.hpp"
-#include "surface/overlap.hpp"
-#include "surface/planar_normal.hpp"
-#include "surface/rail_strips.hpp"
-#include "surface/region_rolling.hpp"
-#include "surface/surface_normal.hpp"
-#include "surface/surface_rolling.hpp"
-#include "surface/varying_rail.hpp"
-#include "surface/wheel_on_rail.hpp"
-#include "surface/wrench_slopes.hpp"
+#include "surface/geometry/out_of_round.hpp"
+#include "surface/geometry/overlap.hpp"
+#include "surface/geometry/rail_strips.hpp"
+#include "surface/geometry/varying_rail.hpp"
+#include "surface/pressure/planar_normal.hpp"
+#include "surface/pressure/surface_normal.hpp"
+#include "surface/rolling/region_rolling.hpp"
+#include "surface/rolling/surface_rolling.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
+#include "surface/wrench/wrench_slopes.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 #include "tangential/march/march_grid.hpp"
 
 namespace wrc {
@@ -80,7 +80,7 @@ inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_str
 
 /// The strips in contact of the last solution, by increasing arc length, for what is asked of its regions
 /// afterwards: each strip's own axes, of right-hand bodies. Doubles only, so that there is no padding.
-struct KeptStrips {
+struct StripResults {
   double count = 0.0;
   double speed = 0.0;            ///< what slips are over: divisor of rolling_reference() [m/s]
   double rolling_speed = 0.0;    ///< [m/s]; < 0 against x
@@ -108,7 +108,7 @@ struct KeptStrips {
 };
 
 /// Over the cells of some of them, element (cell i, strip j) at i * strips + j; without the factor.
-struct KeptFields {
+struct StripFields {
   std::int32_t strips = 0, cells = 0;
   double *traction_x = nullptr, *traction_y = nullptr;  ///< on the wheel [Pa]
   double *slip_x = nullptr, *slip_y = nullptr;          ///< sliding velocity / rolling speed [-]
@@ -122,7 +122,7 @@ struct SurfaceState {
   double length_squared[most_strips_of_a_rail] = {};
   double shift[most_strips_of_a_rail] = {};
   double depth[most_strips_of_a_rail] = {};  ///< overlaps [m]
-  KeptStrips kept;
+  StripResults kept;
 };
 
 /// `sections`, `section_nodes`: how many, and nodes of the longest.
@@ -147,13 +147,13 @@ inline bool varies(const SurfaceModel& model) {
 /// where the overlap is deeper than what is solved. `by_track`: those by distance and angle in place of its
 /// first two (wrench_slopes.hpp).
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& wrench, SeenWrench* slopes = nullptr,
-                          SeenWrench* by_track = nullptr) noexcept;
+                          void* workspace, Wrench& wrench, RailFrameJacobian* slopes = nullptr,
+                          RailFrameJacobian* by_track = nullptr) noexcept;
 
 /// Tractions and slips over the cells of `count` kept strips from `first` on, which are one region or
 /// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, of the way it
 /// rolls. Not of patches that rolled as wholes.
-KeptFields roll_kept(const SurfaceModel& model, const KeptStrips& kept, std::int32_t first,
-                     std::int32_t count, void* workspace) noexcept;
+StripFields roll_kept(const SurfaceModel& model, const StripResults& kept, std::int32_t first,
+                      std::int32_t count, void* workspace) noexcept;
 
 }  // namespace wrc

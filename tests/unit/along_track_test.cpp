@@ -4,8 +4,8 @@
 #include <cstring>
 #include <vector>
 
-#include "surface/out_of_round.hpp"
-#include "surface/varying_rail.hpp"
+#include "surface/geometry/out_of_round.hpp"
+#include "surface/geometry/varying_rail.hpp"
 
 namespace wrc {
 namespace {

@@ -43,7 +43,7 @@ bool same(const BodyStresses& a, const BodyStresses& b) {
 class ContactRegion : public testing::Test {
  protected:
   wrc_config config = test_config();
-  HostedWheel wheel;
+  HostWheel wheel;
   WearLaws laws;
   wrc_model* model = nullptr;
   wrc_contact* handle = nullptr;
@@ -101,7 +101,7 @@ class ContactRegion : public testing::Test {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin = 0.75;
   }
-  HostedWrench& solve() {
+  HostWrench& solve() {
     const Fault fault = solve_wheel(*contact, wheel);
     EXPECT_GE(fault.status, WRC_OK) << fault.field;
     return contact->wheel;
@@ -311,7 +311,7 @@ TEST_F(ContactRegion, OnFlatGroundAWheelHasThePlanarNumbers) {
   wheel.angular_velocity[1] = -speed / 0.46 * 1.0008;
   wheel.velocity[1] = 0.01;
   create();
-  const HostedWrench& hosted = solve();
+  const HostWrench& hosted = solve();
   const Assessed on_rail = all_of(0);
   press(0.0, 80e3);
   roll(on_rail.region.creepage);
@@ -404,7 +404,7 @@ TEST_F(ContactRegion, SpinMomentIsThatOfTheCells) {
       const double turned[3][3] = {{cosine, -sine, 0.0}, {sine, cosine, 0.0}, {0.0, 0.0, 1.0}};
       std::memcpy(wheel.rotation, turned, sizeof turned);
       create();
-      const HostedWrench& hosted = solve();
+      const HostWrench& hosted = solve();
       ASSERT_GT(hosted.wrench.regions, 0);
       for (int32_t k = 0; k < hosted.wrench.regions; ++k) {
         RegionResult region;
@@ -443,7 +443,7 @@ TEST_F(ContactRegion, ForcesAlongTheRailAreThoseOfTheWrench) {
   wheel.y = 5.5e-3;
   wheel.velocity[1] = 0.02;
   create();
-  const HostedWrench& hosted = solve();
+  const HostWrench& hosted = solve();
   ASSERT_EQ(hosted.wrench.regions, 2);
   double along = 0.0;
   for (int32_t k = 0; k < 2; ++k) {

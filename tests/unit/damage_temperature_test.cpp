@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/elementary.hpp"
-#include "damage/flash_temperature.hpp"
+#include "tangential/friction/flash_temperature.hpp"
 
 namespace wrc {
 namespace {

@@ -1,4 +1,4 @@
-#include "surface/surface_normal.hpp"
+#include "surface/pressure/surface_normal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,9 @@
 #include "normal/methods/kik_piotrowski.hpp"
 #include "normal/methods/stripes.hpp"
 #include "normal_gaps.hpp"
-#include "surface/lobes.hpp"
-#include "surface/planar_normal.hpp"
-#include "surface/region_rolling.hpp"
+#include "surface/pressure/lobes.hpp"
+#include "surface/pressure/planar_normal.hpp"
+#include "surface/rolling/region_rolling.hpp"
 #include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
 

@@ -1,4 +1,4 @@
-#include "surface/surface_rolling.hpp"
+#include "surface/rolling/surface_rolling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
     fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ...
 
 LIBRARY is build/release/tools/libcalibration_errors.so, or libsurface_errors.so for
-src/surface/surface_calibration.hpp; the files are made by make_patches. From `zero` (the
+src/surface/rolling/surface_calibration.hpp; the files are made by make_patches. From `zero` (the
 default) all constants take part; with --keep the least needed ones are taken out, one after the other, until N are
 left. From `fitted` only the constants that are not zero in the header take part: a change elsewhere (tables of
 linear theory, normal method) wants no more than that.

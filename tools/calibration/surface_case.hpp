@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "surface/surface_rolling.hpp"
+#include "surface/rolling/surface_rolling.hpp"
 
 namespace wrc::calibration {
 

@@ -1,4 +1,4 @@
-/// Sums of rows of a matrix (surface/normal_slopes.hpp).
+/// Sums of rows of a matrix (surface/pressure/normal_slopes.hpp).
 #pragma once
 
 #include "base/pack.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/pack.hpp"
-#include "surface/outline.hpp"
+#include "surface/geometry/outline.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
@@ -70,7 +70,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
   std::int32_t lowest = rail.count, highest = -1;
   const double least = -margin - chord_sagitta - rounding;
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
-    const StripRange& range = rail.range[r];
+    const FaceStrips& range = rail.range[r];
     const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
     const double left = range.leftmost - beside, right = range.rightmost + beside;
     RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};

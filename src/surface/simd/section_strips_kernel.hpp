@@ -1,4 +1,4 @@
-/// Strips of a rail between two sections (surface/varying_rail.hpp).
+/// Strips of a rail between two sections (surface/geometry/varying_rail.hpp).
 #pragma once
 
 #include "base/pack.hpp"

@@ -1,5 +1,5 @@
-/// A row of the differentiated equations of the normal problem (surface/normal_slopes.hpp): one source per
-/// lane for the row, one direction per lane for the sums, which run in the order of the sources.
+/// A row of the differentiated equations of the normal problem (surface/pressure/normal_slopes.hpp): one
+/// source per lane for the row, one direction per lane for the sums, which run in the order of the sources.
 #pragma once
 
 #include "base/pack.hpp"

@@ -1,10 +1,10 @@
-/// The numbers of strips that roll (surface/strip_numbers.hpp): one strip per lane, but for the sums that run
-/// along the strips.
+/// The numbers of strips that roll (surface/rolling/strip_numbers.hpp): one strip per lane, but for the sums
+/// that run along the strips.
 #pragma once
 
 #include "base/pack.hpp"
+#include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
-#include "surface/strip_numbers.hpp"
 
 namespace wrc::simd {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "normal/simd/tasks.hpp"
-#include "surface/outline.hpp"
+#include "surface/geometry/outline.hpp"
 
 namespace wrc {
 
@@ -113,7 +113,7 @@ struct NearLinesTask {
   double* at;
 };
 
-/// Strips of a rail between two sections (surface/varying_rail.hpp).
+/// Strips of a rail between two sections (surface/geometry/varying_rail.hpp).
 struct SectionStripsTask {
   std::int32_t count;
   const double *left, *right;  ///< the sections' lists: y, z, dy/du, dz/du, and their slopes along the track
@@ -134,7 +134,7 @@ struct OutlineTask {
   const OverlapScratch* scratch;
 };
 
-/// The numbers of strips that roll (surface/strip_numbers.hpp).
+/// The numbers of strips that roll (surface/rolling/strip_numbers.hpp).
 struct StripNumbersTask {
   const SurfaceRollingInputOf<double>* in;
   const strip_numbers::Shared* shared;

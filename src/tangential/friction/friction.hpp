@@ -22,7 +22,7 @@
 ///
 /// g is the mean over the strip's load of a function of the temperature T: 1 up to a temperature, a share
 /// from another on, and linear between (the form of CONTACT's user guide, method L = 4). T is what tractions
-/// with these coefficients make (damage/heated_friction.hpp).
+/// with these coefficients make (tangential/friction/heated_friction.hpp).
 #pragma once
 
 #include <cstdint>

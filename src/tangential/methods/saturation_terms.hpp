@@ -1,5 +1,5 @@
 /// Terms of the fitted constants of strip FASTSIM, on a patch (strip_calibration.hpp) and on the rail's
-/// surface (surface/surface_calibration.hpp): each fitted quantity is a sum of constants times terms.
+/// surface (surface/rolling/surface_calibration.hpp): each fitted quantity is a sum of constants times terms.
 ///
 /// x, e, s are the longitudinal force, the lateral force of lateral slip and that of spin in linear theory,
 /// over the friction limit; with Q = 1 + x^2 + e^2 + s^2 every term lies between -1 and 1, vanishes with the

@@ -237,7 +237,7 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
 }
 
 /// A step on its way, and what it did, for fields and derivatives.
-struct Moved {
+struct MarchStep {
   Pack share;                     ///< of the cell that is slip
   Pack whole_y, bend;             ///< growth along y over a whole cell; of the growth along the step
   Pack size_before, size;         ///< of the traction
@@ -253,8 +253,8 @@ struct Moved {
 /// first stick zone or just leave it; the others are `moving`. No lane's numbers depend on what the others
 /// do.
 template <bool entering>
-WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
-  Moved moved;
+WRC_IN_LOOP MarchStep begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
+  MarchStep moved;
   Pack x = g.over_cell.x, bound_before = cell.bound_before;
   moved.whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
   Pack y = moved.whole_y;
@@ -289,7 +289,7 @@ WRC_IN_LOOP Pack softness(const SurfaceMarchTask&, const Group& g, Pack ex) {
 
 /// The rest of it.
 template <bool entering, class Task>
-WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Mask moving, Moved& moved,
+WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Mask moving, MarchStep& moved,
                           State& s, GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   const Pack bound = entering ? select(moving, Pack(cell.bound), zero) : Pack(cell.bound);  // zero: no part
@@ -317,7 +317,7 @@ WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Ma
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const Moved& moved,
+                               const State& after, const MarchStep& moved,
                                GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
@@ -385,7 +385,7 @@ struct Marching {
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output, class Task>
-WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, Moved& moved, Marching& m,
+WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, MarchStep& moved, Marching& m,
                         GroupDerivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;

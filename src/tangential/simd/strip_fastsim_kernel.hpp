@@ -112,7 +112,7 @@ WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const
 }
 
 /// A step on its way, and what it did, for fields and derivatives.
-struct Moved {
+struct MarchStep {
   Mask stick, slips;
   bool any_sticks;
   Pack dv, part;                  ///< length of the step; of a cell that has slid since the last cell
@@ -129,9 +129,9 @@ struct Moved {
 
 /// One march step of a group through slip, up to the turn of its direction; see march_kernel.hpp.
 template <bool entering>
-WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
+WRC_IN_LOOP MarchStep begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
   const Pack zero = 0.0, one = 1.0;
-  Moved moved;
+  MarchStep moved;
   moved.rho_x = s.x();
   moved.rho_y = s.y();
   moved.dv = cell.h;
@@ -160,7 +160,8 @@ WRC_IN_LOOP Moved begin_step(const Group& g, const Cell& cell, Mask moving, cons
 
 /// The rest of it.
 template <bool entering>
-WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, Moved& moved, State& s, Sums& sums) {
+WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, MarchStep& moved, State& s,
+                          Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
   Pack ex = moved.turn.ex, ey = moved.turn.ey, ahead = moved.turn.ahead;
   moved.part = one;
@@ -220,8 +221,8 @@ struct StepSlopes {
 
 /// Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
 /// changes with the onset of slip, as does the bound there.
-WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State& before, const Moved& moved,
-                                   const TurnSlopes& slope, StepSlopes& s) {
+WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State& before,
+                                   const MarchStep& moved, const TurnSlopes& slope, StepSlopes& s) {
   const Pack zero = 0.0;
   const Pack wx = g.wx + (g.elastic * cell.x) * moved.rho_x;
   const Pack wy =
@@ -243,7 +244,7 @@ WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State
 
 template <bool entering>
 WRC_IN_LOOP StepSlopes step_slopes(const Group& g, const Cell& cell, const State& before,
-                                   const Moved& moved) {
+                                   const MarchStep& moved) {
   const Pack zero = 0.0;
   const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
   StepSlopes s;
@@ -312,7 +313,7 @@ struct Growth {
 /// How the traction of lanes that stick changes: its ratio to the bound, and its angle.
 template <bool entering, class Changes>
 WRC_IN_LOOP void stick_derivative(const Group& g, const StepSlopes& s, const Cell& cell, const State& before,
-                                  const State& after, const Moved& moved, const Growth& over_cell,
+                                  const State& after, const MarchStep& moved, const Growth& over_cell,
                                   const Changes& d, Pack& ratio, Pack& angle) {
   const Pack zero = 0.0;
   const Pack middle = 2.0 * cell.x + moved.dv;
@@ -341,7 +342,7 @@ struct CellMeans {
 
 template <bool entering>
 WRC_IN_LOOP CellMeans cell_means(const Group& g, const Cell& cell, Mask moving, const State& after,
-                                 const Moved& moved) {
+                                 const MarchStep& moved) {
   const Pack zero = 0.0;
   CellMeans m;
   m.mean = cell.mean;
@@ -360,8 +361,8 @@ WRC_IN_LOOP CellMeans cell_means(const Group& g, const Cell& cell, Mask moving, 
 /// Takes over how the state changes with an input, and adds how the cell's tractions do.
 template <bool entering, class Changes>
 WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before, const State& after,
-                                const Moved& moved, const CellMeans& m, Pack ratio, Pack angle, Pack ahead,
-                                Changes& d) {
+                                const MarchStep& moved, const CellMeans& m, Pack ratio, Pack angle,
+                                Pack ahead, Changes& d) {
   if (before.stuck || moved.any_sticks) d.ratio = ratio;
   d.angle = entering ? select(moving, angle, d.angle) : angle;
   d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
@@ -382,7 +383,7 @@ WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const Moved& moved, Derivative (&derivative)[inputs]) {
+                               const State& after, const MarchStep& moved, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
   const CellMeans means = cell_means<entering>(g, cell, moving, after, moved);
@@ -490,7 +491,7 @@ struct Marching {
 
 /// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
 template <bool entering, Output output>
-WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask moves, Moved& moved,
+WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask moves, MarchStep& moved,
                         Marching& m, Derivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;

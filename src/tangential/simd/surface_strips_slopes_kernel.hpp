@@ -71,7 +71,7 @@ inline void differentiate(const SurfaceStripsTask& task, const Group& g,
 /// A step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const Moved& moved,
+                               const State& after, const MarchStep& moved,
                                InputChanges (&changes)[strip_inputs]) {
   const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
   const CellMeans means = cell_means<entering>(g, cell, moving, after, moved);
@@ -126,7 +126,7 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
 
 /// What follows the turn in a cell: settle() of strip_fastsim_kernel.hpp for these derivatives.
 template <bool entering, Output output>
-WRC_IN_LOOP void settle(const StripFastsimMarch&, const Cell& cell, Mask moves, Moved& moved, Marching& m,
+WRC_IN_LOOP void settle(const StripFastsimMarch&, const Cell& cell, Mask moves, MarchStep& moved, Marching& m,
                         InputChanges (&changes)[strip_inputs]) {
   const State before = m.state;
   if constexpr (entering) moved.shape = stick_shape<true>(m.group, cell, m.stick);

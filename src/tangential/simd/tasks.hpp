@@ -50,9 +50,9 @@ struct MarchTask : MarchCells {
   double per_pressure, per_length, per_length_square;
 };
 
-/// The same where every strip has numbers of its own, about its own middle (surface/surface_rolling.hpp).
-/// One element per strip; growth of adhesion tractions relative to the bound at the strip's middle over the
-/// half length.
+/// The same where every strip has numbers of its own, about its own middle
+/// (surface/rolling/surface_rolling.hpp). One element per strip; growth of adhesion tractions relative to the
+/// bound at the strip's middle over the half length.
 struct SurfaceMarchTask : MarchCells {
   const double *width, *half_length;  ///< [m]
   const double* bound;                ///< at the strip's middle [Pa]
@@ -86,8 +86,8 @@ struct StripFastsimTask : StripFastsimMarch {
 };
 
 /// Strip FASTSIM where every strip has numbers of its own, about its own middle
-/// (surface/surface_rolling.hpp). One element per strip; lengths relative to the half length, growth of
-/// adhesion tractions to the parabolic bound at the strip's middle over the half length.
+/// (surface/rolling/surface_rolling.hpp). One element per strip; lengths relative to the half length, growth
+/// of adhesion tractions to the parabolic bound at the strip's middle over the half length.
 struct SurfaceStripsTask : StripFastsimMarch {
   const double *width, *half_length;  ///< [m]
   const double* bound;                ///< traction bound at the strip's middle [Pa]

@@ -1,0 +1,146 @@
+#include "surface/geometry/out_of_round.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wrc {
+namespace {
+
+constexpr std::int32_t nodes = OutOfRound::nodes;
+
+/// Second derivatives of the periodic spline through n values, the next of which is width(i) further on, the
+/// first again behind the last: a cyclic tridiagonal system by elimination with the corner carried along.
+template <class Width>
+void periodic_second_derivatives(std::int32_t n, const Width& width, const double* v, double* second,
+                                 double* pivot, double* corner) {
+  const auto value = [&](std::int32_t i) { return v[i % n]; };
+  const auto rhs = [&](std::int32_t i) {
+    const double before = i == 0 ? width(n - 1) : width(i - 1);
+    const double from_before = (value(i) - value(i == 0 ? n - 1 : i - 1)) / before;
+    return 6.0 * ((value(i + 1) - value(i)) / width(i) - from_before);
+  };
+  // Rows 0 .. n - 2, the unknown n - 1 in a column of its own; the last row at the end.
+  for (std::int32_t i = 0; i + 1 < n; ++i) {
+    const double before = i == 0 ? width(n - 1) : width(i - 1);
+    double diagonal = 2.0 * (before + width(i)), right = rhs(i), last = 0.0;
+    if (i == 0) {
+      last = before;
+    } else {
+      const double factor = before / pivot[i - 1];
+      diagonal -= factor * before;
+      right -= factor * second[i - 1];
+      last -= factor * corner[i - 1];
+    }
+    if (i + 2 == n) last += width(i);
+    pivot[i] = diagonal;
+    second[i] = right;
+    corner[i] = last;
+  }
+  // unknown i = (second - corner * last - width(i) * next) / pivot, for the next but the last
+  for (std::int32_t i = n - 2; i >= 0; --i) {
+    if (i + 2 < n) {
+      second[i] -= width(i) * second[i + 1];
+      corner[i] -= width(i) * corner[i + 1];
+    }
+    second[i] /= pivot[i];
+    corner[i] /= pivot[i];
+  }
+  const double w = width(n - 1), before = width(n - 2);
+  second[n - 1] = (rhs(n - 1) - before * second[n - 2] - w * second[0]) /
+                  (2.0 * (before + w) - before * corner[n - 2] - w * corner[0]);
+  for (std::int32_t i = 0; i + 1 < n; ++i) second[i] -= corner[i] * second[n - 1];
+}
+
+/// The deviation at equal steps of the angle.
+void sample(const RadiusTable& table, const double* deviation, const double* second, double* to) {
+  std::int32_t k = 0;
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    const double at = 2.0 * pi * i / nodes;
+    while (k + 2 < table.angles && at >= table.angle[k + 1]) ++k;
+    const double h = table.angle[k + 1] - table.angle[k], b = (at - table.angle[k]) / h, a = 1.0 - b;
+    const std::int32_t next = k + 2 < table.angles ? k + 1 : 0;
+    to[i] = a * deviation[k] + b * deviation[next] +
+            h * h / 6.0 * ((a * a * a - a) * second[k] + (b * b * b - b) * second[next]);
+  }
+}
+
+/// The envelope of its parabolas: the largest at the nodes, the top of the parabola through it and its
+/// neighbours, and what is given between these, where an edge may stand out. `place`: scratch, of nodes.
+void find_reach(const RadiusTable& table, const double* given, const double* deviation, double radius,
+                std::int32_t* place, double* reach) {
+  const double step = 2.0 * pi / nodes;
+  double low = deviation[0], high = deviation[0];
+  for (std::int32_t i = 1; i < nodes; ++i) {
+    low = std::min(low, deviation[i]);
+    high = std::max(high, deviation[i]);
+  }
+  const auto furthest =
+      std::min(static_cast<std::int32_t>(std::sqrt(2.0 * (high - low) / radius) / step) + 2, nodes / 4);
+  const auto at = [&](std::int32_t i, std::int32_t k) {
+    const double off = step * (k - i);
+    return deviation[(k + nodes) % nodes] - 0.5 * radius * off * off;
+  };
+  const auto highest = [&](std::int32_t i, std::int32_t from, std::int32_t to) {
+    std::int32_t best = from;
+    for (std::int32_t k = from + 1; k <= to; ++k)
+      if (at(i, k) > at(i, best)) best = k;
+    return best;
+  };
+  // the place never goes back as the wheel turns on: between those of two nodes lies that of one between them
+  place[0] = highest(0, -furthest, furthest);
+  for (std::int32_t apart = nodes / 2; apart > 0; apart /= 2)
+    for (std::int32_t i = apart; i < nodes; i += 2 * apart) {
+      const std::int32_t next = i + apart < nodes ? place[i + apart] : place[0] + nodes;
+      place[i] = highest(i, std::max(place[i - apart], i - furthest), std::min(next, i + furthest));
+    }
+  const double* const end = table.angle + table.angles;
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    const std::int32_t best = place[i];
+    const double middle = at(i, best), before = at(i, best - 1), behind = at(i, best + 1);
+    const double bend = before - 2.0 * middle + behind, lean = 0.5 * (behind - before);
+    reach[i] = bend < 0.0 ? middle - 0.5 * lean * lean / bend : middle;
+    for (const std::int32_t k : {best - 1, best}) {
+      const double from = step * ((k + nodes) % nodes);
+      for (const double* a = std::lower_bound(table.angle, end, from); a < end && *a < from + step; ++a) {
+        const double off = step * (k - i) + (*a - from);
+        reach[i] = std::max(reach[i], given[a - table.angle] - 0.5 * radius * off * off);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::int64_t out_of_round_doubles(const RadiusTable& table) {
+  if (table.rows == 0) return 0;
+  return 2 * static_cast<std::int64_t>(table.rows) * nodes + 3 * static_cast<std::int64_t>(table.angles) +
+         2 * static_cast<std::int64_t>(nodes);
+}
+
+void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel) {
+  wheel = {};
+  wheel.rows = table.rows;
+  wheel.radius = radius;
+  double* const value = memory;
+  double* const second = value + static_cast<std::int64_t>(table.rows) * nodes;
+  double* const given = second + static_cast<std::int64_t>(table.rows) * nodes;
+  double *const pivot = given + table.angles, *const corner = pivot + table.angles;
+  double *const sampled = corner + table.angles, *const scratch = sampled + nodes;
+  const auto apart = [&](std::int32_t i) { return table.angle[i + 1] - table.angle[i]; };
+  const auto one_apart = [](std::int32_t) { return 1.0; };
+  for (std::int32_t r = 0; r < table.rows; ++r) {
+    if (table.rows > 1) wheel.y[r] = table.y[r];
+    const double* const deviation = table.deviation + static_cast<std::int64_t>(r) * table.angles;
+    periodic_second_derivatives(table.angles - 1, apart, deviation, given, pivot, corner);
+    sample(table, deviation, given, sampled);
+    double* const reach = value + static_cast<std::int64_t>(r) * nodes;
+    find_reach(table, deviation, sampled, radius, reinterpret_cast<std::int32_t*>(scratch), reach);
+    periodic_second_derivatives(nodes, one_apart, reach, second + static_cast<std::int64_t>(r) * nodes,
+                                sampled, scratch);
+    for (std::int32_t i = 0; i < nodes; ++i) wheel.largest = std::max(wheel.largest, reach[i]);
+  }
+  wheel.value = value;
+  wheel.second = second;
+}
+
+}  // namespace wrc

@@ -1,0 +1,97 @@
+/// The cross section of a rail cut into strips, once: their places never depend on a pose, so nothing about
+/// them can jump.
+#pragma once
+
+#include <cstdint>
+
+#include "surface/geometry/curve.hpp"
+
+namespace wrc {
+
+/// A rail has at most so many faces that are cut on their own (varying_rail.hpp), and so many marks that pair
+/// its sections.
+inline constexpr std::int32_t most_rail_faces = 4, most_rail_marks = 64;
+
+/// Strips side by side, and what their middles lie between.
+struct FaceStrips {
+  std::int32_t first, count;
+  double top, leftmost, rightmost;  ///< smallest z, smallest and largest y [m]
+};
+
+/// Strips by increasing arc length, touching each other within a range; a strip of no range is not there.
+/// Rail axes: origin of the rail's profile, y to the field side, z down.
+struct RailStrips {
+  std::int32_t count = 0;
+  const double* s = nullptr;                ///< arc length at the middle [m]
+  const double* width = nullptr;            ///< along the arc [m]
+  const double *y = nullptr, *z = nullptr;  ///< the middle [m]
+  const double *ty = nullptr,
+               *tz = nullptr;     ///< unit tangent, by increasing arc length; the normal into the rail is
+                                  ///< (-tz, ty)
+  const double* angle = nullptr;  ///< strip_angle(); nullptr: not kept [rad]
+  std::int32_t ranges = 0;
+  FaceStrips range[most_rail_faces];
+};
+
+/// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is
+/// nearly flat [m].
+struct StripWidths {
+  double narrowest = 0.25e-3, widest = 0.5e-3;
+  double sharp = 0.020, flat = 0.060;  ///< radii of curvature up to and from which they hold [m]
+  double guiding = widest;  ///< at most, on faces beyond 76 degrees that fall to the field side, from 64 on
+};
+
+/// On a face beside the rail, which may be a check rail. A flange's back touches that over 1 to 8 mm of arc,
+/// and under yaw contacts of strips 0.5 mm wide lie 2 to 5 mm apart along the track: peak pressures were up
+/// to half off.
+inline constexpr StripWidths guiding_widths{.guiding = 0.2e-3};
+
+/// Width wanted at a length of a curve [m].
+double wanted_width(const Curve& rail, const StripWidths& widths, double s);
+
+/// Divides a length into strips of the widths `wanted(at)`, all scaled alike to end where it ends and to be
+/// at most `most`: their middles and widths; returns how many.
+template <class Wanted>
+std::int32_t cut_length(double begin, double end, const Wanted& wanted, std::int32_t most, double* s,
+                        double* width) {
+  // The widths wanted, added up: so many strips as that gives.
+  const auto count_from = [&](double scale) {
+    double at = begin;
+    std::int32_t n = 0;
+    while (at < end && n <= most) {
+      const double w = scale * wanted(at);
+      at += scale * wanted(at + 0.5 * w);
+      ++n;
+    }
+    return n;
+  };
+  double scale = 1.0;
+  while (count_from(scale) > most - 1) scale *= 1.1;
+  double at = begin;
+  std::int32_t n = 0;
+  while (at < end && n < most) {
+    const double guess = scale * wanted(at);
+    double w = scale * wanted(at + 0.5 * guess);
+    if (at + 1.5 * w > end) w = end - at;
+    width[n] = w;
+    s[n] = at + 0.5 * w;
+    at += w;
+    ++n;
+  }
+  return n;
+}
+
+/// Angle of a strip about x, from z to its normal [rad].
+double strip_angle(const RailStrips& strips, std::int32_t strip);
+
+/// The range of `count` strips from `first` on.
+FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
+
+/// Doubles of memory for so many strips.
+std::int64_t rail_strip_doubles(std::int32_t strips);
+
+/// Cuts the whole curve into at most `most` strips, in `memory` of rail_strip_doubles(most) doubles.
+Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
+               RailStrips& strips);
+
+}  // namespace wrc

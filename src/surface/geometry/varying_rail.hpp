@@ -1,0 +1,156 @@
+/// A rail whose cross section changes along the track: sections at stated distances, blended between them.
+///
+/// An outline is cut into strips once, by a length u: that along the first section's outline. Where marks
+/// pair the outlines of two sections, u runs through the marks of both alike, by a monotone cubic; between
+/// the ends else. So each section is a list of points and tangents P(u), P'(u), and a distance between two
+/// sections has
+///
+///     P(u, X) = h0(t) A + h1(t) B + h2(t) A_X + h3(t) B_X,      t = (X - X_A) / (X_B - X_A),
+///
+/// with the quintic Hermite functions whose second derivatives vanish at both ends: twice continuously
+/// differentiable along the track, from two neighbours alone. The slopes A_X, B_X at a section are the mean
+/// of the secants a, b to its neighbours times 2 a.b / (a.a + b.b) (0 where that is negative), sums over the
+/// whole outline: a ramp that goes on is straight, where one begins nothing overshoots. At the first and last
+/// section of a face they are zero, as beyond them nothing changes.
+///
+/// A rail may have several faces (stock rail and blade, wing rail and nose), each an outline with sections of
+/// its own. Faces do not press on each other: their strips are an arc length apart that no influence reaches.
+#pragma once
+
+#include <cstdint>
+
+#include "base/dual.hpp"
+#include "base/fault.hpp"
+#include "geometry/profile.hpp"
+#include "kernels/kernels.hpp"
+#include "surface/geometry/rail_strips.hpp"
+
+namespace wrc {
+
+/// One cross section, as given: right-hand, from its own origin, not canted.
+struct RailSection {
+  double distance = 0.0;    ///< along the track [m]
+  double y = 0.0, z = 0.0;  ///< where its origin lies, from that of the rail [m]
+  std::int32_t face = 0;
+  std::int32_t marks = 0;
+  const double* mark = nullptr;  ///< y on its profile [m], increasing
+  Profile profile;
+};
+
+struct RailFace {
+  std::int32_t first = 0, strips = 0;            ///< of the rail's strips
+  std::int32_t first_section = 0, sections = 0;  ///< of all sections
+};
+
+struct VaryingRail {
+  std::int32_t faces = 0;             ///< 0: the rail is the same everywhere
+  std::int32_t strips = 0, room = 0;  ///< room: elements from one list of `outline` to the next
+  RailFace face[most_rail_faces];
+  double begin = 0.0, end = 0.0;     ///< of the sections [m]
+  const double* distance = nullptr;  ///< of each section [m]
+  const double* outline = nullptr;   ///< of each section eight lists over the strips: y, z, dy/du, dz/du, and
+                                     ///< how they change along the track
+  const double* step = nullptr;      ///< of u, across each strip [m]
+};
+
+/// Doubles of memory for so many sections, of which the longest profile has so many nodes.
+std::int64_t varying_rail_doubles(std::int32_t sections, std::int32_t nodes, std::int32_t most_strips);
+
+/// Cuts and pairs the sections, whose distances and faces the caller has put in order. WRC_ERROR_PROFILE,
+/// with the section's index, if they cannot be paired.
+Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
+                        std::int32_t most_strips, double* memory, VaryingRail& rail);
+
+/// Where a distance lies in a face's sections: between `left` and `right`, or at one that is both, and what
+/// their values and slopes count for the outline and its derivatives by the distance, up to the third.
+struct SectionBlend {
+  std::int32_t left, right;
+  double weight[4][4];
+};
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance);
+/// The same, looked for first where `near` is.
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
+                      const SectionBlend& near);
+
+/// Cuts the strips of a rail at a distance, into `memory` of rail_strip_doubles(most) doubles: those of faces
+/// that are there. Returns how steeply any of them falls along its normal, within 20 mm of there [-]. Blends
+/// of all faces.
+double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
+                    std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]);
+
+/// The same within the sections, where `distance` is put, and flagged beyond them; of a check rail the side
+/// that guides.
+Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memory, std::int32_t most,
+                   double& distance, RailStrips& strips, SectionBlend (&blend)[most_rail_faces],
+                   double& steepest);
+
+/// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
+/// (model_options.cpp).
+inline bool has_check_rail(const VaryingRail& rail) {
+  constexpr double everywhere = 1e6;  // [m]
+  return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
+}
+
+/// The number of the face a strip belongs to.
+inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
+  std::int32_t f = 0;
+  while (f + 1 < rail.faces && strip >= rail.face[f + 1].first) ++f;
+  return f;
+}
+
+inline double with_slope(double, double value, double) { return value; }
+template <std::size_t n>
+Dual<n> with_slope(const Dual<n>& x, double value, double slope) {
+  return x.chain(value, slope);
+}
+
+/// A strip's middle and how it moves along the track.
+template <class Number>
+struct StripAlongTrack {
+  Number y, z;                      ///< place [m]
+  Number slope_y, slope_z;          ///< by the distance [-]
+  Number curvature_y, curvature_z;  ///< second derivatives [1/m]
+};
+
+/// One of a strip's lists and its derivatives by the distance, up to the third.
+struct BlendedList {
+  double f[4];
+  template <class Number>
+  Number at(const Number& distance, int derivative) const {
+    return with_slope(distance, f[derivative], f[derivative + 1]);
+  }
+};
+inline BlendedList blended(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip,
+                           std::int32_t list) {
+  const auto at = [&](std::int32_t section, std::int32_t q) {
+    return rail.outline[(static_cast<std::int64_t>(section) * 8 + q) * rail.room + strip];
+  };
+  const double values[4] = {at(b.left, list), at(b.right, list), at(b.left, list + 4), at(b.right, list + 4)};
+  BlendedList l;
+  for (int d = 0; d < 4; ++d)
+    l.f[d] = b.weight[d][0] * values[0] + b.weight[d][1] * values[1] + b.weight[d][2] * values[2] +
+             b.weight[d][3] * values[3];
+  return l;
+}
+
+/// `b`: of the strip's face at the distance.
+template <class Number>
+StripAlongTrack<Number> strip_at(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip,
+                                 const Number& distance) {
+  const BlendedList y = blended(rail, b, strip, 0), z = blended(rail, b, strip, 1);
+  return {y.at(distance, 0), z.at(distance, 0), y.at(distance, 1),
+          z.at(distance, 1), y.at(distance, 2), z.at(distance, 2)};
+}
+
+/// A strip's unit tangent.
+template <class Number>
+void tangent_at(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip, const Number& distance,
+                Number& ty, Number& tz) {
+  const Number dy = blended(rail, b, strip, 2).at(distance, 0),
+               dz = blended(rail, b, strip, 3).at(distance, 0);
+  const Number per_length = Number(1.0) / root(dy * dy + dz * dz);
+  ty = dy * per_length;
+  tz = dz * per_length;
+}
+
+}  // namespace wrc

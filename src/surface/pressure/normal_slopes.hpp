@@ -1,0 +1,41 @@
+/// How the pressures of surface_normal.hpp change with the overlaps: the equations a solution stands for,
+/// differentiated where it stands.
+///
+/// With M, E+, E- the displacement at a strip's middle and edges per unit of q = lambda L, the unknowns q, L
+/// and c of the strips in contact obey
+///
+///     sum_b M_ab q_b = d_a,            d_a = depth_a - kappa_a/2 (c_a - middle_a)^2
+///     L_a lambda_a - q_a = 0,           lambda_a = mean of q_b kappa_b / (2 (d_b - (E+ q + E- q)_b / 2))
+///     c_a = middle_a + shift_a,         shift_a = mean of ((E- - E+) q)_b / (2 l_b kappa_b)
+///
+/// with the means of surface_normal.cpp, weighted by q. One elimination gives the changes of all three for
+/// all four ways in which a wheel moves (PlaceInput).
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/kernels.hpp"
+#include "normal/elasticity/influence_tables.hpp"
+#include "surface/geometry/overlap_slopes.hpp"
+#include "surface/pressure/surface_normal.hpp"
+
+namespace wrc {
+
+/// Most strips in contact that are differentiated.
+inline constexpr std::int32_t most_differentiated_strips = 160;
+
+/// Strips in contact, by increasing place; one element per strip.
+struct PressedStrips {
+  std::int32_t count = 0;
+  double *place, *width, *strength, *length_squared, *centre;  ///< as the solution has them
+  OverlapSlopes* overlap;
+  PlaceDual *changed_strength, *changed_length_squared, *changed_centre;  ///< results
+};
+
+std::int64_t normal_slopes_doubles(std::int32_t most);
+
+/// Differentiates the solution. `workspace` has normal_slopes_doubles(strips.count) or more.
+void differentiate_pressures(const InfluenceTables& influence, const Kernels& kernels, double compliance,
+                             double* workspace, const PressedStrips& strips) noexcept;
+
+}  // namespace wrc

@@ -1,0 +1,49 @@
+/// Rolling of whole patches on the rail's surface: methods that know one shape and one creepage.
+///
+/// A patch is a run of strips in contact, parted from its neighbours by the strips' loads over their widths
+/// as smoothly as normal methods part theirs (lobes.hpp). It rolls unrolled, y by arc length, with the means
+/// over its load of the strips' rigid slips for its creepages. Its shape is that of the double ellipse whose
+/// load has the same moments,
+///
+///     a^2 = 5/4 <l^2>,   <(y - <y>)^2> = b^2 (1/5 + 3/80 psi^2),   <(y - <y>)^3> = b^3 psi (1/20 - psi^2/160),
+///
+/// with its joint at <y> - 3/4 psi b: what follows from sums over the load cannot leap while a patch stays
+/// one. Its forces are shared among the strips by their loads and act along the strips' own directions.
+#pragma once
+
+#include <cstdint>
+
+#include "base/fault.hpp"
+#include "patch/sdec.hpp"
+#include "surface/rolling/surface_rolling.hpp"
+#include "tangential/friction/heated_friction.hpp"
+#include "tangential/rolling_contact.hpp"
+
+namespace wrc {
+
+struct RegionRolling {
+  TangentialForces (*solve)(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                            TangentialSensitivities* sensitivities) = nullptr;
+  PatchModel model{};
+  TractionBound bound = TractionBound::parabolic;
+  FlexibilityForm form = FlexibilityForm::separate;
+  const SdecTable* linear_theory = nullptr;
+  const ForceTable* force_table = nullptr;
+  std::int64_t workspace_bytes = 0;  ///< of the method for `most` strips
+};
+
+/// Doubles of working memory for at most so many strips.
+std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& method);
+
+/// The double ellipse of a load with these moments [m^2], [m^2], [m^3].
+Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept;
+
+/// Rolls the strips of `in`, its method apart, forwards. `along`: x of the strips' middles [m]. `fields`: in
+/// memory for `most` strips, for methods that need it; not results. `heat`: friction over temperature; then
+/// the coefficients of `in` are cold ones, and `hot`, which may be the same array, gets the hot ones.
+Fault roll_by_region(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
+                     const SlopeFall& slope, double slope_reduction, double* workspace,
+                     const TangentialFields& fields, const SurfaceRollingForces& forces,
+                     HeatedFriction* heat = nullptr, double* hot = nullptr) noexcept;
+
+}  // namespace wrc

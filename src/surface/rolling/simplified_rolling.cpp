@@ -1,0 +1,100 @@
+// FASTSIM and FaStrip of strips with slips and coefficients of their own.
+//
+// A strip of FASTSIM that sticks carries 2 l^2 / L11 per slip and width where linear theory has
+// 2 G C11 l / pi; so its flexibilities are
+//     L11 = pi l / (G C11),  L22 = pi l / (G C22),  L23 = 8 l / (9 G C23'),   C23' = C23 sqrt(b/a),
+// with which every strip, not only the patch, has the forces of linear theory.
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/kernels.hpp"
+#include "patch/material.hpp"
+#include "surface/rolling/rolling_arrays.hpp"
+#include "tangential/methods/fastrip_strip.hpp"
+#include "tangential/methods/flexibility_form.hpp"
+
+namespace wrc {
+namespace {
+
+Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::int32_t j) {
+  return {a.mean[RollingArrays::slip][j] + a.own[j], in.slip_y[j], in.spin[j]};
+}
+
+/// FASTSIM over all strips; `joint`: with the common flexibility in place of the separate ones.
+void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, const TangentialFields& fields,
+           SurfaceRollingForces& forces) {
+  const double G = in.shear_modulus;
+  const bool parabolic = in.parabolic && !joint;
+  const double of_peak = parabolic ? 3.0 * pi / 8.0 : 1.0;  // parabola and semi-ellipse of one area
+  for (std::int32_t j = 0; j < in.count; ++j) {
+    const double l = std::max(in.half_length[j], least_strip_length);
+    const Creepage slips = slips_of(in, a, j);
+    Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]), 8.0 * l / (9.0 * G * a.c23[j])};
+    L.l13 = L.l11;
+    if (joint) {
+      const double common = common_flexibility(L, l, l, 0.0, slips);
+      L = {common, common, common, common};
+    }
+    const double bound = a.load[j] > 0.0 ? of_peak * in.friction[j] * in.peak[j] : 0.0;
+    const double scale = bound > 0.0 ? l / bound : 0.0, turn = slips.spin * l / L.l23;
+    a.bound[j] = bound;
+    a.growth_x[j] = slips.longitudinal / L.l11 * scale;
+    a.growth_y[j] = (slips.lateral / L.l22 + turn) * scale;
+    a.curvature[j] = turn * scale;
+    a.turn_x[j] = L.l11 * bound / l;
+    a.turn_y[j] = L.l22 * bound / l;
+  }
+  auto task = surface_task<simd::SurfaceMarchTask>(in, a, fields, forces);
+  task.parabolic = parabolic;
+  if (parabolic) task.shape = &in.grid->parabolic;
+  task.rate = a.curvature;
+  task.soft_x = a.turn_x;
+  task.soft_y = a.turn_y;
+  const Kernels& kernels = *in.grid->kernels;
+  run(fields.any() ? kernels.surface_march_fields : kernels.surface_march, task, forces);
+}
+
+}  // namespace
+
+void roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
+                     SurfaceRollingForces& forces) {
+  march(in, a, false, fields, forces);
+}
+
+void roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
+                     SurfaceRollingForces& forces) {
+  constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
+  march(in, a, true, {fields.traction_x, fields.traction_y, nullptr, nullptr}, forces);
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(in.count) * in.grid->cells;
+  std::copy_n(fields.traction_x, cells, fields.slip_x);  // the direction of strips that slip as a whole
+  std::copy_n(fields.traction_y, cells, fields.slip_y);
+  const double G = in.shear_modulus;
+  RolledStrip total;
+  double balance = 0.0;
+  for (std::int32_t j = 0; j < in.count; ++j) {
+    const double l = std::max(in.half_length[j], least_strip_length);
+    const Creepage slips = slips_of(in, a, j);
+    const StripGrowth growth{2.0 * G * a.c11[j] / (pi * pi) * slips.longitudinal, 0.0,
+                             2.0 * G * a.c22[j] / (pi * pi) * slips.lateral,
+                             3.0 * G * a.c23[j] / (2.0 * pi) * slips.spin, 1.0};
+    const StripSolution strip = solve_strip(growth, std::max(a.bound[j], least_stress) / l, 0.0, 0.0, l);
+    const Creepage rigid{in.slip_x[j], in.slip_y[j], in.spin[j]};
+    const RolledStrip rolled =
+        roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid,
+                   {fields.traction_x, fields.traction_y, fields.slip_x, fields.slip_y}, in.count, j, fields);
+    forces.fx[j] = rolled.fx;
+    forces.fy[j] = rolled.fy;
+    forces.mz[j] = rolled.mz;
+    balance -= rolled.fx * rigid.longitudinal + rolled.fy * rigid.lateral + rolled.mz * rigid.spin;
+    total += rolled;
+  }
+  balance = std::max(0.0, balance);
+  const double scale = total.power > 0.0 ? balance / total.power : 0.0;
+  for (double* slip : {fields.slip_x, fields.slip_y})
+    std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
+  forces.power_per_speed = balance;
+  forces.adhesion_fraction = total.adhesion_fraction();
+}
+
+}  // namespace wrc
