@@ -78,25 +78,6 @@ void find_smooth_part(const StripSet& s, const double* lengths, Scratch& w) {
   for (std::int32_t a = n - 2; a >= 0; --a) w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
 }
 
-/// Preconditioner: turns the fixed-point residual in `step` into a step, near that of Newton's method.
-///
-/// The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
-/// and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 W v) / 0.45. It leaves 0.1 to 0.15
-/// of an error; the numbers are fitted to derivatives of the map at 85 solutions. Of shifts, which lie on
-/// lines, the map takes away most whatever the error's shape: one factor, with which the fewest iterations
-/// are needed under yawed flanges.
-void precondition(const StripSet& s, double* step, Scratch& w) {
-  double *const lengths = step, *const shifts = step + s.count;
-  find_smooth_part(s, lengths, w);
-  for (std::int32_t a = 0; a < w.active.count; ++a) {
-    const std::int32_t i = w.active.index[a];
-    const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
-    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
-  }
-  if (s.skewed)
-    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
-}
-
 /// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
 double product(std::int32_t n, const double* a, const double* b) {
   constexpr std::int32_t parts = 8;
@@ -215,6 +196,23 @@ void finish(const StripSet& s, const Scratch& w) {
 }
 
 }  // namespace
+
+// The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
+// and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 W v) / 0.45. It leaves 0.1 to 0.15
+// of an error; the numbers are fitted to derivatives of the map at 85 solutions. Of shifts, which lie on
+// lines, the map takes away most whatever the error's shape: one factor, with which the fewest iterations
+// are needed under yawed flanges.
+void precondition(const StripSet& s, double* step, Scratch& w) {
+  double *const lengths = step, *const shifts = step + s.count;
+  find_smooth_part(s, lengths, w);
+  for (std::int32_t a = 0; a < w.active.count; ++a) {
+    const std::int32_t i = w.active.index[a];
+    const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
+    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
+  }
+  if (s.skewed)
+    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
+}
 
 void begin_iterations(StripSet& s, Scratch& w) {
   s.skewed = false;
