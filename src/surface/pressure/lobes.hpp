@@ -3,7 +3,7 @@
 /// Methods that know patches only need to have them told apart: two humps with a valley between them are two
 /// patches where the valley is deep and one where it is shallow. Here a run of strips is both at once, in
 /// shares that go over smoothly as the valley fills: with r the quantity in the valley over that on the lower
-/// of the two humps it parts, the share of the joint patch is
+/// hump beside it, the share of the joint patch is
 ///
 ///     w = t^2 (3 - 2 t),   t = (r - 0.5) / 0.4 within 0 .. 1.
 ///

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t beyond = 3;  // rows added behind either end of a run, in which its patch ends
 
 struct Memory {
-  double* place;                            ///< of the candidates, by arc length [m]
+  double* place;                            ///< arc length of each candidate [m]
   double *y, *height, *centre, *curvature;  ///< rows of the gap
   Strips strips;                            ///< the method's, of one patch
 };
@@ -77,12 +77,13 @@ class Solver {
 
  private:
   static constexpr double least_curvature = 0.01;  // [1/m]: along x a wheel is a parabola
-  static constexpr double steps_down = 0.1e-3;     // of the rows behind the ends [m]
+  static constexpr double steps_down = 0.1e-3;     // from row to row behind the ends [m]
   static constexpr double fall = 5.0;              // beyond a border, that of a cylinder of 0.1 m [1/m]
 
   /// Rows of the gap: the run, turned over and bent away beyond the part's borders, and a few rows that fall
   /// away behind it.
   GapRows rows_of(const Run& run, const Part& part) {
+    // Heights are negative overlaps [m].
     const std::int32_t n = run.end - run.first;
     double* const height = memory_.height + beyond;
     const auto place = [&](std::int32_t k) { return memory_.place[run.first + k]; };
@@ -115,7 +116,7 @@ class Solver {
 
   static constexpr std::int32_t most_points = 4;
 
-  /// Lowest points of a patch as deep as its deepest but for 10 % of the overlap, and what they count.
+  /// Lowest points of a patch as deep as its deepest but for 10 % of the overlap, and their weights.
   struct Points {
     std::array<GapMinimum, most_points> of{};
     std::array<double, most_points> weight{};
@@ -144,6 +145,7 @@ class Solver {
   }
 
   void solve_part(const Run& run, const Part& part) {
+    // The patch as a problem over its unrolled plane, down to its deepest overlap.
     NormalProblem problem;
     problem.gap = rows_of(run, part);
     const GapMinimum lowest = minimum(problem.gap);
@@ -165,6 +167,7 @@ class Solver {
   }
 
   void solve_about(const NormalProblem& problem, const Run& run, double share) {
+    // A method that finds no contact about this point adds nothing, and nothing is wrong.
     NormalSolution solution;
     const Fault fault = method_.solve(problem, memory_.strips, solution);
     result_.iterations += static_cast<std::int32_t>(solution.iterations);

@@ -40,6 +40,7 @@ struct Scratch {
 
 Scratch cut(Arena& arena, std::int32_t most) {
   Scratch w;
+  // Three rows a strip, and a ring of rows for the neighbours on one side.
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = arena.take(size.rows * size.stride);
@@ -73,6 +74,7 @@ void list_sources(const PressureModel& model, const PressedStrips& s, Scratch& w
     w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
     w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
   }
+  // Directions with their derivatives side by side, as slopes_row sums them.
   for (std::int32_t a = 0; a < n; ++a) {
     w.q_dl_dL[a] = w.dl_dL[a] * s.line_load[a];
     const OverlapSlopes& o = s.overlap[a];
@@ -101,7 +103,7 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   Displacement u;
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
-  double sum[directions];  // of J q times each element of `direction`
+  double sum[directions];  // sums of J q times each element of `direction`
   kernels.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
@@ -118,8 +120,8 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
 }
 
 /// Strip a's rows: of contact, and of the lambda and shift its own edges ask for, which smooth() blends with
-/// its neighbours'. They hold derivatives by the unknowns, and on the right the opposite of what the inputs
-/// do at fixed unknowns.
+/// its neighbours'. They hold derivatives by the unknowns, and on the right those by the inputs at fixed
+/// unknowns, with the sign of the other side.
 void fill_strip(const PressureModel& model, const PressedStrips& s, const Size& size, std::int32_t a,
                 Scratch& w) {
   const std::int32_t n = s.count;
@@ -221,6 +223,7 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
       yv += weight * at * edge[b];
     }
   }
+  // Nothing presses within reach: lambda is the strip's own, and there is no line.
   if (!(weights > 0.0)) {
     r.value = line ? 0.0 : edge[a];
     for (std::int32_t i = 0; i < r.count; ++i) {
@@ -231,7 +234,7 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   }
 
   // Derivatives: by a value its share of the weights times its lever, by a load how far its value is off the
-  // mean or line, and what the least spread, which does not grow with the weights, adds.
+  // mean or line; the least spread, which does not grow with the weights, adds a term.
   const double per = 1.0 / weights, mean = v * per, mean_y = y1 * per;
   const double spread = y2 * per - mean_y * mean_y + least_line_spread;
   const double slope = line ? (yv * per - mean_y * mean) / spread : 0.0;
@@ -254,10 +257,12 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
   double* const rows = w.matrix + first * stride;
   Smoothed r;
   for (std::int32_t a = 0; a < s.count; ++a) {
+    // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
     smooth_at<line>(s, w, a, edge, r);
     value[a] = r.value;
     const double factor = factor_of(a, r.value);
     double* const row = rows + a * stride;
+    // Rows before this one are replaced already: theirs come from the ring.
     std::copy_n(row, stride, w.kept_rows + a % most_within_reach * stride);
     const double* of[2 * most_within_reach];
     for (std::int32_t i = 0; i < r.count; ++i) {
@@ -266,7 +271,7 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
       r.by_value[i] *= factor;
     }
     kernels.blend_rows({r.count, stride, r.by_value, of, row});
-    // Line loads are the first unknowns.
+    // The weights' part: line loads are the first unknowns.
     for (std::int32_t i = 0; i < r.count; ++i) row[r.from + i] += factor * r.by_load[i];
   }
 }
@@ -282,6 +287,7 @@ void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, Sc
   smooth_rows<true>(
       kernels, s, size, 2 * n, w.edge_shift, w.shift,
       [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
+  // The equations' own terms, and W on the right.
   for (std::int32_t a = 0; a < n; ++a) {
     double* const lambda_row = w.matrix + (n + a) * size.stride;
     double* const shift_row = w.matrix + (2 * n + a) * size.stride;
@@ -320,6 +326,7 @@ std::int64_t pressure_jacobian_doubles(std::int32_t most) {
 void differentiate_pressures(const PressureModel& model, double* workspace, const PressedStrips& s) noexcept {
   const std::int32_t n = s.count;
   if (n == 0) return;
+  // Equations of all unknowns: contact, lambda and shift of every strip.
   Arena arena(workspace);
   Scratch w = cut(arena, n);
   const Size size = size_of(n);

@@ -62,6 +62,7 @@ inline Sloped read_sloped(const double* table, const Sloped& tau) {
   constexpr OctaveAxis axis = InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours value = pick(table, indices(place.interval));
+  // Linear between two nodes: the rise times the slope of the fraction is the derivative.
   const Pack rise = value.behind - value.at;
   return chained(tau, value.at + place.fraction * rise,
                  rise * fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v));
@@ -130,6 +131,7 @@ inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t firs
   const Pack distance = magnitude(load_pack(sources.place + first) - Pack(point.place));
   s.tau = over_length(distance);
   s.row = row_place(distance, inverse);
+  // |x - c| / l has the sign of x - c in its derivative by x.
   const Pack offset = Pack(point.x) - load_pack(sources.centre + first);
   s.xi = over_length(magnitude(offset));
   s.xi.x = select(offset < zero, zero - inverse, inverse);
@@ -176,6 +178,7 @@ inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSource
                                 const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
+    // J(tau, xi); the mean over its own width where the point is an edge of the source.
     Sloped seen = line_potential_sloped(tables.line, s.row, s.xi);
     if (any(s.own)) seen = select(s.own, read_sloped(tables.line.edge_under, s.half_width), seen);
     store_sloped(s.factor * seen, first, slopes);

@@ -1,5 +1,5 @@
-/// What crosses between contact on the rail's surface and the kernels of an instruction set: plain data, no
-/// constructors.
+/// Numbers that cross between contact on the rail's surface and the kernels of an instruction set: plain
+/// data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ struct SurfacePoints {
 
 /// Edges of the sources themselves, x = centre +- half length, and the displacements there. Whole packs.
 struct SurfaceEdges {
-  const std::int32_t* row;     ///< of each strip's pairs with the sources
+  const std::int32_t* row;     ///< row of each strip's pairs with the sources
   const double* half_length;   ///< [m]
   double *leading, *trailing;  ///< results [m]; trailing nullptr: not wanted
 };
@@ -86,10 +86,10 @@ struct SlopesRowTask {
   SurfaceSlopes seen;
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
-  const double *line_load, *q_dl_dL;  ///< of each source: q [N/m], q dl/dL [Pa]
-  const double* direction;            ///< of each source, `directions` of them
+  const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
+  const double* direction;            ///< each source: `directions` numbers
   double* row;                        ///< by q, by L and by centre, `count` of each
-  double* sum;                        ///< of q J direction over the sources
+  double* sum;                        ///< sums of q J direction over the sources
 
   static constexpr std::int32_t directions = 16;
 };

@@ -83,7 +83,7 @@ struct TurnedGap {
 };
 
 // Hertz's ellipse is a semi-ellipse along whatever strips it is cut into.
-TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
+TEST(SurfacePressure, HertzsEllipseLiesAskewToTheStrips) {
   const double compliance = test::steel.normal_compliance(), approach = 60e-6;
   for (const double ratio : {0.15, 0.4, 3.0})
     for (const double degrees : {0.0, 10.0, 30.0, 60.0}) {
@@ -195,7 +195,7 @@ struct DifferentiatedGap {
 
 // Central differences of the solver, by every number of an overlap, in every unknown. Over so small steps
 // hardly a distance passes a node of the tables, where derivatives leap.
-TEST(SurfaceNormal, DerivativesOfPressuresAreDifferencesOfSolutions) {
+TEST(SurfacePressure, DerivativesOfPressuresAreDifferencesOfSolutions) {
   const double compliance = test::steel.normal_compliance(), step = 1e-6;
   ArcedGap gap;
   gap.solve_exactly(compliance);
@@ -230,7 +230,7 @@ TEST(SurfaceNormal, DerivativesOfPressuresAreDifferencesOfSolutions) {
 }
 
 // dN/d(approach) = 3/2 N / approach, dL/L = d(approach)/approach at the middle: Hertz.
-TEST(SurfaceNormal, DerivativesOfPressuresAreHertzs) {
+TEST(SurfacePressure, DerivativesOfPressuresAreHertzs) {
   const double compliance = test::steel.normal_compliance(), approach = 60e-6;
   for (const double degrees : {0.0, 30.0}) {
     SCOPED_TRACE(degrees);
@@ -259,7 +259,7 @@ TEST(SurfaceNormal, DerivativesOfPressuresAreHertzs) {
 }
 
 // Least squares, solved as the two equations that its definition gives; 0 where nothing is within reach.
-TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
+TEST(SurfacePressure, LinesGoThroughWhatIsNear) {
   constexpr int sources = 11, strips = 37;
   constexpr double reach = 4e-3, least = 1e-3;
   double source_place[sources], weight[sources], value[sources];
@@ -296,7 +296,7 @@ TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
 }
 
 // Lowered and moved along the rail at once, by what a wheel does in a millisecond or two.
-TEST(SurfaceNormal, AWarmStartFollowsItsOverlaps) {
+TEST(SurfacePressure, AWarmStartFollowsItsOverlaps) {
   const double compliance = test::steel.normal_compliance(), A = 1.0, B = 1.5;
   constexpr struct {
     double deeper, aside, left;  // [m], [m], of what moves otherwise: strips at the rim enter and leave
