@@ -90,10 +90,7 @@ Fault find_patches(Contact& contact) {
       continue;
     }
     if (contact.patches == contact.model->options.max_patches) {
-      return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "config.planar.max_patches",
-              .value = static_cast<double>(contact.patches),
-              .unit = "patches"};
+      return Fault::more_patches("config.planar.max_patches", {contact.patches, "patches"});
     }
     Patch& patch = contact.patch[contact.patches];
     patch = {};
@@ -108,10 +105,6 @@ Fault find_patches(Contact& contact) {
     first = end;
   }
   return {};
-}
-
-Fault sequence(const char* field, const char* cause) {
-  return {.status = WRC_ERROR_SEQUENCE, .field = field, .cause = cause};
 }
 
 }  // namespace
@@ -199,7 +192,7 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   contact.posed = false;
   const Model& model = *contact.model;
   if (!model.has_geometry) {
-    return sequence(
+    return Fault::sequence(
         "pose", "the model was made without profiles: hand over a gap, or give config.wheel and config.rail");
   }
   std::int32_t found = 0;
@@ -232,9 +225,9 @@ SurfaceGap surface_gap(const Contact& contact) {
 
 Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
   if (!contact.posed)
-    return sequence("pose", "call wrc_planar_geometry first: creepages belong to its contact point");
+    return Fault::sequence("pose", "call wrc_planar_geometry first: creepages belong to its contact point");
   rigid = creepage(posed(bodies(contact).wheel, contact.pose), contact.point, motion);
-  if (rigid.limited) return {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "motion"};
+  if (rigid.limited) return Fault::creepages_limited("motion");
   return {};
 }
 
@@ -307,12 +300,13 @@ constexpr double least_damping_factor = 1e-9;
 }  // namespace
 
 Fault solve_normal(Contact& contact, const Load& load) {
-  if (contact.gap_rows == 0) return sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
+  if (contact.gap_rows == 0)
+    return Fault::sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
   back_to(contact, Stage::gap);
   contact.pressed = true;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
-    return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach"};
+    return Fault::no_contact("load.approach");
   }
   const ModelOptions& options = contact.model->options;
   NormalProblem problem;
@@ -331,11 +325,9 @@ Fault solve_normal(Contact& contact, const Load& load) {
   Fault fault = options.normal_method->planar ? options.normal_method->planar(problem, strips, contact.normal)
                                               : options.normal_method->solve(contact, problem, strips);
   if (!fault.failed() && strips.count > 0 && !carries_load(strips))
-    fault = {.status = WRC_ERROR_LOAD,
-             .field = "gap",
-             .cause =
-                 "no patch of finite size and pressure: is the gap flat, or far more slender than "
-                 "config.planar.strips can resolve?"};
+    fault = Fault::load("gap",
+                        "no patch of finite size and pressure: is the gap flat, or far more slender than "
+                        "config.planar.strips can resolve?");
   if (fault.failed()) {
     back_to(contact, Stage::gap);
     return fault;
@@ -350,7 +342,7 @@ Fault solve_normal(Contact& contact, const Load& load) {
     const double factor = damping_factor(load.approach_velocity, load.damping);
     if (factor < least_damping_factor) {
       back_to(contact, Stage::patch);
-      return {.status = WRC_FLAG_NO_CONTACT, .field = "load.approach_velocity"};
+      return Fault::no_contact("load.approach_velocity");
     }
     scale_pressure(contact, strips, factor);
     contact.normal.stiffness *= factor;
@@ -379,7 +371,7 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   std::transform(strips.peak, strips.peak + strips.count, ours.peak, flush_subnormals);
   const Fault fault = find_patches(contact);
   contact.touching = contact.extent.normal_force > 0.0;
-  return contact.touching ? fault : Fault{.status = WRC_FLAG_NO_CONTACT};
+  return contact.touching ? fault : Fault::no_contact();
 }
 
 Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force) {
@@ -405,9 +397,9 @@ Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_forc
 
 Fault regularise_patch(Contact& contact) {
   if (contact.reached < Stage::patch) {
-    return sequence("strips", "there is no patch: call wrc_planar_normal first, or hand over strips");
+    return Fault::sequence("strips", "there is no patch: call wrc_planar_normal first, or hand over strips");
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!contact.touching) return Fault::no_contact();
   Fault fault;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];

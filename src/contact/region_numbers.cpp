@@ -43,9 +43,9 @@ void for_regions(Contact& contact, std::int32_t index, Use&& use) {
 /// The stages' tangential one, and contact.
 Fault rolling_needed(const Contact& contact) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
+    return Fault::sequence("forces", "call wrc_planar_tangential first");
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!contact.touching) return Fault::no_contact();
   return {};
 }
 
@@ -55,9 +55,8 @@ Fault region_tractions_needed(const Contact& contact, std::int32_t index, const 
   if (fault.status != WRC_OK) return fault;
   if (contact.newest == Solution::stages) return tractions_needed(contact, why_not);
   if (has_tractions(contact)) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "config.tangential.method",
-          .cause = "whole patches rolled: their strips have no tractions"};
+  return Fault::unsupported("config.tangential.method",
+                            "whole patches rolled: their strips have no tractions");
 }
 
 // ----------------------------------------------------------------------------------------------------------
@@ -324,7 +323,7 @@ Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const 
 Fault tractions_needed(const Contact& contact, const char* why_not) {
   const Fault fault = rolling_needed(contact);
   if (fault.failed() || gives_fields(contact)) return fault;
-  return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};
+  return Fault::unsupported("config.tangential.method", why_not);
 }
 
 Fault assess_damage(Contact& contact) {

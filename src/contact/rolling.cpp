@@ -129,19 +129,14 @@ RollingMemory memory_of(Contact& contact, const Patch& patch) {
 Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
   if (!contact.model->options.non_steady) return {};
   if (friction.law.heated()) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = "friction.temperature_law",
-        .cause =
-            "config.planar.non_steady rolls on once a step, friction over temperature would several times"};
+    return Fault::unsupported(
+        "friction.temperature_law",
+        "config.planar.non_steady rolls on once a step, friction over temperature would several times");
   }
   if (rolling.way > 0.0 && rolling.reverse_share == 0.0) return {};
-  return {
-      .status = WRC_ERROR_UNSUPPORTED,
-      .field = "creepage.speed",
-      .value = rolling.way * rolling.speed,
-      .unit = "m/s",
-      .cause = "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill"};
+  return Fault::unsupported(
+      "creepage.speed", {rolling.way * rolling.speed, "m/s"},
+      "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill");
 }
 
 /// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
@@ -258,14 +253,12 @@ Friction friction_of(const Contact& contact) {
 Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
                        const Rolling& rolling, TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "patch",
-            .cause = "there is no patch: call wrc_planar_normal first, or hand over strips or a patch"};
+    return Fault::sequence("patch",
+                           "there is no patch: call wrc_planar_normal first, or hand over strips or a patch");
   }
   if (friction.zone_frame != ZoneFrame::contact && !contact.posed) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "friction.zone_frame",
-            .cause = "zones over a profile need the contact point of a wrc_planar_geometry"};
+    return Fault::sequence("friction.zone_frame",
+                           "zones over a profile need the contact point of a wrc_planar_geometry");
   }
   if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
   contact.reached = Stage::tangential;
@@ -280,7 +273,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   if (!contact.touching) {
     if (memory) end_step(memory);
     contact.rolled = 0.0;
-    return {.status = WRC_FLAG_NO_CONTACT};
+    return Fault::no_contact();
   }
   Fault fault;
   contact.law = friction;
@@ -311,10 +304,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
   if (rolling.reverse_share > 0.0) {
-    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
-                       .field = "creepage.reverse_share",
-                       .value = rolling.reverse_share,
-                       .unit = ""});
+    keep_worst(fault, Fault::creepages_limited("creepage.reverse_share", {rolling.reverse_share, ""}));
   }
   return fault;
 }
