@@ -8,8 +8,8 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "base/checksum.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/state.hpp"
 #include "tangential/force_table/force_table_file.hpp"
 
 namespace wrc::abi {

@@ -15,6 +15,7 @@
 #include "abi/wheel.hpp"
 #include "base/elementary.hpp"
 #include "contact/methods.hpp"
+#include "contact/stages.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/subsurface.hpp"
@@ -320,7 +321,7 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   // The solver rolls along x: rolling backwards is the mirror image.
   Strips strips = all_strips(contact);
   std::vector<double> centre(strips.centre, strips.centre + strips.count);
-  for (double& x : centre) x *= rolling.way;
+  for (double& x : centre) x *= rolling.direction;
   strips.centre = centre.data();
   const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
   halfspace::RollingProblem problem;
@@ -331,8 +332,8 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
     for (int i = 0; i < grid.nx; ++i) problem.friction[grid.index(i, j)] = friction;
   }
   problem.creepage = contact.creepage;
-  problem.creepage.longitudinal *= rolling.way;
-  problem.creepage.spin *= rolling.way;
+  problem.creepage.longitudinal *= rolling.direction;
+  problem.creepage.spin *= rolling.direction;
   problem.progress = reporter.callback();
   Material material = contact.model->options.material;
   const double layer = friction_of(contact).slope_reduction;  // as in halfspace/surface_contact.cpp
@@ -340,9 +341,9 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   const halfspace::RollingSolution exact =
       halfspace::RollingSolver(grid, material, {}, contact.model->options.coupling * layer).solve(problem);
   if (exact.fault.failed()) return exact.fault;
-  result.fx = rolling.way * exact.forces.fx;
+  result.fx = rolling.direction * exact.forces.fx;
   result.fy = exact.forces.fy;
-  result.mz = rolling.way * exact.forces.mz;
+  result.mz = rolling.direction * exact.forces.mz;
   result.power = exact.power_by_balance * rolling.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
   const double limit = contact.friction * contact.extent.normal_force;

@@ -8,7 +8,7 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "abi/wear.hpp"
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
 
 namespace wrc::abi {
 namespace {

@@ -1,4 +1,6 @@
 /// The stages and the step: arguments checked and translated, outputs zeroed on failure.
+#include "contact/stages.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>

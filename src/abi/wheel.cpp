@@ -179,7 +179,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
   hosted.frame_turning[2] = hosted.frame_speed * ours.frame.curvature;
   hosted.load_prescribed = !height;
-  hosted.start_anew = ours.start == WRC_START_COLD;
+  hosted.from_scratch = ours.start == WRC_START_COLD;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
@@ -220,7 +220,7 @@ wrc_wrench_derivatives derivatives_of(const HostJacobian& slopes) {
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
 Fault solve(Contact& contact, const wrc_wheel_input* input, HostJacobian* slopes = nullptr) {
-  contact.wheel_solved = 0;
+  contact.wheel_solved = false;
   HostWheel hosted;
   const Fault reading = read_hosted(input, *contact.model->options.tangential_method, hosted);
   if (reading.failed()) return reading;

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "contact/plane_over.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc {
 namespace {
@@ -95,7 +96,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
   const double outward = contact.side == Side::right ? 1.0 : -1.0;
   const Creepage& creepage = contact.creepage;
   const std::int32_t cells = model.options.sizes.cells;
-  Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.way, wheel, rail, totals);
+  Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.direction, wheel, rail, totals);
   for (std::int32_t p = 0; p < contact.patches; ++p) {
     const Patch& patch = contact.patch[p];
     const std::int32_t first = patch.region_first, count = patch.region_count;
@@ -136,7 +137,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
 
 Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                         const DamageBins* rail, DamageTotals& totals) {
-  if (contact.wheel_solved == 0) return Fault::sequence("wrench", "call wrc_contact_wrench first");
+  if (!contact.wheel_solved) return Fault::sequence("wrench", "call wrc_contact_wrench first");
   const Model& model = *contact.model;
   const StripResults& kept =
       reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;

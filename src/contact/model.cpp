@@ -4,8 +4,8 @@
 #include <new>
 
 #include "base/checksum.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/state.hpp"
 #include "geometry/profile_points.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"

@@ -160,7 +160,7 @@ void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
   result.rolled = result.adhesion_known = true;
   result.tangential = patch.forces;
   result.creepage = contact.creepage;
-  result.rolling_speed = contact.rolling.way * contact.rolling.speed;
+  result.rolling_speed = contact.rolling.direction * contact.rolling.speed;
   result.power = patch.forces.power_per_speed * contact.rolling.speed;
   if (result.placed) turn_forces(contact, patch, result);
 }
@@ -168,7 +168,7 @@ void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
 }  // namespace
 
 std::int32_t region_count(const Contact& contact) {
-  if (contact.newest == Solution::wheel) return contact.wheel_solved == 0 ? 0 : contact.wheel.wrench.regions;
+  if (contact.newest == Solution::wheel) return !contact.wheel_solved ? 0 : contact.wheel.wrench.regions;
   return contact.patches;
 }
 
@@ -183,7 +183,7 @@ std::int32_t cells_of_newest(const Contact& contact) {
 
 Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
   const bool wheel = contact.newest == Solution::wheel;
-  if (wheel && contact.wheel_solved == 0)
+  if (wheel && !contact.wheel_solved)
     return Fault::sequence("contact", "the last wheel on a rail has failed");
   if (!wheel && contact.reached < Stage::patch)
     return Fault::sequence("contact",

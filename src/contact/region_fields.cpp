@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
 #include "contact/rolled_region.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 

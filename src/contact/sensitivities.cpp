@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "contact/contact.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc {
 namespace {

@@ -1,9 +1,10 @@
 /// A wheel on a rail: from the axes, sides and reference points of the host to those of src/surface and back.
+#include "contact/wheel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/elementary.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
 #include "surface/geometry/rail_direction.hpp"
 
@@ -174,7 +175,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostWrench& result
 }
 
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
-  contact.wheel_solved = 0;
+  contact.wheel_solved = false;
   contact.newest = Solution::wheel;
   if (slopes) *slopes = {};
   contact.wheel = {};
@@ -199,8 +200,8 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
   RailFrameJacobian found, by_track;
-  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state, work_space(contact), wrench,
-                              slopes ? &found : nullptr, slopes ? &by_track : nullptr);
+  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
+                              wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
   const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
@@ -214,7 +215,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   if (slopes) hand_back(model, hosted, placed, found, by_track, *slopes);
   hand_back(model, placed, result);
   if (!hosted.load_prescribed) wrench.height = hosted.z;
-  contact.wheel_solved = 1;
+  contact.wheel_solved = true;
   return fault;
 }
 
