@@ -144,8 +144,7 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
     if (expected < load_tolerance) options = exact;
     miss_before = miss;
   }
-  keep_worst(fault,
-             {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = asked, .unit = "N"});
+  keep_worst(fault, Fault::iteration_cap("input.vertical_load", {asked, "N"}));
   return fault;
 }
 
@@ -259,11 +258,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWo
 
   const WayDown way = look_down(model, in, w, start, out);
   const auto climbing = [&](const char* cause, const Fault& beside) {
-    Fault fault{.status = WRC_FLAG_CLIMBING,
-                .field = "input.vertical_load",
-                .value = asked,
-                .unit = "N",
-                .cause = cause};
+    Fault fault = Fault::climbing("input.vertical_load", {asked, "N"}, cause);
     keep_worst(fault, beside);
     return fault;
   };

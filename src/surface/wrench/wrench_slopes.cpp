@@ -70,7 +70,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (Number** a : {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
                      &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz})
     numbers(*a, 1);
-  numbers(w.numbers, RollingArraysOf<Number>::count);
+  w.numbers = reinterpret_cast<Number*>(take(rolling_doubles<Number>(most)));
   w.values = take(most * kernel_numbers);
   w.slopes = take(most * 3 * simd::strip_inputs);
   return std::max(take.at, end) - memory;
@@ -111,7 +111,8 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
     mirror(s.slip_x);
     mirror(s.spin);
   }
-  const RollingArraysOf<Number> a = strip_numbers::arrays(w.numbers, n);
+  Arena scratch(w.numbers);
+  const RollingArraysOf<Number> a = cut_rolling_arrays<Number>(scratch, n);
   using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   strip_numbers::link<Each>(rolls, a);
@@ -334,12 +335,9 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     if (s.count == most_differentiated_strips) {
-      return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "strips in contact",
-              .value = 1.0 + most_differentiated_strips,
-              .unit = "",
-              .high = most_differentiated_strips,
-              .cause = "there is no room for the derivatives of so many"};
+      return Fault::more_patches("strips in contact",
+                                 {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
+                                 "there is no room for the derivatives of so many");
     }
     const std::int32_t k = s.count++, j = o.strip[i];
     s.place[k] = work.rail.s[j];
