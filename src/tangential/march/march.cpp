@@ -3,21 +3,23 @@
 #include "base/elementary.hpp"
 #include "kernels/kernels.hpp"
 #include "patch/strips.hpp"
-#include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
 
-/// Bound at the middle of each strip, as the factors of a common part and of what differs between strips.
+/// Bound at the middle of a strip [Pa] as the sum of factors times its peak pressure, half length, and the
+/// square of that.
 struct BoundScale {
-  double per_pressure = 0.0;       ///< elliptic: mu
-  double per_length = 0.0;         ///< ellipsoidal: mu N / IInt sqrt(x_l^2 - x^2) dA
-  double per_length_square = 0.0;  ///< parabolic: mu N / IInt (x_l^2 - x^2) dA
+  double per_pressure = 0.0;       ///< elliptic: mu [-]
+  double per_length = 0.0;         ///< ellipsoidal: mu N / IInt sqrt(x_l^2 - x^2) dA [Pa/m]
+  double per_length_square = 0.0;  ///< parabolic: mu N / IInt (x_l^2 - x^2) dA [Pa/m^2]
 };
 
 BoundScale bound_scale(const TangentialProblem& problem) {
   if (problem.bound == TractionBound::elliptic) return {.per_pressure = problem.friction.mean};
+  // mu N over the integral of the form over all strips: 4/3 l^3 or pi/2 l^2 per width
   const bool parabolic = problem.bound == TractionBound::parabolic;
   double integral = 0.0;
   const Strips& strips = problem.region;
@@ -32,6 +34,8 @@ BoundScale bound_scale(const TangentialProblem& problem) {
 /// The problem for the kernels; it points into its arguments.
 simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
                         const TangentialFields& fields) {
+  // growths g_x = nu_x / L11 - phi y / L13 and g_y = nu_y / L22 + phi x / L23 [Pa/m], with their derivatives
+  // by nu_x, nu_y, phi
   const Creepage& c = problem.creepage;
   const Flexibility& L = problem.flexibility;
   const BoundScale scale = bound_scale(problem);
@@ -55,11 +59,6 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   return task;
 }
 
-TangentialForces forces_of(const simd::Sums& sums) {
-  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
-          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
-}
-
 }  // namespace
 
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
@@ -67,6 +66,7 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   simd::Sums sums;
   const simd::MarchTask task = task_of(problem, grid, fields);
   const Kernels& kernels = *grid.kernels;
+  // a kernel of its own for each kind of result: no field or derivative costs calls that do not ask for it
   const auto kernel = sensitivities  ? kernels.march_sensitivities
                       : fields.any() ? kernels.march_fields
                                      : kernels.march;
