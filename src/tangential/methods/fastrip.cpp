@@ -36,14 +36,6 @@ StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
           1.0};
 }
 
-/// FASTSIM's part: traction bound and flexibilities [m/Pa].
-struct Fastsim {
-  Flexibility separate;
-  double common = 0.0;  ///< for strips that slip as a whole
-  TractionBound bound = TractionBound::elliptic;
-  double load_factor = 1.0;
-};
-
 /// Arrays of FASTSIM's tractions over cells.
 std::array<double*, 4> cut(Arena& arena, std::int64_t cells) {
   std::array<double*, 4> arrays{};
@@ -51,16 +43,25 @@ std::array<double*, 4> cut(Arena& arena, std::int64_t cells) {
   return arrays;
 }
 
-/// FASTSIM's tractions, in the contact's workspace.
-SlipDirections directions_of(const Fastsim& fastsim, const RollingContact& contact) {
+/// FASTSIM's tractions with separate flexibilities, and with the common one, in the contact's workspace.
+SlipDirections directions_of(const RollingContact& contact, Fault& fault) {
+  const Flexibility separate = linear_flexibility(contact, fault);
+  const double common =
+      common_flexibility(separate, contact.a, contact.b, contact.elastic_shape_number(), contact.creepage);
+  TangentialProblem problem{contact.region, contact.creepage, separate, contact.friction,
+                            TractionBound::elliptic};
+  // on the equivalent ellipse, as published: the parabolic bound, of a load larger by 1 + (1 - a/b)^4 for a <
+  // b
+  if (contact.model.on_ellipse) {
+    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
+    problem.bound = TractionBound::parabolic;
+    problem.friction.mean *= 1.0 + slender * slender * slender * slender;
+  }
   Arena arena(contact.workspace);
   const auto [x, y, common_x, common_y] =
       cut(arena, static_cast<std::int64_t>(contact.region.count) * contact.grid->cells);
-  const StripFriction friction{contact.friction.mean * fastsim.load_factor, contact.friction.shares};
-  TangentialProblem problem{contact.region, contact.creepage, fastsim.separate, friction, fastsim.bound};
   march(problem, *contact.grid, {x, y, nullptr, nullptr});
-  const double l = fastsim.common;
-  problem.flexibility = {l, l, l, l};
+  problem.flexibility = {common, common, common, common};
   march(problem, *contact.grid, {common_x, common_y, nullptr, nullptr});
   return {x, y, common_x, common_y};
 }
@@ -99,20 +100,10 @@ std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells) {
 }
 
 TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
-  Fastsim fastsim;
-  fastsim.separate = linear_flexibility(contact, fault);
-  fastsim.common = common_flexibility(fastsim.separate, contact.a, contact.b, contact.elastic_shape_number(),
-                                      contact.creepage);
-  // on the equivalent ellipse, as published: the parabolic bound, of a load larger by 1 + (1 - a/b)^4 for a <
-  // b
-  if (contact.model.on_ellipse) {
-    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
-    fastsim.bound = TractionBound::parabolic;
-    fastsim.load_factor = 1.0 + slender * slender * slender * slender;
-  }
+  const SlipDirections directions = directions_of(contact, fault);
   const StripGrowth growth =
       contact.model.of_sdec ? growth_on_sdec(contact, fault) : growth_on_ellipse(contact, fault);
-  return solve(contact, growth, directions_of(fastsim, contact), fields);
+  return solve(contact, growth, directions, fields);
 }
 
 }  // namespace wrc
