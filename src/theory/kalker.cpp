@@ -96,13 +96,8 @@ KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
             in_table(tables::c23s, c23_, ratio).value};
   }
 
-  keep_worst(fault, Fault{.status = WRC_FLAG_TABLE_RANGE,
-                          .field = "patch axis ratio a/b",
-                          .value = ratio,
-                          .unit = "1",
-                          .low = lowest,
-                          .high = highest,
-                          .cause = "Kalker's asymptote for slender ellipses is used"});
+  keep_worst(fault, Fault::table_range("patch axis ratio a/b", {ratio, "1", lowest, highest},
+                                       "Kalker's asymptote for slender ellipses is used"));
   // Beyond the table: asymptotes in g, here and at the table's end, and the table's slope there by g.
   const bool is_narrow = ratio < lowest;
   const double end = is_narrow ? lowest : highest;
