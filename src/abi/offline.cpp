@@ -1,6 +1,4 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
-#include "abi/offline.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "abi/guarded.hpp"
 #include "abi/handles.hpp"
 #include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
