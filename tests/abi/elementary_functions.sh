@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# No room but the offline solver's calls the C library's transcendental functions: glibc picks their code by
+# No module but the offline solver's calls the C library's transcendental functions: glibc picks their code by
 # instruction set, and the last bit of a result with it. src/base/elementary.hpp has what the others need.
-#   elementary_functions.sh object...      the library's object files, .../src/<room>/<file>.o
+#   elementary_functions.sh object...      the library's object files, .../src/<module>/<file>.o
 set -euo pipefail
 functions='(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|cbrt|hypot|[lt]gamma|erfc?|fma|fmod|remainder|j[01n]|y[01n])[fl]?'
 status=0 checked=0 offline=

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The checks of the house see a planted defect, each on a made tree: tools/house and one_definition.sh."""
+"""The checks of the sources see a planted defect, each on a made tree: tools/house, duplicates.sh and the scripts beside this."""
 import contextlib
 import io
+import json
 import pathlib
 import subprocess
 import sys
@@ -149,17 +150,74 @@ class References(Tree):
             self.assertEqual(references.main(), 1)
 
 
-class OneDefinition(Tree):
-    def status(self):
-        return subprocess.run([ROOT / "tests/scripts/one_definition.sh", "g++", self.root / "src"], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL).returncode
+class Scripts(Tree):
+    def ran(self, *command):
+        return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def passes(self, *command):
+        ran = self.ran(*command)
+        self.assertIn(ran.returncode, (0, 77), ran.stdout)
+
+    def fails(self, *command):
+        ran = self.ran(*command)
+        self.assertFalse(ran.returncode == 0, ran.stdout)
+        return ran.stdout
+
+    def test_format(self):
+        command = [ROOT / "tests/scripts/formatted.sh", self.root]
+        self.fails(*command)  # nothing to look at
+        (self.root / ".clang-format").write_text((ROOT / ".clang-format").read_text())
+        self.put("src/base/a.cpp", "int f() { return 1; }\n")
+        self.passes(*command)
+        self.put("src/base/a.cpp", "int  f( ){ return 1; }\n")
+        self.fails(*command)
+
+    def test_tidy(self):
+        (self.root / ".clang-tidy").write_text((ROOT / ".clang-tidy").read_text())
+        file = self.root / "src/base/a.cpp"
+        (self.root / "compile_commands.json").write_text(json.dumps(
+            [{"directory": str(self.root), "file": str(file), "command": f"g++ -std=c++20 -c {file}"}]))
+        self.put("src/base/a.cpp", "int f(const int* a) { return *a; }\n")
+        self.passes(ROOT / "tests/scripts/tidy.sh", self.root, file)
+        self.put("src/base/a.cpp", "int f() {\n  const int* a = nullptr;\n  return *a;\n}\n")
+        self.fails(ROOT / "tests/scripts/tidy.sh", self.root, file)
+
+    def test_duplicates(self):
+        body = "".join(f"  sum{k} += values[{k}] * (weights[{k}] - mean) / total;\n  if (sum{k} > {k}.0) {{ limit({k}, sum{k}); }}\n"
+                       for k in range(8))
+        self.put("src/base/one.cpp", f"void f() {{\n{body}}}\n")
+        self.put("src/base/other.cpp", f"void g() {{\n{body}}}\n")
+        said = self.fails(ROOT / "tests/duplicates.sh", self.root)
+        self.assertTrue("src/base/one.cpp\nsrc/base/other.cpp" in said or "skipped" in said, said)
+
+    def test_suites(self):
+        """A program that runs what it is asked for, of two suites."""
+        self.put("program", """#!/bin/sh
+case "$*" in
+  *list_tests*One.*) echo Other.; echo "  Test" ;;
+  *list_tests*) ;;
+  *One.*-) echo "[  PASSED  ] 3 tests." ;;
+  *) echo "[  PASSED  ] 0 tests." ;;
+esac
+""")
+        (self.root / "program").chmod(0o755)
+        self.put("one_test.cpp", "TEST(One, Passes) {}\nTEST_F(One, Also) {}\n")
+        self.put("empty_test.cpp", "// TEST(One, IsNone) {}\n")
+        suites, one = [ROOT / "tests/scripts/suites.sh", self.root / "program"], self.root / "one_test.cpp"
+        self.passes(*suites, "", one)
+        self.fails(*suites, "One.*", one)  # none is left
+        self.fails(*suites, "", self.root / "empty_test.cpp")
+        self.fails(*suites, "--left", one)  # Other's
+        self.put("other_test.cpp", "TEST(Other, Test) {}\n")
+        self.passes(*suites, "--left", self.root / "other_test.cpp")
 
     def test_two_structs_of_a_name(self):
+        command = [ROOT / "tests/scripts/one_definition.sh", "g++", self.root / "src"]
         self.put("src/base/one.cpp", "namespace a { struct Range { int first; }; int f(Range r) { return r.first; } }")
         self.put("src/base/other.cpp", "namespace b { struct Range { double first; }; double f(Range r) { return r.first; } }")
-        self.assertIn(self.status(), (0, 77))
+        self.passes(*command)
         self.put("src/base/other.cpp", "namespace a { struct Range { double first; }; double g(Range r) { return r.first; } }")
-        self.assertIn(self.status(), (1, 77))
+        self.fails(*command)
 
 
 if __name__ == "__main__":
