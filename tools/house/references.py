@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FILE = r"[\w/.-]*\w\w\w\.(?:hpp|cpp|h|c|py|sh|md|toml|bin)\b"
+FILE = r"(?<![\w/.>*-])[\w/.-]*\w\w\w\.(?:hpp|cpp|h|c|py|sh|md|toml|bin)\b"
 IN_FILE = re.compile(rf"(\w+)\(\)(?:,? (?:and|or) (\w+)\(\))? (?:of |in |\()({FILE})")
 CALL = re.compile(r"\b([A-Za-z_]\w*)\(\)")
 COMMENT = re.compile(r"[ \t]*//[/<]*(.*)")
