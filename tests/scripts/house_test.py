@@ -66,7 +66,7 @@ class Tree(unittest.TestCase):
 class Figures(Tree):
     def checked(self, **limits):
         """(status, lines beyond the limits) of figures.py --check"""
-        usual = dict(MOST_LINES=8, MOST_PARAMETERS=2, LEAST_COMMENTS={"base": 5.0}, MOST_CYCLES=0, MOST_ARROWS_BACK=0,
+        usual = dict(MOST_LINES=8, MOST_PARAMETERS=2, LEAST_COMMENTS={"base": 5.0}, MOST_CYCLES=0, MOST_ARROWS_BACK=0, NAMESPACES=True,
                      MOST_WORDS=dict.fromkeys(figures.MOST_WORDS, 0))
         for name, value in {**usual, **limits}.items():
             setattr(figures, name, value)
@@ -113,6 +113,13 @@ class Figures(Tree):
         self.sound()
         self.put("src/base/c.hpp", '#include "abi/b.hpp"\n')
         self.sees("arrow back: base/c.hpp reads abi/b.hpp")
+
+    def test_namespace(self):
+        self.sound()
+        self.put("src/damage/c.hpp", "namespace wrc::damage {\n}\n")
+        self.assertEqual(self.checked(), (0, "0\n"))
+        self.put("src/damage/c.hpp", "namespace wrc {\n}\n")
+        self.sees("src/damage/c.hpp: not in namespace wrc::damage")
 
     def test_words(self):
         self.sound()

@@ -6,7 +6,7 @@
 Comments in bodies: lines that are only comment, in the bodies of functions, over the lines of these bodies that
 are not blank. Functions: lines, parameters (functions.py counts both; the C interface may have more parameters).
 Includes: cycles, and arrows against the order of modules. Words: comments that begin with "What" or "Of", and lines of
-comment with "what". Unit tests: the first word of a file is the module that it tests.
+comment with "what". Unit tests: the first word of a file is the module that it tests. Namespaces: each module has its own.
 """
 import argparse
 import collections
@@ -21,6 +21,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 MOST_LINES, MOST_PARAMETERS = 155, 10  # of a function outside the simd folders
 LEAST_COMMENTS = {"surface": None, "contact": None, "normal": None, "tangential": None, "halfspace": None}  # [%] in bodies
 MOST_CYCLES, MOST_ARROWS_BACK = 0, 1
+NAMESPACES = False  # is a module without a namespace of its own a failure?
 MOST_WORDS = {"begin with 'What'": None, "begin with 'of'": None, "lines with 'what'": None}
 
 # A module reads those before it. Those of one line do not read each other but as `ALLOWED` says.
@@ -132,6 +133,12 @@ def words(names):
     return counts
 
 
+def without_namespace(names):
+    """Sources outside the namespace of their module: wrc itself is that of base, wrc::simd of the kernels; abi has functions of C."""
+    return [name for name in names if module(name) not in ("base", "abi", "kernels") and "/simd/" not in name
+            and not re.search(rf"^namespace wrc::{module(name)}\b", read(name), re.M)]
+
+
 def tests_without_module(modules):
     """Unit tests by the first word of their file."""
     tests = [name for name in os.listdir(os.path.join(ROOT, "tests/unit")) if name.endswith("_test.cpp")]
@@ -168,6 +175,7 @@ def main():
     back = arrows_back(graph)
     if len(back) > MOST_ARROWS_BACK:
         failed += [f"arrow back: {node} reads {target}" for node, target in back]
+    failed += [f"{name}: not in namespace wrc::{module(name)}" for name in without_namespace(names) if NAMESPACES]
     failed += [f"tests/unit/{name}: its first word is no module of src" for name in tests_without_module(modules)]
     for kind, count in sorted(words(names).items()):
         print(f"comments, {kind}: {count}")
