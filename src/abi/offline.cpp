@@ -1,9 +1,8 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
-#include "abi/offline.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "abi/guarded.hpp"
 #include "abi/handles.hpp"
 #include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
