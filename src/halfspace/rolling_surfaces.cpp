@@ -8,17 +8,9 @@
 namespace wrc::halfspace {
 namespace {
 
-struct Vector3 {
-  double x = 0.0, y = 0.0, z = 0.0;
-};
+using Vector3 = Vec3<double>;
 
-Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vector3 operator*(double f, const Vector3& a) { return {f * a.x, f * a.y, f * a.z}; }
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Vector3 unit(const Vector3& a) { return 1.0 / std::sqrt(dot(a, a)) * a; }
 
 Vector3 to_wheel(const double (&r)[3][3], const Vector3& t) {
@@ -370,8 +362,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   return row;
 }
 
-void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
-                             double (&normal)[3]) const {
+RollingSurfaces::Motion RollingSurfaces::motion(const SurfaceRow& row, double x,
+                                                const SurfacePoint& at) const {
   const Vector3 n = normal_of(row);
   // velocity of the wheel's surface point: v + omega x arm
   const Vector3 rail_point{x, row.y + at.fall.y, row.z + at.fall.z};
@@ -396,27 +388,17 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
   const double rail_x = -(at.fall.slope_y * n.y + at.fall.slope_z * n.z);
   const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
-  // as plain arrays
-  const Vector3* const from[] = {&velocity, &across};
-  double* const to[] = {moving, normal};
-  for (int k = 0; k < 2; ++k) {
-    to[k][0] = from[k]->x;
-    to[k][1] = from[k]->y;
-    to[k][2] = from[k]->z;
-  }
+  return {velocity, across};
 }
 
 double RollingSurfaces::approach(const SurfaceRow& row, double x, const SurfacePoint& at) const {
-  double v[3], n[3];
-  motion(row, x, at, v, n);
-  return v[0] * n[0] + v[1] * n[1] + v[2] * n[2];
+  const auto [velocity, across] = motion(row, x, at);
+  return dot(velocity, across);
 }
 
 void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
                               double& along_row) const {
-  double v[3], n[3];
-  motion(row, x, at, v, n);
-  const Vector3 velocity{v[0], v[1], v[2]}, across{n[0], n[1], n[2]};
+  const auto [velocity, across] = motion(row, x, at);
   // axes of the plane across the mean normal: x's projection, and the row's tangent
   const Vector3 e_x = unit(Vector3{1.0, 0.0, 0.0} - across.x * across);
   along_x = dot(velocity, e_x);
