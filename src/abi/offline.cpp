@@ -21,7 +21,7 @@
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
-#include "surface/wrench/wrench_at_height.hpp"
+#include "surface/wrench/wheel_overlaps.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies that have rolled so far, and what they are.
@@ -405,7 +405,8 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
   SectionBlend blend[most_rail_faces];
   const Fault outside = place_strips(*surface.kernels, surface.varying, memory.data(), most_strips_of_a_rail,
                                      distance, strips, blend, steepest);
-  strips = strips_before(surface, see(surface, problem, problem.wheel.position[2]), strips);
+  strips =
+      strips_before_wheel(surface, motion_at_height(surface, problem, problem.wheel.position[2]), strips);
   const bool same_everywhere = has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
     const FaceStrips& range = strips.range[r];

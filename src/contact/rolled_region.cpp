@@ -51,7 +51,7 @@ RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool w
   speed = kept.speed;
   way = kept.backwards > 0.0 ? -1.0 : 1.0;
   if (!with_cells || kept.by_region > 0.0) return;
-  const StripFields rolled = roll_kept(*contact.model->surface, kept, first, count, work_space(contact));
+  const StripFields rolled = fields_of_strips(*contact.model->surface, kept, first, count, work_space(contact));
   for (double* const a : {rolled.traction_x, rolled.traction_y})
     for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.factor;
   fields = {rolled.traction_x, rolled.traction_y, rolled.slip_x, rolled.slip_y};

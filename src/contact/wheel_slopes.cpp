@@ -100,9 +100,9 @@ Moving moving(const HostWheel& hosted, const PlacedWheel& placed) {
   return m;
 }
 
-/// What the rail sees, by SeenInput: only the derivatives are of interest.
+/// What the rail sees, by RailFrameInput: only the derivatives are of interest.
 void see(const SurfaceModel& surface, const Moving& m, const WheelOnRail& problem, const Number& cosine,
-         const Number& sine, Number (&seen)[seen_inputs]) {
+         const Number& sine, Number (&seen)[frame_inputs]) {
   const auto along_rail = [&](Number(&v)[3]) { turn_along_rail(m.direction, v); };
   Number place[3] = {m.position[0], m.position[1] - surface.rail_origin_y - m.rail_y,
                      m.position[2] - surface.rail_origin_z - m.rail_z};
@@ -130,13 +130,13 @@ void see(const SurfaceModel& surface, const Moving& m, const WheelOnRail& proble
     turned[0] = turned[0] - roller * (seen[place_z] - 1.0 / surface.roller_curvature);
     turned[2] += roller * problem.distance;
     turning_in_rail[1] = turning_in_rail[1] - roller;
-    seen[seen_roller] = roller;
+    seen[frame_roller] = roller;
   }
   for (int i = 0; i < 3; ++i) {
-    seen[seen_velocity + i] = turned[i];
-    seen[seen_turning + i] = turning_in_rail[i];
+    seen[frame_velocity + i] = turned[i];
+    seen[frame_turning + i] = turning_in_rail[i];
   }
-  seen[seen_friction] = Number::input(1.0, friction);
+  seen[frame_friction] = Number::input(1.0, friction);
 }
 
 /// A vector of rail axes turned into those of the track.
@@ -181,16 +181,16 @@ void hand_back(const Model& model, const HostWheel& hosted, const PlacedWheel& p
   const SineCosine roll = sine_cosine(m.rail_roll.value);
   const Number cosine = m.rail_roll.chain(roll.cosine, -roll.sine);
   const Number sine = m.rail_roll.chain(roll.sine, roll.cosine);
-  Number seen[seen_inputs];
+  Number seen[frame_inputs];
   see(*model.surface, m, placed.problem, cosine, sine, seen);
 
   Number wrench[2][3];  // force, moment
   for (int part = 0; part < 2; ++part) {
     for (int i = 0; i < 3; ++i) {
-      const SeenDual& in_rail = part == 0 ? found.force[i] : found.moment[i];
+      const RailFrameDual& in_rail = part == 0 ? found.force[i] : found.moment[i];
       Number& n = wrench[part][i];
       n = in_rail.value;
-      for (std::size_t j = 0; j < seen_inputs; ++j)
+      for (std::size_t j = 0; j < frame_inputs; ++j)
         for (std::size_t k = 0; k < carried; ++k) n.d[k] += in_rail.d[j] * seen[j].d[k];
     }
     into_track(m.direction, cosine, sine, wrench[part]);

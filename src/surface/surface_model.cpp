@@ -24,8 +24,6 @@ std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_node
   return whole_lines(sizeof(SurfaceModel)) + sizeof(double) * doubles;
 }
 
-std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
-
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& made) {
   auto* const model = new (memory) SurfaceModel;
   auto* doubles = reinterpret_cast<double*>(static_cast<char*>(memory) + whole_lines(sizeof(SurfaceModel)));
