@@ -191,11 +191,9 @@ class Solver {
       }
     }
     if (lost > 1e-6 * all)
-      keep_worst(result_.fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
-                                 .field = "load beyond the strips that may touch, share",
-                                 .value = lost / all,
-                                 .unit = "",
-                                 .cause = "the method's patch is wider than the overlap it stands for"});
+      keep_worst(result_.fault,
+                 Fault::patch_at_edge("load beyond the strips that may touch, share", {lost / all, ""},
+                                      "the method's patch is wider than the overlap it stands for"));
   }
 
   const RailStrips& rail_;

@@ -23,11 +23,10 @@ bool at_end(const RailStrips& rail, std::int32_t strip) {
   return false;
 }
 
-constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
-                            .field = "contact behind the flange's tip",
-                            .cause =
-                                "the flange's back is against the rail's field side: is the wheel beside "
-                                "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?"};
+constexpr Fault on_the_back =
+    Fault::patch_at_edge("contact behind the flange's tip",
+                         "the flange's back is against the rail's field side: is the wheel beside "
+                         "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?");
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
@@ -52,17 +51,14 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
       knot = k;
     }
   }
-  if (knot < 0) return {.status = WRC_FLAG_NO_CONTACT};
-  return {.status = WRC_FLAG_NO_CONTACT,
-          .field = "depth of the wheel inside the rail",
-          .value = deepest,
-          .unit = "m",
-          .high = most,
-          .cause = knot < flange_tip(model.wheel)
-                       ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
-                         "beside its rail (input.wheel.y)?"
-                       : "the flange is inside the rail's side, where no contact is looked for: did you pass "
-                         "mm for input.wheel.y, or another gauge?"};
+  if (knot < 0) return Fault::no_contact();
+  return Fault::no_contact(
+      "depth of the wheel inside the rail", {deepest, "m", 0.0, most},
+      knot < flange_tip(model.wheel)
+          ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
+            "beside its rail (input.wheel.y)?"
+          : "the flange is inside the rail's side, where no contact is looked for: did you pass "
+            "mm for input.wheel.y, or another gauge?");
 }
 
 /// Flags of a solution that reaches beyond the profiles or the deepest overlap, or is of more strips than
@@ -70,12 +66,9 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   const WheelOverlaps& o = s.overlaps;
   if (o.full)
-    return {.status = WRC_FLAG_MORE_PATCHES,
-            .field = "strips that overlap",
-            .value = 1.0 + most_overlapping_strips,
-            .unit = "",
-            .high = 1.0 * most_overlapping_strips,
-            .cause = "those beyond, on the field side, carry nothing"};
+    return Fault::more_patches("strips that overlap",
+                               {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},
+                               "those beyond, on the field side, carry nothing");
   const RailStrips& rail = problem.rail.strips;
   const SurfaceModel& model = problem.model;
   const Curve& wheel = model.wheel.curve;
@@ -85,12 +78,8 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
     const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
     const double depth = o.depth[i];
     if (depth > deepest_overlap + rounding)
-      return {.status = WRC_FLAG_BEYOND_GAP,
-              .field = "overlap",
-              .value = depth,
-              .unit = "m",
-              .high = deepest_overlap,
-              .cause = "the load is far beyond what steel carries there"};
+      return Fault::beyond_gap("overlap", {depth, "m", 0.0, deepest_overlap},
+                               "the load is far beyond what steel carries there");
 
     // the back of the flange, where rays of the rail's field side meet the wheel behind its tip
     constexpr double falling = 0.5;  // to the field side
@@ -101,8 +90,7 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
     const bool rail_ends = at_end(rail, j);
     const double at = wheel.s[o.rays.piece[j]] + o.rays.along[j], near = rail.width[j];
     const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
-    if (rail_ends || wheel_ends)
-      return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+    if (rail_ends || wheel_ends) return Fault::patch_at_edge(rail_ends ? "config.rail" : "config.wheel");
   }
   return {};
 }
@@ -121,7 +109,7 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
         solve_planar_pressure(rail, overlaps, method, model.material, *model.kernels, work, pressure);
     solver.out.sweeps += planar.iterations;
     Fault fault = planar.fault;
-    if (planar.jumps) keep_worst(fault, {.status = WRC_FLAG_FORCE_JUMPS, .field = "config.normal.method"});
+    if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
   }
   double* const work = scratch.take(pressure_doubles(most_overlapping_strips));
@@ -129,7 +117,7 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
       solve_pressure(pressure_model(model), rail, overlaps, options, work, solver.start, pressure);
   solver.out.sweeps += normal.iterations;
   if (normal.converged) return {};
-  return {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.iterations};
+  return Fault::iteration_cap("sweeps", {normal.iterations});
 }
 
 /// Sums over the strips in contact.
@@ -235,7 +223,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
   if (in.friction > 0.0 && reference.reverse_share > 0.0)
-    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
+    keep_worst(fault, Fault::creepages_limited("rolling speed"));
   // methods of whole patches share forces among strips by load: their slips may make the sum negative
   if (solver.problem.model.methods.region.solve) out.power = larger(out.power, 0.0);
   return fault;
@@ -282,12 +270,9 @@ Fault solve_given_height(const HeightSolver& solver) {
     scale(s.sums.factor, out);
   }
   out.height = asked;
-  keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
-                     .field = "overlap",
-                     .value = deepest_overlap + asked - border,
-                     .unit = "m",
-                     .high = deepest_overlap,
-                     .cause = "did you pass millimetres?"});
+  keep_worst(fault,
+             Fault::beyond_gap("overlap", {deepest_overlap + asked - border, "m", 0.0, deepest_overlap},
+                               "did you pass millimetres?"));
   return fault;
 }
 

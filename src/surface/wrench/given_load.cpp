@@ -158,8 +158,7 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     if (expected < load_tolerance) options = exact;
     miss_before = miss;
   }
-  keep_worst(fault,
-             {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = asked, .unit = "N"});
+  keep_worst(fault, Fault::iteration_cap("input.vertical_load", {asked, "N"}));
   return fault;
 }
 
@@ -250,11 +249,7 @@ Fault solve_at_summit(const HeightSolver& solver, double low, double high) {
 }
 
 Fault climbing(double load, const char* cause, const Fault& beside) {
-  Fault fault{.status = WRC_FLAG_CLIMBING,
-              .field = "input.vertical_load",
-              .value = load,
-              .unit = "N",
-              .cause = cause};
+  Fault fault = Fault::climbing("input.vertical_load", {load, "N"}, cause);
   keep_worst(fault, beside);
   return fault;
 }

@@ -103,7 +103,7 @@ Fault sum_regions(const WheelOnRail& in, const WheelSolution& s, Wrench& out) {
         *open.region = {};
         open.region->first = strip;
       } else {
-        keep_worst(fault, {.status = WRC_FLAG_MORE_PATCHES});
+        keep_worst(fault, Fault::more_patches());
       }
     }
     last_strip = strip;

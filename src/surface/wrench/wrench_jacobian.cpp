@@ -160,12 +160,9 @@ Fault take_pressed_strips(const Differentiation& d) {
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     if (s.count == most_differentiated_strips) {
-      return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "strips in contact",
-              .value = 1.0 + most_differentiated_strips,
-              .unit = "",
-              .high = most_differentiated_strips,
-              .cause = "there is no room for the derivatives of so many"};
+      return Fault::more_patches("strips in contact",
+                                 {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
+                                 "there is no room for the derivatives of so many");
     }
     const std::int32_t k = s.count++, j = o.strip[i];
     s.place[k] = rail.s[j];
