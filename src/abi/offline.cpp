@@ -501,7 +501,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   }
   wrench.normal_force += std::sqrt(along * along + across * across);
   const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
-  hand_back(model, placed, result);
+  hand_back_wrench(model, placed, result);
   ours = wrench_of(result);
   ours.region_count = regions;
   if (!hosted.load_prescribed) ours.z = hosted.z;
