@@ -32,8 +32,8 @@ Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const Cont
   Fault fault;
   if (rolls_by_region(model, in)) {
     for (std::int32_t k = 0; k < count; ++k) scratch.x[k] = backwards ? -strips.x[k] : strips.x[k];
-    fault = roll_by_region(rolls, scratch.x, methods.region, in.slope, in.slope_reduction, scratch.region,
-                           scratch.fields, forces, heat, strips.friction);
+    const RegionRollingInput patches{rolls, scratch.x, in.slope, in.slope_reduction, heat, strips.friction};
+    fault = roll_by_region(patches, methods.region, scratch.region, scratch.fields, forces);
   } else {
     const bool needs_fields = methods.strips == SurfaceRollingMethod::fastrip;
     roll_on_surface(rolls, scratch.rolling, needs_fields ? scratch.fields : fields, forces);

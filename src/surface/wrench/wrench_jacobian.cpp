@@ -57,9 +57,9 @@ struct Scratch {
   PressedStrips pressed;
   double* pressures;  ///< scratch of differentiate_pressures(), whose memory is that of all below
   LoadedStrips loaded;
-  Number* numbers;  ///< of strip_numbers.hpp
-  double* values;   ///< for the kernel: its numbers without derivatives
-  double* slopes;   ///< from the kernel
+  RollingArraysOf<Number> rolling;
+  double* values;  ///< for the kernel: its numbers without derivatives
+  double* slopes;  ///< from the kernel
   HeatedScratch heated;
 };
 
@@ -80,7 +80,7 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   arena.each(most, {&s.place, &s.width});
   arena.each(most, {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
                     &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz});
-  w.numbers = arena.take<Number>(most * static_cast<std::int64_t>(RollingArraysOf<Number>::count));
+  w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   HeatedScratch& h = w.heated;
@@ -285,7 +285,7 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     reverse(n, s.slip_x);
     reverse(n, s.spin);
   }
-  const RollingArraysOf<Number> a = strip_numbers::arrays(d.w.numbers, n);
+  const RollingArraysOf<Number>& a = d.w.rolling;
   using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   strip_numbers::link<Each>(rolls, a);
