@@ -482,7 +482,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   wrench.area = found.area;
   wrench.peak_pressure = found.peak_pressure;
   wrench.power = found.power;
-  wrench.sweeps = found.turns + found.heights;
+  wrench.iterations = found.turns + found.heights;
   // Regions are runs of rows; the normal force is the sum of their resultants.
   double along = 0.0, across = 0.0, end = -1.0;
   int face = 0;

@@ -150,6 +150,7 @@ void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench&
 }
 
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
+  // the results of the last solve are gone, whatever follows
   contact.wheel_solved = false;
   contact.newest = Solution::wheel;
   if (slopes) *slopes = {};
@@ -170,6 +171,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
                               "wrc_contact_wrench rolls steadily: use a model without it");
   }
 
+  // solved as right-hand bodies, from the last solution unless told otherwise
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
   HostWrench& result = contact.wheel;
   Wrench& wrench = result.wrench;
@@ -177,6 +179,9 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   RailFrameJacobian found, by_track;
   fault = solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
                               wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
+
+  // a load that no height carries is an error, but for that of the climbing flag, which says where the wheel
+  // is
   const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
@@ -184,6 +189,8 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
     return Fault::load("input.vertical_load", {hosted.vertical_load, "N"},
                        "at no height does the rail carry this: is the wheel beside it?");
   }
+
+  // back to the host: places while the wrench is still that of right-hand bodies
   for (std::int32_t i = 0; i < wrench.regions; ++i)
     result.place[i] = place_of(model, problem, wrench.height, wrench.region[i].point);
   if (slopes) hand_back_jacobian(model, hosted, placed, wrench.height, found, by_track, *slopes);

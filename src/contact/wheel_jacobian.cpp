@@ -64,6 +64,7 @@ HostMotion<Number> differentiated_motion(const HostWheel& hosted) {
 
 /// Derivatives of the inputs of the rail frame: values do not count.
 void differentiate_inputs(const RelativeMotionOf<Number>& m, Number (&inputs)[frame_inputs]) {
+  // place and attitude, then velocities, which are inputs as they are
   inputs[place_y] = m.pose.y;
   inputs[place_z] = m.pose.z;
   // the turning that has no part about rail y and moves the axle e like that: d e = d theta x e, so that
@@ -91,6 +92,7 @@ void add_track(const RelativeMotion& motion, const Number (&arm)[3], bool left,
       force[i] = found.force[i].d[c];
       moment[i] = found.moment[i].d[c];
     }
+    // neither axes nor arm depend on these inputs: plain vectors
     into_track(motion, force);
     into_track(motion, moment);
     if (left) {
@@ -103,11 +105,12 @@ void add_track(const RelativeMotion& motion, const Number (&arm)[3], bool left,
       jacobian.wrench[3 + i][columns[c]] = moment[i];
     }
   }
+  // the arm turns with the wheelset: its x is distance along the track
   for (auto& row : jacobian.wrench)
     for (std::size_t k = 0; k < by_load; ++k) row[k] += row[by_distance] * arm[0].d[k];
 }
 
-/// Of a load that is given: the height follows the other inputs, so that the vertical force stays the load.
+/// With a load that is given the height follows the other inputs, so that the vertical force stays the load.
 /// dz/dx = (dF_z/dx) / k with the stiffness k = -dF_z/dz, dz/dload = 1 / k, and d/dx += d/dz dz/dx.
 void follow_load(HostJacobian& jacobian) {
   constexpr std::size_t vertical = 2;
@@ -131,6 +134,7 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
                         HostJacobian& jacobian) {
   const SurfaceModel& surface = *model.surface;
   const WheelOnRail& problem = placed.problem;
+  // the motion in the rail frame by the host's inputs, at the height that was solved
   PlacedMotion<Number> motion =
       place_motion(right_bodies(model), hosted, placed.left, differentiated_motion(hosted));
   if (placed.left) mirror_motion(motion);
@@ -161,6 +165,7 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
   }
   add_cross(moment, motion.arm, force);
 
+  // columns in the order of the host, then those along the track
   jacobian = {};
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t k = 0; k < carried; ++k) {

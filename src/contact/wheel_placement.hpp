@@ -48,6 +48,7 @@ struct PlacedMotion {
 template <class Number>
 PlacedMotion<Number> place_motion(const Bodies& right, const HostWheel& hosted, bool left,
                                   const HostMotion<Number>& m) {
+  // a wheelset's reference point is the middle of its axle, a single wheel's lies on its tape circle
   PlacedMotion<Number> placed;
   const double half_base = (left ? -1.0 : 1.0) * right.wheel.origin_y;
   if (hosted.of_wheelset) {
@@ -64,8 +65,8 @@ PlacedMotion<Number> place_motion(const Bodies& right, const HostWheel& hosted, 
   }
 
   // From velocities in the frame that follows the track to those against the ground; nothing at all where it
-  // does not move: bits stay. A height that is a result is not moved by: then the frame turns about the
-  // nominal one.
+  // does not move: bits stay. With a load given the height is a result, and the frame's velocity is taken at
+  // the nominal height.
   if (hosted.frame_speed != 0.0) {
     Number point[3] = {placed.reference[0], placed.reference[1], placed.reference[2]}, frame[3];
     if (hosted.load_prescribed) point[2] = value_of(point[2]);

@@ -31,7 +31,7 @@ constexpr Fault on_the_back =
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
   const SurfaceModel& model = problem.model;
-  constexpr double most = 4e-3;  // [m]: what rays are crossed for (outline_kernel.hpp)
+  constexpr double most = 4e-3;  // [m]: overlaps that rays are crossed for (outline_kernel.hpp)
   const RailStrips& rail = problem.rail.strips;
 
   // the knot of the wheel's outline that is deepest below the rail's profile, beyond that
@@ -73,6 +73,8 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   const Curve& wheel = model.wheel.curve;
   const bool alone = model.varying.faces < 2;  // another face may be there for the flange's back
+
+  // of the strips in contact, from the gauge side on, the first that is flagged counts
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     constexpr double rounding = 1e-9;  // [m]
     const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
@@ -107,7 +109,7 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
     double* const work = scratch.take(planar_pressure_doubles(most_overlapping_strips, method));
     const PlanarResult planar =
         solve_planar_pressure(rail, overlaps, method, model.material, *model.kernels, work, pressure);
-    solver.out.sweeps += planar.iterations;
+    solver.out.iterations += planar.iterations;
     Fault fault = planar.fault;
     if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
@@ -115,7 +117,7 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
   double* const work = scratch.take(pressure_doubles(most_overlapping_strips));
   const PressureResult normal =
       solve_pressure(pressure_model(model), rail, overlaps, options, work, solver.start, pressure);
-  solver.out.sweeps += normal.iterations;
+  solver.out.iterations += normal.iterations;
   if (normal.converged) return {};
   return Fault::iteration_cap("sweeps", {normal.iterations});
 }
@@ -159,6 +161,8 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
     strips.spin[k] = m.spin;
     strips.friction[k] = problem.in.friction;
     strips.fx[k] = strips.fy[k] = strips.mz[k] = 0.0;
+
+    // for the speed of rolling, which all slips refer to
     sums.load += N;
     sums.sliding += N * m.along;
     sums.below += N * o.wz[i];
@@ -193,16 +197,19 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
   const WheelOnRail& in = solver.problem.in;
   WheelSolution& s = solver.solution;
   Wrench& out = solver.out;
-  const std::int32_t sweeps_before = out.sweeps;
+  // a wrench of zeros, but for iterations of earlier heights
+  const std::int32_t iterations_before = out.iterations;
   out = {};
-  out.sweeps = sweeps_before;
+  out.iterations = iterations_before;
   out.height = height;
   s.sums = {};
   s.strips.count = 0;
+
+  // pressures, and of the strips that carry load the velocities over the rail
   Fault fault = solve_pressures(solver, options);
   if (fault.failed()) return fault;
   const LoadSums sums = take_loaded_strips(solver.problem, s);
-  // whatever the iterations came to: there is no force
+  // converged or not: there is no force
   if (s.strips.count == 0) return apart_or_inside(solver.problem, s.overlaps.rays);
 
   // slips are velocities over the speed of rolling, bounded below near standstill
@@ -220,6 +227,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
     keep_worst(fault, roll_strips(solver.problem, s.overlaps, s.strips, backwards, reference.divisor,
                                   reference.reverse_share, solver.scratch));
 
+  // sums, and flags that say how far they hold
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
   if (in.friction > 0.0 && reference.reverse_share > 0.0)
@@ -247,6 +255,7 @@ Fault solve_given_height(const HeightSolver& solver) {
   WheelSolution& s = solver.solution;
   Wrench& out = solver.out;
   const double asked = problem.in.wheel.position[2];
+  // the usual wheel is not that deep: the search for the border has left its overlaps already
   const double border = height_at_border(problem, asked, s.motion, s.overlaps);
   if (asked == border) return solve_overlaps(solver, asked, {});
   if (!(asked > border)) return solve_at_height(solver, asked, {});

@@ -50,6 +50,7 @@ double clearance(const WheelProblem& problem, Arena scratch) {
     const double height = problem.in.wheel.position[2] + lowered;
     const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
     const double fall = fall_to_strips(problem, motion, least_down, overlaps);
+    // Newton's method: the tangent of the nearest strip, which may be another at the next height
     lowered += fall;
     if (!(lowered > 0.0) || lowered >= farthest_touch || std::abs(fall) < close) break;
   }

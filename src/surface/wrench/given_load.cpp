@@ -58,7 +58,8 @@ class HeightSearch {
   }
 
  private:
-  static constexpr double worth_halving = 1e-5;  ///< of the straightened load: slower than that is rounding
+  static constexpr double worth_halving =
+      1e-5;  ///< part of the straightened load: slower than that is rounding
 
   struct Place {
     double height = 0.0, value = 0.0;  ///< [m], of the straightened load less the target
@@ -67,7 +68,7 @@ class HeightSearch {
   };
 
   double load_, target_;  ///< asked for [N], and straightened
-  double slope_ = 0.0;    ///< of the straightened load
+  double slope_ = 0.0;    ///< derivative of the straightened load by the height
   Place low_, high_;      ///< too little and too much beyond doubt
   Place last_;
   std::int32_t slow_ = 0;  ///< steps in a row that brought little
@@ -199,8 +200,9 @@ constexpr double descent_tolerance = 1e-4;
 /// is solved, or until many times the load presses.
 Descent sample_descent(const HeightSolver& solver) {
   constexpr double first_step = 4e-6;  // [m]
-  constexpr double counts = 1e-3;      // of the load: falls are told from rounding by it
+  constexpr double counts = 1e-3;      // part of the load: smaller falls are rounding
   constexpr double enough = 20.0;      // loads: where a wheel is wedged rather than carried
+  // heights double their distance from first touch, so that both stiff and soft faces get several
   const WheelProblem& problem = solver.problem;
   const double asked = problem.in.vertical_load;
   const auto step_of = [](std::int32_t k) { return first_step * static_cast<double>(1 << (k - 1)); };

@@ -28,6 +28,7 @@ struct OpenRegion {
 void close(const WheelOnRail& in, const RelativeMotion& motion, OpenRegion& open, Wrench& out) {
   if (!open.region) return;
   SurfaceRegion& r = *open.region;
+  // means weighted by load
   for (double& c : r.point) c /= open.load;
   for (double& c : r.creepage) c /= open.load;
 
@@ -68,6 +69,8 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
   const double N = 0.5 * pi * strips.width[k] * l * strips.solved_peak[k];
   add_force(strip_of(o, i), x, o.lean != nullptr, N, strips.fx[k], strips.fy[k], strips.mz[k], r.force,
             r.moment);
+
+  // the resultant of the pressure alone has no part along x: a grade does not count in the region's angle
   open.normal[0] += N * o.ny[i];
   open.normal[1] += N * o.nz[i];
   open.load += N;
@@ -78,6 +81,7 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
   r.creepage[1] += N * strips.slip_y[k];
   r.creepage[2] += N * strips.spin[k];
 
+  // area and frictional power are sums, the peak pressure is the largest
   const double area = 2.0 * l * strips.width[k], power = strip_power(strips, k, s.sums.speed);
   r.area += area;
   out.area += area;

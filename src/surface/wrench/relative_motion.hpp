@@ -35,10 +35,10 @@ using WheelMotion = WheelMotionOf<double>;
 /// about that origin: by roll about its own direction, which the slopes give (rail_direction.hpp).
 template <class Number>
 struct RailMotionOf {
-  Number y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]
-  Number slope_y = 0.0, slope_z = 0.0;                             ///< of its place along the track [-]
+  Number y = 0.0, z = 0.0, roll = 0.0;  ///< [m], [rad]
+  Number slope_y = 0.0, slope_z = 0.0;  ///< derivatives of its place along the track [-]
   Number velocity_y = 0.0, velocity_z = 0.0, velocity_roll = 0.0;  ///< [m/s], [rad/s]
-  Number turning = 0.0;  ///< of a roller about its axle, right-hand rule about its y [rad/s]
+  Number turning = 0.0;  ///< angular velocity of a roller about its axle, right-hand rule about its y [rad/s]
 };
 using RailMotion = RailMotionOf<double>;
 
@@ -55,7 +55,7 @@ template <class Number>
 struct RelativeMotionOf {
   RelativePoseOf<Number> pose;
   RelativeVelocityOf<Number> velocity;
-  Number cosine, sine;  ///< of the rail's roll
+  Number cosine, sine;  ///< those of the rail's roll
   bool aslant;          ///< the rail runs at an angle to the track, or its slopes carry derivatives
   RailDirection<Number> direction;
 };
@@ -131,7 +131,8 @@ RelativeMotionOf<Number> relative_motion(const SurfaceModel& model, const WheelM
   roll_into(linear, v.linear);
   roll_into(angular, v.angular);
 
-  // a roller turns about its axle, at (distance, 1 / curvature below the origin of the profile)
+  // a roller turns about its axle, from which the reference point is at x = distance, z = pose.z - 1 /
+  // curvature
   v.on_roller = model.roller_curvature != 0.0;
   v.roller = 0.0;
   if (v.on_roller) {

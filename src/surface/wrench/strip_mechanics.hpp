@@ -31,6 +31,7 @@ StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOv
   Number vx = v.linear[0] + omega[1] * o.wz - omega[2] * o.wy;
   // a roller's own point, as the wheel's, is that of the undeformed body: the overlap nearer to its axle
   if (v.on_roller) vx += v.roller * (o.depth * o.nz);
+  // v = V + omega x r, then its parts along lateral axis and normal
   const Number vy = v.linear[1] + omega[2] * x - omega[0] * o.wz;
   const Number vz = v.linear[2] + omega[0] * o.wy - omega[1] * x;
   StripMotion<Number> m{vx, vy * o.nz - vz * o.ny, vy * o.ny + vz * o.nz, omega[1] * o.ny + omega[2] * o.nz};
@@ -46,12 +47,14 @@ StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOv
 template <class Number>
 void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, const Number& N, const Number& fx,
                const Number& fy, const Number& mz, Number (&force)[3], Number (&moment)[3]) {
+  // in rail axes: tangential forces and pressure, then the parts that a grade turns into one another
   Number Fx = fx, Fy = fy * o.nz - N * o.ny, Fz = -(fy * o.ny) - N * o.nz;
   if (graded) {
     Fy += o.lean * fx * o.ny;
     Fz += o.lean * fx * o.nz;
     Fx += o.lean * N;
   }
+  // sums, moments by r x F + m_z n
   force[0] += Fx;
   force[1] += Fy;
   force[2] += Fz;

@@ -46,7 +46,7 @@ struct StripResultsHead {
   double backwards = 0.0;        ///< 1: the wheel rolls against x
   double rolls = 0.0;            ///< 1: there is friction
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
-  double slope_reduction = 1.0;  ///< of a layer between the bodies
+  double slope_reduction = 1.0;  ///< factor by a layer between the bodies
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
 };
 

@@ -29,6 +29,8 @@ Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const Cont
     rolls.slip_x = scratch.slip_x;
     rolls.spin = scratch.spin;
   }
+
+  // patch by patch, or strip by strip: FaStrip alone computes through fields
   Fault fault;
   if (rolls_by_region(model, in)) {
     for (std::int32_t k = 0; k < count; ++k) scratch.x[k] = backwards ? -strips.x[k] : strips.x[k];

@@ -16,6 +16,7 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   const WheelOnRail& in = problem.in;
   const RailStrips& rail = problem.rail.strips;
   StripResultsHead& head = results;
+  // numbers of the solution as a whole, and of the problem those that fields are computed with later
   head = s.sums;
   head.count = s.strips.count;
   head.rolls = in.friction > 0.0 ? 1.0 : 0.0;
@@ -25,6 +26,7 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
+    // place on the rail; peak and power as the wrench has them, beyond the deepest overlap with its factor
     results.strip[k] = j;
     results.y[k] = rail.y[j];
     results.z[k] = rail.z[j];
@@ -74,6 +76,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   WheelProblem problem{model, in, {}};
   const Fault outside = place_rail(model, in, sections, problem.rail);
 
+  // from the last solution where it holds one: a load is searched from its height, else below first touch
   warm = warm && state.set > 0.0;
   PressureStart start{state.length_squared, state.shift, state.depth, warm};
   out = {};
@@ -85,6 +88,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   } else {
     fault = solve_given_height(solver);
   }
+  // the state is that of the wrench: height, lengths (by `start`), strips
   state.height = out.height;
   state.set = start.set ? 1.0 : 0.0;
   complete_results(problem, solution, state.kept);
@@ -93,6 +97,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::place, arena, *jacobian));
   if (by_track && varies(model))
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::track, arena, *by_track));
+
+  // numbers of the wrench that no region has
   for (std::int32_t k = 0; k < solution.strips.count; ++k)
     out.steepest_angle = std::max(out.steepest_angle, std::abs(state.kept.angle[k] + in.rail.roll));
   if (!in.load_prescribed && is_apart(fault)) out.clearance = clearance(problem, arena);
@@ -108,6 +114,8 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
   ContactStrips strips;
   static_cast<StripArrays&>(strips) = StripArrays(results, first);
   strips.count = count;
+
+  // near standstill, where forces of both directions are blended, fields are those of the own direction
   const bool backwards = results.backwards > 0.0;
   const std::int32_t cells = model.grid->cells;
   if (!(results.rolls > 0.0)) {

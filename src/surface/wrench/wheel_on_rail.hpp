@@ -75,14 +75,14 @@ struct Wrench {
   /// is that or more; 0 in contact, and inside the rail [m].
   double clearance = 0.0;
   std::int32_t regions = 0;
-  std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
+  std::int32_t iterations = 0;  ///< number in the normal problem, all solves of the call
   SurfaceRegion region[most_surface_regions];
 };
 
 /// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.
 struct SurfaceState {
   double set = 0.0;     ///< 1: the rest holds a solution
-  double height = 0.0;  ///< of the wheel [m]
+  double height = 0.0;  ///< position[2] of the wheel [m]
   double length_squared[most_strips_of_a_rail] = {};
   double shift[most_strips_of_a_rail] = {};
   double depth[most_strips_of_a_rail] = {};  ///< overlaps [m]

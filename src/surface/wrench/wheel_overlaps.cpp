@@ -16,6 +16,7 @@ void correct_along_track(const WheelProblem& problem, const RelativeMotion& moti
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
+    // rail, roller and wheel in turn, each to the overlap that the one before has left
     StripOverlap<double> s = strip_of(o, i);
     s.lean = 0.0;
     if (model.varying.faces > 0) follow_rail(model.varying, j, rail.distance, rail.blend, s);

@@ -23,7 +23,10 @@ WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes) {
   o.capacity = most;
   o.strip = arena.take<std::int32_t>(most);
   arena.each(most, {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz});
+  // grades are only where something varies: a null pointer says that there are none
   if (sizes.varying) o.lean = arena.take(most);
+
+  // the outline over the wheel's knots, in whole packs, and ray ends over the strips of the rail
   OverlapScratch& r = o.rays;
   arena.each(simd::whole_packs(sizes.wheel_pieces + 1), {&r.y, &r.z, &r.seen});
   r.strip = arena.take<std::int32_t>(most);
@@ -45,6 +48,7 @@ WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& r
 
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
   RollingScratch r;
+  // fields: of methods that need them, of friction over temperature, and results of fields_of_strips()
   const std::int64_t cells = static_cast<std::int64_t>(most) * sizes.cells;
   arena.each(cells, {&r.fields.traction_x, &r.fields.traction_y, &r.fields.slip_x, &r.fields.slip_y});
   r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
@@ -59,12 +63,13 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
 }
 
 std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
+  // behind the results of a solve ...
   Arena results;
   if (sizes.varying) results.take(rail_strip_doubles(most_strips_of_a_rail));
   StripResults none;
   cut_solution(results, sizes, none);
 
-  // the stages' scratch, all from the same mark on
+  // ... the stages' scratch, all from the same mark on
   Arena overlaps = results, pressure = results, rolling = results, jacobian = results;
   cut_overlaps(overlaps, sizes);
   pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)

@@ -27,9 +27,10 @@ WorkSizes work_sizes(const SurfaceModel& model);
 /// The rail where the wheel is.
 struct RailBelow {
   RailStrips strips;
-  double distance = 0.0;                ///< of the wheel's reference point, as far as there are sections [m]
+  double distance =
+      0.0;  ///< along the track of the wheel's reference point, as far as there are sections [m]
   double steepest = 0.0;                ///< largest grade of a strip along the track [-]
-  SectionBlend blend[most_rail_faces];  ///< of the rail's faces there
+  SectionBlend blend[most_rail_faces];  ///< sections of the rail's faces there
 };
 
 struct WheelProblem {
@@ -47,7 +48,7 @@ struct WheelOverlaps : Overlaps {
 struct ContactStrips : StripArrays {
   std::int32_t count = 0;
   std::int32_t* candidate = nullptr;  ///< number among the overlaps
-  double* x = nullptr;                ///< of the pressure, from the wheel's reference point, rail axes [m]
+  double* x = nullptr;                ///< x of the pressure, from the wheel's reference point, rail axes [m]
 };
 
 /// Results of the stages at one height, which belong together: find_wheel_overlaps(), the normal problem, and
@@ -67,8 +68,8 @@ struct RollingScratch {
   double *slip_x, *spin;                   ///< mirrored, of rolling backwards
   double *other_fx, *other_fy, *other_mz;  ///< forces of rolling the other way
   double *cold_friction,
-      *heat_share;     ///< of friction over temperature (tangential/friction/heated_friction.hpp)
-  double *x, *region;  ///< of methods that roll whole patches: x along the rolling direction [m]
+      *heat_share;     ///< shares of friction over temperature (tangential/friction/heated_friction.hpp)
+  double *x, *region;  ///< methods that roll whole patches: x along the direction of rolling [m]
 };
 
 WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes);

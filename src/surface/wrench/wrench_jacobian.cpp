@@ -48,7 +48,7 @@ struct DualForces {
 /// Plain numbers of differences under friction over temperature.
 struct HeatedScratch {
   double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz;
-  double* share;                        ///< of the solution
+  double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
   RollingScratch rolling;
 };
@@ -68,10 +68,13 @@ constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bo
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
   constexpr std::int32_t most = most_differentiated_strips;
   Scratch w;
+  // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
   arena.each(most, {&p.place, &p.width, &p.line_load, &p.length_squared, &p.centre});
   arena.each(most, {&p.line_load_dual, &p.length_squared_dual, &p.centre_dual});
   p.overlap = arena.take<OverlapSlopes>(most);
+
+  // Their elimination comes before everything below, and shares its memory.
   Arena pressures = arena;
   w.pressures = pressures.take(pressure_jacobian_doubles(most));
 
@@ -87,6 +90,8 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   arena.each(most, {&h.half_length, &h.peak, &h.curvature, &h.slip_x, &h.slip_y, &h.spin, &h.friction, &h.fx,
                     &h.fy, &h.mz, &h.share, &h.base_fx, &h.base_fy, &h.base_mz});
   h.rolling = cut_rolling(arena, sizes);
+
+  // whichever of both is larger
   const std::int64_t behind = pressures.bytes() - arena.bytes();
   if (behind > 0) arena.take<char>(behind);
   return w;
@@ -138,6 +143,8 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
     place.z = moved.z;
     tangent_at(model.varying, blend, j, distance, place.ty, place.tz);
   }
+
+  // the same corrections as of plain numbers, in the same order
   OverlapSlopes o = overlap_slopes(place, model.wheel, pose, attitude, rays, j);
   o.lean = 0.0;
   if (model.varying.faces > 0) follow_rail(model.varying, j, distance, below.blend, o);
@@ -154,6 +161,7 @@ Fault take_pressed_strips(const Differentiation& d) {
   const RelativePose& solved = d.solved.motion.pose;
   PressedStrips& s = d.w.pressed;
   s.count = 0;
+  // by track the wheel rests, and strips and outline move below it
   const RelativePoseOf<PlaceDual> pose =
       d.by == JacobianBy::place ? moving_pose(solved) : resting_pose(solved);
   const OutlineAttitudeOf<PlaceDual> attitude = attitude_of(pose);
@@ -164,6 +172,8 @@ Fault take_pressed_strips(const Differentiation& d) {
                                  {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
                                  "there is no room for the derivatives of so many");
     }
+
+    // the converged numbers, and the overlap again with its derivatives
     const std::int32_t k = s.count++, j = o.strip[i];
     s.place[k] = rail.s[j];
     s.width[k] = rail.width[j];
@@ -176,8 +186,8 @@ Fault take_pressed_strips(const Differentiation& d) {
   return {};
 }
 
-/// The wheel's velocities, which are inputs themselves. By track a roller's axle is passed by, and its
-/// surface's velocity down changes by its turning per distance.
+/// The wheel's velocities, which are inputs themselves. By track v_z = turning * distance of a roller alone
+/// changes.
 RelativeVelocityOf<Number> differentiate_velocity(const RelativeVelocityOf<double>& solved, JacobianBy by) {
   RelativeVelocityOf<Number> v;
   v.on_roller = solved.on_roller;
@@ -202,6 +212,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
   const WheelOnRail& in = d.problem.in;
   const RelativeVelocityOf<Number> velocity = differentiate_velocity(d.solved.motion.velocity, d.by);
   const bool graded = d.solved.overlaps.lean != nullptr;
+  // a factor of 1 on all friction, whose derivative is that by the coefficient, whatever the law
   loaded.count = 0;
   loaded.friction_factor = 1.0;
   if (d.by == JacobianBy::place) loaded.friction_factor.d[frame_friction] = 1.0;
@@ -209,6 +220,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
   for (std::int32_t k = 0; k < s.count; ++k) {
     const StripOverlap<Number> o = frame_overlap(s.overlap[k]);
     const StripMotion<Number> m = motion_at(velocity, o, frame_number(s.centre_dual[k]), graded);
+    // N = pi/2 w q times the damping factor, which is never below zero
     const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * m.approach);
     const Number line_load = damped * frame_number(s.line_load_dual[k]);
     const Number N = (0.5 * pi * s.width[k]) * line_load;
@@ -232,6 +244,8 @@ Number differentiate_loaded_strips(const Differentiation& d) {
     below += N * o.wz;
   }
   if (loaded.count == 0) return 0.0;
+
+  // V = v_x - <slip velocity> / 2, means weighted by load
   Number speed = velocity.linear[0] - 0.5 * (sliding / load);
   if (velocity.on_roller) speed = speed - velocity.roller * (below / load);
   return speed;
@@ -245,9 +259,12 @@ void differentiate_friction(const Differentiation& d, const Number& speed) {
   for (std::int32_t k = 0; k < s.count; ++k) {
     const std::int32_t j = overlaps.strip[d.solved.strips.candidate[k]];
     const FrictionAtRest at_rest = friction_at_rest(d.problem, overlaps.rays, j);
+    // mu = mu_rest(y) f(V |xi|), the root mean square of the rigid slip over the strip
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
+
+    // d mu = mu_rest f' d(V |xi|) + f d mu_rest/dy dy
     const double falls = speed_factor(law, sliding.value);
     s.friction[k] =
         s.friction_factor * (at_rest.value * sliding.chain(falls, speed_factor_slope(law, sliding.value)));
@@ -281,10 +298,13 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
   const std::int32_t n = s.count;
   auto rolls = rolling_input<Number>(model, d.problem.in, s);
   rolls.peak = s.peak;
+  // backwards: the mirror image across the axle, as in solve_one_way() of strip_rolling.cpp
   if (backwards) {
     reverse(n, s.slip_x);
     reverse(n, s.spin);
   }
+
+  // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
   const RollingArraysOf<Number>& a = d.w.rolling;
   using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
@@ -296,6 +316,8 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
   const Number* const inputs[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,
                                                     s.spin,     a.elastic,  a.turn_x,    a.turn_y};
   KernelArrays arrays{d.w.values, n};
+
+  // forces and their derivatives by each input, at the values of the inputs
   simd::SurfaceStripsSlopesTask task{};
   task.strips = n;
   task.cells = model.grid->cells;
@@ -354,6 +376,7 @@ class HeatedDifferences {
         speed_(speed),
         backwards_(backwards),
         strips_(d.solved.strips) {
+    // numbers that inputs change are its own; places, widths and candidates stay those of the solution
     strips_.count = s_.count;
     strips_.half_length = h_.half_length;
     strips_.solved_peak = h_.peak;
@@ -378,6 +401,7 @@ class HeatedDifferences {
     Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
     const double* const found[results] = {h_.fx, h_.fy, h_.mz};
     double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
+    // values: as the solution has them, from the start
     const std::int32_t n = s_.count;
     solve(0, 0.0, 0);
     for (int r = 0; r < results; ++r)
@@ -387,6 +411,8 @@ class HeatedDifferences {
     std::copy_n(h_.rolling.heat_share, n, h_.share);
     solve(0, 0.0, more_solutions);
     for (int r = 0; r < results; ++r) std::copy_n(found[r], n, base[r]);
+
+    // one step along each input, as large as makes the largest relative change of any number 3e-7
     for (std::size_t input = 0; input < frame_inputs; ++input) {
       const double change = largest_change(input);
       if (!(change > 0.0)) continue;
@@ -441,7 +467,7 @@ class HeatedDifferences {
   const HeatedScratch& h_;
   const Number& speed_;
   bool backwards_;
-  ContactStrips strips_;  ///< of the solution, with numbers of their own
+  ContactStrips strips_;  ///< those of the solution, with numbers of their own
   const Number* from_[numbers] = {s_.half_length, s_.peak, s_.curvature, s_.slip_x, s_.slip_y, s_.spin};
   double size_[numbers] = {};
 };
@@ -450,10 +476,13 @@ class HeatedDifferences {
 /// standstill, as roll_strips() of strip_rolling.cpp.
 void differentiate_rolling(const Differentiation& d, const Number& rolling_speed) {
   const LoadedStrips& s = d.w.loaded;
+  // slips: velocities over the speed, which is bounded below near standstill
   const RollingReferenceOf<Number> reference = rolling_reference(rolling_speed);
   const Number per_speed = Number(1.0) / reference.divisor;
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
+
+  // friction first: tractions are bounded by it; heated, its share is found with them
   const FrictionLaw* const law = d.problem.in.law;
   if (law) differentiate_friction(d, reference.divisor);
   const auto roll_one_way = [&](bool backwards, const DualForces& forces) {
@@ -462,6 +491,8 @@ void differentiate_rolling(const Differentiation& d, const Number& rolling_speed
   };
   const bool backwards = rolling_speed.value < 0.0;
   roll_one_way(backwards, {s.fx, s.fy, s.mz});
+
+  // F = F_own + share (F_other - F_own), the share with its derivatives
   const Number& other = reference.reverse_share;
   if (!(other.value > 0.0)) return;
   roll_one_way(!backwards, {s.other_fx, s.other_fy, s.other_mz});
@@ -479,6 +510,7 @@ void count_wrench_jacobian(Arena& arena, const WorkSizes& sizes) { cut(arena, si
 Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& solved, JacobianBy by,
                            Arena arena, RailFrameJacobian& out) noexcept {
   out = {};
+  // stages as of the solution: overlaps and pressures, slips, tractions, sums
   Scratch w = cut(arena, work_sizes(problem.model));
   const Differentiation d{problem, solved, by, w};
   const Fault fault = take_pressed_strips(d);
@@ -488,6 +520,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   if (loaded.count == 0) return {};
   if (problem.in.friction > 0.0) differentiate_rolling(d, rolling_speed);
 
+  // force and moment about the wheel's reference point, rail axes
   const bool graded = solved.overlaps.lean != nullptr;
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
