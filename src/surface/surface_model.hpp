@@ -9,10 +9,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
-#include "surface/geometry/out_of_round.hpp"
-#include "surface/geometry/overlap.hpp"
-#include "surface/geometry/rail_strips.hpp"
-#include "surface/geometry/varying_rail.hpp"
+#include "surface/geometry/surface_geometry.hpp"
 #include "surface/pressure/planar_normal.hpp"
 #include "surface/pressure/surface_normal.hpp"
 #include "surface/rolling/region_rolling.hpp"
@@ -57,19 +54,11 @@ struct SurfaceBodies {
   SurfaceMethods methods;
 };
 
-struct SurfaceModel {
-  Curve rail_curve;
-  RailStrips rail;
-  WheelCurve wheel;
-  VaryingRail varying;
-  OutOfRound out_of_round;
-  double rail_origin_y = 0.0, rail_origin_z = 0.0;
-  double wheel_radius = 0.0;      ///< nominal [m]
-  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
+struct SurfaceModel : SurfaceGeometry {
+  double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< of the right-hand rail, track axes [m]
   Material material;
   Effusivities effusivities;
   const InfluenceTables* influence = nullptr;
-  const Kernels* kernels = nullptr;
   StripCoefficientTable coefficients;
   const MarchGrid* grid = nullptr;
   SurfaceMethods methods;
@@ -135,11 +124,6 @@ std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMeth
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
-
-/// Is there anything that changes along the track or round the wheel?
-inline bool varies(const SurfaceModel& model) {
-  return model.varying.faces > 0 || model.out_of_round.rows > 0 || model.roller_curvature != 0.0;
-}
 
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.

@@ -24,31 +24,31 @@ void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& dist
                  const SectionBlend* blend, StripOverlap<Number>& o) {
   const std::int32_t face = face_of(rail, strip);
   const double kappa = value_of(o.curvature), middle = value_of(o.centre);
-  const auto lean_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
+  const auto grade_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
   const auto bend_at = [&](const StripAlongTrack<Number>& s) {
     return o.ny * s.curvature_y + o.nz * s.curvature_z;
   };
   const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
   const StripAlongTrack<Number> here = strip_at(rail, blend[face], strip, distance);
   constexpr double furthest = 0.05;  // [m]: a slope of 1:9
-  const double here_bend = value_of(bend_at(here)), here_lean = value_of(lean_at(here));
-  const double shift = (here_lean + here_bend * middle) / curvature_left(here_bend);
+  const double here_bend = value_of(bend_at(here)), here_grade = value_of(grade_at(here));
+  const double shift = (here_grade + here_bend * middle) / curvature_left(here_bend);
   const double x = middle - smaller(larger(shift, -furthest), furthest);
   // one more step, from the rail as it is there, whose derivatives are those of the place that is sought
   const Number there = distance + Number(x);
   const SectionBlend near_blend = blend_at(rail, rail.face[face], value_of(there), blend[face]);
   const StripAlongTrack<Number> near = strip_at(rail, near_blend, strip, there);
-  const Number lean = lean_at(near), bend = bend_at(near);
+  const Number grade = grade_at(near), bend = bend_at(near);
   const double stiff = curvature_left(value_of(bend));
-  const Number further = -((o.curvature * (Number(x) - o.centre) + lean) * Number(1.0 / stiff));
+  const Number further = -((o.curvature * (Number(x) - o.centre) + grade) * Number(1.0 / stiff));
   const Number at = Number(x) + further, from_middle = at - o.centre;
   const Number rounded = 0.5 * o.curvature * from_middle * from_middle;
   const Number fallen =
-      o.ny * (near.y - here.y) + o.nz * (near.z - here.z) + further * (lean + 0.5 * bend * further);
+      o.ny * (near.y - here.y) + o.nz * (near.z - here.z) + further * (grade + 0.5 * bend * further);
   o.depth = o.depth - rounded - fallen;
   o.wy = o.wy - o.ny * rounded;
   o.wz = o.wz - o.nz * rounded;
-  o.lean = lean + bend * further;
+  o.grade = grade + bend * further;
   o.curvature = larger(o.curvature + bend, least_curvature_left * o.curvature);
   o.centre = at;
 }
@@ -68,7 +68,7 @@ void follow_roller(double curvature, double z, const Number& distance, StripOver
   o.depth = o.depth - rounded - 0.5 * bend * from_axle * from_axle;
   o.wy = o.wy - o.ny * rounded;
   o.wz = o.wz - o.nz * rounded;
-  o.lean = bend * from_axle;
+  o.grade = bend * from_axle;
   o.curvature = sum;
   o.centre = at;
 }

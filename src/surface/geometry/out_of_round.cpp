@@ -97,8 +97,8 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
   for (std::int32_t i = 0; i < nodes; ++i) {
     const std::int32_t best = place[i];
     const double middle = at(i, best), before = at(i, best - 1), behind = at(i, best + 1);
-    const double bend = before - 2.0 * middle + behind, lean = 0.5 * (behind - before);
-    reach[i] = bend < 0.0 ? middle - 0.5 * lean * lean / bend : middle;
+    const double bend = before - 2.0 * middle + behind, rise = 0.5 * (behind - before);
+    reach[i] = bend < 0.0 ? middle - 0.5 * rise * rise / bend : middle;
     for (const std::int32_t k : {best - 1, best}) {
       const double from = step * ((k + nodes) % nodes);
       for (const double* a = std::lower_bound(table.angle, end, from); a < end && *a < from + step; ++a) {
@@ -111,36 +111,38 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
 
 }  // namespace
 
-std::int64_t out_of_round_doubles(const RadiusTable& table) {
-  if (table.rows == 0) return 0;
-  return 2 * static_cast<std::int64_t>(table.rows) * nodes + 3 * static_cast<std::int64_t>(table.angles) +
-         2 * static_cast<std::int64_t>(nodes);
+OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table) {
+  OutOfRoundArrays a;
+  const std::int64_t all = static_cast<std::int64_t>(table.rows) * nodes;
+  arena.each(all, {&a.value, &a.second});
+  arena.each(table.angles, {&a.given, &a.given_pivot, &a.given_corner});
+  arena.each(nodes, {&a.sampled, &a.corner});
+  a.place = arena.take<std::int32_t>(nodes);
+  return a;
 }
 
-void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel) {
-  wheel = {};
+OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutOfRoundArrays& a) {
+  OutOfRound wheel;
   wheel.rows = table.rows;
   wheel.radius = radius;
-  double* const value = memory;
-  double* const second = value + static_cast<std::int64_t>(table.rows) * nodes;
-  double* const given = second + static_cast<std::int64_t>(table.rows) * nodes;
-  double *const pivot = given + table.angles, *const corner = pivot + table.angles;
-  double *const sampled = corner + table.angles, *const scratch = sampled + nodes;
+  wheel.value = a.value;
+  wheel.second = a.second;
   const auto apart = [&](std::int32_t i) { return table.angle[i + 1] - table.angle[i]; };
   const auto one_apart = [](std::int32_t) { return 1.0; };
   for (std::int32_t r = 0; r < table.rows; ++r) {
     if (table.rows > 1) wheel.y[r] = table.y[r];
+    // The row's deviation through a spline over the angles given, sampled at the nodes.
     const double* const deviation = table.deviation + static_cast<std::int64_t>(r) * table.angles;
-    periodic_second_derivatives(table.angles - 1, apart, deviation, given, pivot, corner);
-    sample(table, deviation, given, sampled);
-    double* const reach = value + static_cast<std::int64_t>(r) * nodes;
-    find_reach(table, deviation, sampled, radius, reinterpret_cast<std::int32_t*>(scratch), reach);
-    periodic_second_derivatives(nodes, one_apart, reach, second + static_cast<std::int64_t>(r) * nodes,
-                                sampled, scratch);
+    periodic_second_derivatives(table.angles - 1, apart, deviation, a.given, a.given_pivot, a.given_corner);
+    sample(table, deviation, a.given, a.sampled);
+    // Its reach D, and the spline through that. The samples are free then.
+    double* const reach = a.value + static_cast<std::int64_t>(r) * nodes;
+    find_reach(table, deviation, a.sampled, radius, a.place, reach);
+    periodic_second_derivatives(nodes, one_apart, reach, a.second + static_cast<std::int64_t>(r) * nodes,
+                                a.sampled, a.corner);
     for (std::int32_t i = 0; i < nodes; ++i) wheel.largest = std::max(wheel.largest, reach[i]);
   }
-  wheel.value = value;
-  wheel.second = second;
+  return wheel;
 }
 
 }  // namespace wrc

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "base/elementary.hpp"
 #include "base/fault.hpp"
 #include "base/number.hpp"
@@ -40,10 +41,17 @@ struct OutOfRound {
   const double *value = nullptr, *second = nullptr;  ///< D, and its second derivative by the node's number
 };
 
-std::int64_t out_of_round_doubles(const RadiusTable& table);
+/// Arrays of a wheel that is not round, and of its making.
+struct OutOfRoundArrays {
+  double *value, *second;                      ///< rows times nodes
+  double *given, *given_pivot, *given_corner;  ///< of the table's angles
+  double *sampled, *corner;                    ///< of the nodes
+  std::int32_t* place;                         ///< of the nodes
+};
+OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table);
 
-/// In `memory` of out_of_round_doubles(). The table has been checked.
-void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel);
+/// From a table that has been checked, in arrays for it.
+OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutOfRoundArrays& arrays);
 
 /// D and its derivative by the angle at an angle, on the wheel's profile at y [m].
 template <class Number>

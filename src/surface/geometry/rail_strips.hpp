@@ -87,11 +87,14 @@ double strip_angle(const RailStrips& strips, std::int32_t strip);
 /// The range of `count` strips from `first` on.
 FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
 
-/// Doubles of memory for so many strips.
-std::int64_t rail_strip_doubles(std::int32_t strips);
+/// Arrays of the strips of a rail.
+struct StripArrays {
+  double *s, *width, *y, *z, *ty, *tz, *angle;
+};
+StripArrays cut_strips(Arena& arena, std::int32_t most);
 
-/// Cuts the whole curve into at most `most` strips, in `memory` of rail_strip_doubles(most) doubles.
-Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
-               RailStrips& strips);
+/// The whole curve, cut into at most `most` strips, in arrays for as many.
+RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,
+                    const StripArrays& arrays);
 
 }  // namespace wrc

@@ -16,7 +16,7 @@ inline double section_strips_kernel(const SectionStripsTask& task) {
       Pack left, right, left_slope, right_slope;
     };
     const auto list = [&](std::int32_t q) {  // lanes behind the last: ones, that do not change
-      const std::int64_t at = q * task.room, slope = (q + 4) * task.room;
+      const std::int64_t at = q * task.stride, slope = (q + 4) * task.stride;
       return List{load(task.left + at, first, count, 1.0), load(task.right + at, first, count, 1.0),
                   load(task.left + slope, first, count, 0.0), load(task.right + slope, first, count, 0.0)};
     };

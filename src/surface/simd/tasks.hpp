@@ -117,7 +117,7 @@ struct NearLinesTask {
 struct SectionStripsTask {
   std::int32_t count;
   const double *left, *right;  ///< the sections' lists: y, z, dy/du, dz/du, and their slopes along the track
-  std::int64_t room;           ///< elements from one list to the next
+  std::int64_t stride;         ///< elements from one list to the next
   const double (*weight)[4];  ///< of left, right, slope on the left, on the right: for values, then for first
                               ///< and second derivatives by the distance
   const double* step;         ///< of u [m]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/arena.hpp"
 #include "base/elementary.hpp"
 #include "base/golden_section.hpp"
 #include "base/number.hpp"
@@ -151,27 +152,20 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
 
 /// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
 /// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
-/// `w` stays, but for where rays end, which is of this height, and the scratch of rolling.
+/// `w` stays, but for the scratch of rolling.
 bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, double height, WheelWork& w) {
   constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of what holds the balance
   const RelativeMotion seen = see(model, in, height);
-  const Overlaps solved = w.overlaps;
-  Overlaps& o = w.overlaps;
-  double* at = w.rolling;
-  for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz, &o.lean}) {
-    if (*a) *a = at;
-    at += o.capacity;
-  }
-  o.strip = reinterpret_cast<std::int32_t*>(at);
-  find(model, in, seen, beyond, w);
+  Arena rolling(w.rolling);
+  const Overlaps o = overlap_surfaces(model, w.rail, seen.pose, in.angle, beyond, w.scratch,
+                                      cut_overlaps(rolling, w.overlaps.capacity, varies(model)));
   bool outweighs = false;
   for (std::int32_t i = 0; i < o.count && !outweighs; ++i) {
-    const double friction = in.law ? friction_at_rest(model, in, w, o.strip[i]).value : in.friction;
+    const double friction = in.law ? friction_at_rest(model, in, w.rail, o, i).value : in.friction;
     const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
     const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
     outweighs = friction * magnitude(aside) > safe * down;
   }
-  w.overlaps = solved;
   return outweighs;
 }
 

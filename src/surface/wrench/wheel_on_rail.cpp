@@ -29,17 +29,13 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
   const auto integers = [&doubles](std::int64_t n) {
     return reinterpret_cast<std::int32_t*>(doubles((n + 1) / 2));
   };
-  Overlaps& o = w.overlaps;
-  o.capacity = most;
-  o.strip = integers(most);
-  for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz}) *a = doubles(most);
-  for (double** a : {&w.scratch.y, &w.scratch.z, &w.scratch.seen})
-    *a = doubles(simd::whole_packs(wheel_pieces + 1));
-  w.scratch.strip = integers(most);
-  w.scratch.overlap = doubles(most_strips_of_a_rail);
-  w.scratch.part = doubles(most_strips_of_a_rail);
-  w.scratch.along = doubles(most_strips_of_a_rail);
-  w.scratch.piece = integers(most_strips_of_a_rail);
+  const auto geometry = [&](Arena arena) {
+    w.overlaps = cut_overlaps(arena, most, varying);
+    w.scratch = cut_overlap_scratch(arena, wheel_pieces, most_strips_of_a_rail);
+    if (varying) w.rail_strips = cut_strips(arena, most_strips_of_a_rail);
+    return arena.doubles();
+  };
+  geometry(Arena(doubles(geometry(Arena()))));
   SurfacePressure& p = w.pressure;
   for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = doubles(most);
   w.normal =
@@ -54,10 +50,6 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
   for (double** a : {&w.fields.traction_x, &w.fields.traction_y, &w.fields.slip_x, &w.fields.slip_y})
     *a = doubles(static_cast<std::int64_t>(most) * cells);
   w.loaded = 0;
-  if (varying) {
-    o.lean = doubles(most);
-    w.rail_strips = doubles(rail_strip_doubles(most_strips_of_a_rail));
-  }
   w.along = w.planar = w.region = nullptr;
   if (methods.planar.solve) w.planar = doubles(planar_normal_doubles(most, methods.planar));
   if (methods.region.solve) {
@@ -65,16 +57,6 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
     w.region = doubles(region_rolling_doubles(most, methods.region));
   }
   return (at - begin) * static_cast<std::int64_t>(sizeof(double));
-}
-
-/// The strips of the rail where the wheel is; flagged where there is no section.
-Fault place_rail(const SurfaceModel& model, const WheelOnRail& in, Work& w) {
-  w.rail = model.rail;
-  w.distance = in.distance;
-  w.steepest = 0.0;
-  if (model.varying.faces == 0) return {};
-  return place_strips(*model.kernels, model.varying, w.rail_strips, most_strips_of_a_rail, w.distance, w.rail,
-                      w.blend, w.steepest);
 }
 
 /// What the last solve left in `w`, for later.
@@ -135,7 +117,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
                           RailFrameJacobian* by_track) noexcept {
   Work w;
   cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
-  const Fault outside = place_rail(model, in, w);
+  const Fault outside = place_rail(model, in.distance, w.rail_strips, w.rail);
   warm = warm && state.set > 0.0;
   SurfaceStart start{state.length_squared, state.shift, state.depth, warm};
   out = {};

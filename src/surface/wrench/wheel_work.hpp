@@ -24,11 +24,8 @@ struct RelativeMotion {
 };
 
 struct WheelWork {
-  RailStrips rail;                      ///< where the wheel is
-  double* rail_strips;                  ///< its memory, where it is not the model's
-  double steepest;                      ///< of the rail there, along the track [-]
-  double distance;                      ///< of the wheel, as far as there are sections [m]
-  SectionBlend blend[most_rail_faces];  ///< of the rail's faces there
+  PlacedRail rail;          ///< where the wheel is
+  StripArrays rail_strips;  ///< its memory, where it is not the model's
   Overlaps overlaps;
   OverlapScratch scratch;
   SurfacePressure pressure;

@@ -24,37 +24,6 @@ void into_rail(double cosine, double sine, const double (&v)[3], double (&turned
   turned[2] = cosine * v[2] - sine * v[1];
 }
 
-/// What a rail that changes along the track and a wheel that is not round add to the overlaps; those within
-/// the margin are kept.
-void follow_track(const SurfaceModel& model, const WheelOnRail& in, const RelativeMotion& seen, double margin,
-                  WheelWork& w) {
-  Overlaps& o = w.overlaps;
-  const Curve& profile = model.wheel.curve;
-  std::int32_t kept = 0;
-  for (std::int32_t i = 0; i < o.count; ++i) {
-    const std::int32_t j = o.strip[i];
-    StripOverlap<double> s{o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], 0.0};
-    if (model.varying.faces > 0) follow_rail(model.varying, j, w.distance, w.blend, s);
-    if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, w.rail.z[j], w.distance, s);
-    if (model.out_of_round.rows > 0) {
-      const double y = evaluate(profile, w.scratch.piece[j], w.scratch.along[j]).y;
-      follow_wheel(model.out_of_round, seen.pose, y, in.angle, s);
-    }
-    if (!(s.depth > -margin)) continue;
-    o.strip[kept] = j;
-    o.depth[kept] = s.depth;
-    o.centre[kept] = s.centre;
-    o.curvature[kept] = s.curvature;
-    o.ny[kept] = s.ny;
-    o.nz[kept] = s.nz;
-    o.wy[kept] = s.wy;
-    o.wz[kept] = s.wz;
-    o.lean[kept] = s.lean;
-    ++kept;
-  }
-  o.count = kept;
-}
-
 }  // namespace
 
 RelativeMotion see(const SurfaceModel& model, const WheelOnRail& in, double height) {
@@ -102,63 +71,22 @@ RelativeMotion see(const SurfaceModel& model, const WheelOnRail& in, double heig
   return s;
 }
 
-namespace {
-
-/// The wheel's knot of the largest radius.
-std::int32_t flange_tip(const WheelCurve& wheel) {
-  std::int32_t tip = 0;
-  for (std::int32_t k = 1; k < wheel.knots; ++k)
-    if (wheel.knot_radius[k] > wheel.knot_radius[tip]) tip = k;
-  return tip;
-}
-
-}  // namespace
-
-// The front of the flange touches only what is on its own side of its tip, and rays from there would meet it
-// through its body. Overlaps that are solved are less deep than 3 mm.
-RailStrips strips_before(const SurfaceModel& model, const RelativeMotion& seen, const RailStrips& strips) {
-  RailStrips rail = strips;
-  if (rail.ranges < 2 || has_check_rail(model.varying)) return rail;
-  constexpr double deepest = 3e-3;  // [m]
-  const WheelCurve& wheel = model.wheel;
-  const RelativePose& pose = seen.pose;
-  const std::int32_t tip = flange_tip(wheel);
-  const double y =
-      pose.y + pose.rotation[1][1] * wheel.knot_y[tip] + pose.rotation[1][2] * wheel.knot_radius[tip];
-  for (std::int32_t r = 0; r < rail.ranges; ++r) {
-    FaceStrips& face = rail.range[r];
-    while (face.count > 1 && rail.tz[face.first] < 0.0 && rail.y[face.first] < y - deepest) {
-      ++face.first;
-      --face.count;
-    }
-  }
-  return rail;
-}
-
 void find(const SurfaceModel& model, const WheelOnRail& in, const RelativeMotion& seen, double margin,
           WheelWork& w) {
-  const bool varying = varies(model);
-  // what follow_track() may add: on a slope a, a^2 r / 2, and more where the rail is concave
-  constexpr double concave = 1.5;
-  const double more = varying ? smaller(0.5 * concave * w.steepest * w.steepest * model.wheel_radius, 2e-3) +
-                                    model.out_of_round.largest
-                              : 0.0;
-  const RailStrips rail = strips_before(model, seen, w.rail);
-  find_overlaps(*model.kernels, rail, model.wheel, seen.pose, margin + more, w.scratch, w.overlaps);
-  if (varying) follow_track(model, in, seen, margin, w);
+  w.overlaps = overlap_surfaces(model, w.rail, seen.pose, in.angle, margin, w.scratch, w.overlaps);
 }
 
-FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& w,
-                                std::int32_t j) {
+FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const RailStrips& rail,
+                                const Overlaps& o, std::int32_t i) {
   constexpr double rounding = 1e-9;  // [m]: of widths
   const FrictionZones& zones = in.law->zones;
-  const RailStrips& rail = w.rail;
+  const std::int32_t j = o.strip[i];
   if (zones.count == 0) return {in.law->coefficient, 0.0};
   if (!in.zones_on_wheel) {
     const double half = 0.5 * rail.width[j] * magnitude(rail.ty[j]) + rounding;
     return {mean_friction(zones, rail.y[j] - half, rail.y[j] + half), 0.0};
   }
-  const CurvePoint p = evaluate(model.wheel.curve, w.scratch.piece[j], w.scratch.along[j]);
+  const CurvePoint p = evaluate(model.wheel.curve, o.piece[i], o.u[i]);
   const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz), advance = p.dy / speed;
   const double half = 0.5 * rail.width[j] * magnitude(advance) + rounding;
   const double from = p.y - half, to = p.y + half;
@@ -246,7 +174,7 @@ void find_friction(const SurfaceModel& model, const WheelOnRail& in, double spee
                    WheelWork& w) {
   const FrictionLaw& law = *in.law;
   for (std::int32_t k = 0; k < count; ++k) {
-    const double at_rest = friction_at_rest(model, in, w, w.overlaps.strip[w.candidate[k]]).value;
+    const double at_rest = friction_at_rest(model, in, w.rail, w.overlaps, w.candidate[k]).value;
     w.friction[k] = at_rest * strip_speed_factor(law, w, k, speed);
   }
 }
@@ -274,9 +202,9 @@ Loaded take_loaded_strips(const WheelOnRail& in, const RelativeMotion& seen, Whe
     // a roller's own point, as the wheel's, is that of the undeformed body: the overlap nearer to its axle
     if (seen.rail_turning != 0.0) v[0] += seen.rail_turning * (o.depth[i] * o.nz[i]);
     double approach_velocity = v[1] * o.ny[i] + v[2] * o.nz[i];
-    if (o.lean) {  // along the slope, and against its normal
-      const double along = v[0] + o.lean[i] * approach_velocity;
-      approach_velocity -= o.lean[i] * v[0];
+    if (o.grade) {  // along the slope, and against its normal
+      const double along = v[0] + o.grade[i] * approach_velocity;
+      approach_velocity -= o.grade[i] * v[0];
       v[0] = along;
     }
     const double damped = damping_factor(approach_velocity, in.damping);
@@ -378,7 +306,7 @@ Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
           .value = deepest,
           .unit = "m",
           .high = most,
-          .cause = knot < flange_tip(model.wheel)
+          .cause = knot < model.wheel.flange_tip
                        ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
                          "beside its rail (input.wheel.y)?"
                        : "the flange is inside the rail's side, where no contact is looked for: did you pass "
@@ -407,12 +335,12 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelW
               .unit = "m",
               .high = deepest_overlap,
               .cause = "the load is far beyond what steel carries there"};
-    const std::int32_t j = o.strip[w.candidate[k]];
+    const std::int32_t j = o.strip[w.candidate[k]], piece = o.piece[w.candidate[k]];
     constexpr double falling = 0.5;  // to the field side
-    if (alone && w.rail.tz[j] > falling && w.scratch.piece[j] < flange_tip(model.wheel)) return on_the_back;
+    if (alone && w.rail.tz[j] > falling && piece < model.wheel.flange_tip) return on_the_back;
     const bool rail_ends = at_end(w.rail, j);
     // rays beyond the wheel's end meet nothing
-    const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = w.rail.width[j];
+    const double at = wheel.s[piece] + o.u[w.candidate[k]], near = w.rail.width[j];
     const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
     if (rail_ends || wheel_ends)
       return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};

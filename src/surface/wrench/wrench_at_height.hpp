@@ -9,9 +9,6 @@ namespace wrc {
 /// The wheel at this height as the rail sees it.
 RelativeMotion see(const SurfaceModel& model, const WheelOnRail& in, double height);
 
-/// The rail's strips but those of faces behind the flange that look away from the wheel.
-RailStrips strips_before(const SurfaceModel& model, const RelativeMotion& seen, const RailStrips& strips);
-
 /// Finds all strips with depth > -margin.
 void find(const SurfaceModel& model, const WheelOnRail& in, const RelativeMotion& seen, double margin,
           WheelWork& w);
@@ -20,12 +17,12 @@ void find(const SurfaceModel& model, const WheelOnRail& in, const RelativeMotion
 double margin_of(const SurfaceModel& model);
 
 /// The law's coefficient of a strip at rest, a mean over its width on the profile that zones lie on, and what
-/// that changes by as the strip's place on the wheel's profile does [1/m]. After find().
+/// that changes by as the strip's place on the wheel's profile does [1/m]. Of overlap i.
 struct FrictionAtRest {
   double value, by_wheel_y;
 };
-FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& w,
-                                std::int32_t strip);
+FrictionAtRest friction_at_rest(const SurfaceModel& model, const WheelOnRail& in, const RailStrips& rail,
+                                const Overlaps& overlaps, std::int32_t i);
 
 /// The law's factor of the sliding speed of a strip in contact: the root mean square of its rigid slip times
 /// `speed`, what slips are over [m/s] (tangential/friction/friction.hpp).

@@ -87,7 +87,7 @@ void find_friction(const SurfaceModel& model, const WheelOnRail& in, const Numbe
   const FrictionLaw& law = *in.law;
   const LoadedStrips& s = w.loaded;
   for (std::int32_t k = 0; k < s.count; ++k) {
-    const auto at_rest = friction_at_rest(model, in, work, work.overlaps.strip[work.candidate[k]]);
+    const auto at_rest = friction_at_rest(model, in, work.rail, work.overlaps, work.candidate[k]);
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
     const Number sliding = speed * root(slip2);
@@ -208,7 +208,7 @@ void difference_heated(const SurfaceModel& model, const WheelOnRail& in, const W
     const double slips_over = speed.value + step * speed.d[input];
     for (std::int32_t k = 0; k < s.count; ++k) {
       to[lengths][k] = larger(to[lengths][k], 0.0);
-      const auto cold = friction_at_rest(model, in, work, work.overlaps.strip[work.candidate[k]]);
+      const auto cold = friction_at_rest(model, in, work.rail, work.overlaps, work.candidate[k]);
       work.cold_friction[k] = cold.value;
       if (in.zones_on_wheel)
         work.cold_friction[k] = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(w, k).d[input], 0.0);
@@ -275,38 +275,29 @@ RelativePoseOf<PlaceDual> resting_pose(const RelativePose& pose) {
   return resting;
 }
 
-/// A strip's overlap with what the track and the wheel's shape add: find() of wheel_on_rail.cpp.
+/// Overlap i with what the track and the wheel's shape add: overlap_surfaces() of surface_geometry.cpp.
 OverlapSlopes strip_overlap(const SurfaceModel& model, const WheelOnRail& in, const WheelWork& work,
                             SlopesBy by, const RelativePoseOf<PlaceDual>& pose,
-                            const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t j) {
-  const RailStrips& rail = work.rail;
+                            const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t i) {
+  const PlacedRail& rail = work.rail;
+  const std::int32_t j = work.overlaps.strip[i], piece = work.overlaps.piece[i];
+  const double u = work.overlaps.u[i];
   StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
-  if (!varies(model)) return overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
-  PlaceDual distance = work.distance, angle = in.angle;
+  if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  PlaceDual distance = rail.distance, angle = in.angle;
   if (by == SlopesBy::track) {
-    if (work.distance == in.distance) distance.d[track_distance] = 1.0;
+    if (rail.distance == in.distance) distance.d[track_distance] = 1.0;
     angle.d[track_angle] = 1.0;
   }
   if (model.varying.faces > 0 && by == SlopesBy::track) {
-    const SectionBlend& blend = work.blend[face_of(model.varying, j)];
+    const SectionBlend& blend = rail.blend[face_of(model.varying, j)];
     const auto moved = strip_at(model.varying, blend, j, distance);
     place.y = moved.y;
     place.z = moved.z;
     tangent_at(model.varying, blend, j, distance, place.ty, place.tz);
   }
-  OverlapSlopes s = overlap_slopes(place, model.wheel, pose, attitude, work.scratch, j);
-  StripOverlap<PlaceDual> o{s.depth, s.centre, s.curvature, s.ny, s.nz, s.wy, s.wz, 0.0};
-  if (model.varying.faces > 0) follow_rail(model.varying, j, distance, work.blend, o);
-  if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, rail.z[j], distance, o);
-  if (model.out_of_round.rows > 0) follow_wheel(model.out_of_round, pose, s.y_wheel, angle, o);
-  s.depth = o.depth;
-  s.centre = o.centre;
-  s.curvature = o.curvature;
-  s.ny = o.ny;
-  s.nz = o.nz;
-  s.wy = o.wy;
-  s.wz = o.wz;
-  s.lean = o.lean;
+  OverlapSlopes s = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  follow_track<PlaceDual>(model, rail, pose, j, s.y_wheel, distance, angle, s);
   return s;
 }
 
@@ -347,7 +338,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     s.strength[k] = p.strength[i];
     s.length_squared[k] = p.length_squared[i];
     s.centre[k] = p.centre[i];
-    s.overlap[k] = strip_overlap(model, in, work, by, pose, attitude, j);
+    s.overlap[k] = strip_overlap(model, in, work, by, pose, attitude, i);
   }
   differentiate_pressures(*model.influence, *model.kernels, model.material.normal_compliance(), w.normal, s);
 
@@ -377,9 +368,9 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
     const Number vz = velocity[2] + turning[0] * y - turning[1] * x;
     Number approach = vy * ny + vz * nz;
-    if (work.overlaps.lean) {
-      const Number lean = seen_number(overlap.lean), along = vx + lean * approach;
-      approach = approach - lean * vx;
+    if (work.overlaps.grade) {
+      const Number grade = seen_number(overlap.grade), along = vx + grade * approach;
+      approach = approach - grade * vx;
       vx = along;
     }
     const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * approach);
@@ -417,11 +408,11 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
                  z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
     const Number &N = loaded.normal[i], &mz = loaded.mz[i];
     Number fx = loaded.fx[i], fy = loaded.fy[i] * nz - N * ny, fz = -(loaded.fy[i] * ny) - N * nz;
-    if (work.overlaps.lean) {
-      const Number lean = seen_number(overlap.lean);
-      fy += lean * fx * ny;
-      fz += lean * fx * nz;
-      fx += lean * N;
+    if (work.overlaps.grade) {
+      const Number grade = seen_number(overlap.grade);
+      fy += grade * fx * ny;
+      fz += grade * fx * nz;
+      fx += grade * N;
     }
     out.force[0] += fx;
     out.force[1] += fy;

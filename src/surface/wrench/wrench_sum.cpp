@@ -77,10 +77,10 @@ void add_strip(const WheelWork& w, std::int32_t k, double speed, OpenRegion& ope
   const double l = w.half_length[k], N = 0.5 * pi * w.width[k] * l * w.peak[k];
   const double ny = o.ny[i], nz = o.nz[i], x = w.pressure.centre[i];
   double fx = w.fx[k], fy = w.fy[k] * nz - N * ny, fz = -w.fy[k] * ny - N * nz;
-  if (o.lean) {  // tangent (1, lean n), normal (-lean, n)
-    fy += o.lean[i] * fx * ny;
-    fz += o.lean[i] * fx * nz;
-    fx += o.lean[i] * N;
+  if (o.grade) {  // tangent (1, grade n), normal (-grade, n)
+    fy += o.grade[i] * fx * ny;
+    fz += o.grade[i] * fx * nz;
+    fx += o.grade[i] * N;
   }
   add(x, o.wy[i], o.wz[i], fx, fy, fz, w.mz[k] * ny, w.mz[k] * nz, r.force, r.moment);
   open.normal[0] += N * ny;
