@@ -10,8 +10,8 @@
 #include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
 #include "surface/geometry/surface_geometry.hpp"
-#include "surface/pressure/planar_normal.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/planar_pressure.hpp"
+#include "surface/pressure/pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
 #include "surface/rolling/surface_rolling.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
@@ -23,7 +23,7 @@ namespace wrc {
 
 /// What a wheel on a rail is solved with.
 struct SurfaceMethods {
-  PlanarNormal planar;  ///< without `solve`: strips in half-space equilibrium on the surface
+  PlanarMethod planar;  ///< without `solve`: strips in half-space equilibrium on the surface
   SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
   bool parabolic = false;  ///< SurfaceRollingInput
   RegionRolling
@@ -124,6 +124,11 @@ std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMeth
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
+
+/// The model's constants of the normal problem.
+inline PressureModel pressure_model(const SurfaceModel& model) {
+  return {*model.influence, *model.kernels, model.material.normal_compliance()};
+}
 
 /// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.

@@ -75,31 +75,30 @@ class Pair {
     }
     pose.y = in.wheel.position[1] - rail_y;
     pose.z = in.wheel.position[2];
-    const auto cut = [&](Arena arena, Overlaps& o, OverlapScratch& scratch, SurfacePressure& p) {
+    const auto cut = [&](Arena arena, Overlaps& o, OverlapScratch& scratch, StripPressure& p) {
       o = cut_overlaps(arena, most, false);
       scratch = cut_overlap_scratch(arena, most_curve_pieces(s1002_nodes), most_strips_of_a_rail);
-      arena.each(most, {&p.length_squared, &p.level, &p.centre, &p.strength});
+      arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
       return arena.doubles();
     };
     Overlaps memory;
     OverlapScratch scratch;
-    SurfacePressure p;
+    StripPressure p;
     std::vector<double> doubles(static_cast<std::size_t>(cut(Arena(), memory, scratch, p)));
     cut(Arena(doubles.data()), memory, scratch, p);
     const Overlaps o =
         find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, memory);
-    std::vector<double> normal(static_cast<std::size_t>(surface_normal_doubles(o.capacity)));
+    std::vector<double> normal(static_cast<std::size_t>(pressure_doubles(o.capacity)));
     auto state = std::make_unique<SurfaceState>();
-    SurfaceStart start{state->length_squared, state->shift, state->depth};
-    solve_surface_normal(model_->rail, o, *model_->influence, *model_->kernels,
-                         model_->material.normal_compliance(), {}, normal.data(), start, p);
+    PressureStart start{state->length_squared, state->shift, state->depth};
+    solve_pressure(pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
     std::vector<SurfaceStrip> found;
     points.clear();
     for (std::int32_t i = 0; i < o.count; ++i) {
-      if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+      if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
       const double l = std::sqrt(p.length_squared[i]);
       const std::int32_t j = o.strip[i];
-      found.push_back({model_->rail.s[j], model_->rail.width[j], p.centre[i], l, p.strength[i] / l,
+      found.push_back({model_->rail.s[j], model_->rail.width[j], p.centre[i], l, p.line_load[i] / l,
                        o.curvature[i], std::atan2(-o.ny[i], o.nz[i]), 0.0, 0.0, 0.0});
       points.push_back({p.centre[i], o.wy[i], o.wz[i]});
     }

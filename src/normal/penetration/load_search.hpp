@@ -194,10 +194,7 @@ class LoadSearch {
     }
     settle(bracketed_ ? high_.approach : approach);
     scale_to_target(solution_.normal_force);
-    return {.status = WRC_FLAG_ITERATION_CAP,
-            .field = "config.normal.max_iterations",
-            .value = static_cast<double>(problem_.max_iterations),
-            .unit = "steps"};
+    return Fault::iteration_cap("config.normal.max_iterations", {problem_.max_iterations, "steps"});
   }
 
  private:
@@ -274,13 +271,10 @@ class LoadSearch {
         solution_.normal_force = target_;
       else
         scale_to_target(after.normal_force);
-      return {.status = WRC_FLAG_LOAD_JUMPS,
-              .field = "load.normal_force",
-              .value = target_,
-              .unit = "N",
-              .cause =
-                  "as the approach grows a second region joins the patch, or its curvature changes, at once; "
-                  "the patch after that carries the load, and more iterations do not help"};
+      return Fault::load_jumps(
+          "load.normal_force", {target_, "N"},
+          "as the approach grows a second region joins the patch, or its curvature changes, at once; "
+          "the patch after that carries the load, and more iterations do not help");
     }
     if (reached_before_) {
       high_ = before;

@@ -76,11 +76,8 @@ Fault make_curve(std::int32_t points, const double* y, const double* z, const Cu
   curve = {};
   const std::int32_t n = take_points(points, y, z, a);
   if (n < 4)
-    return {.status = WRC_ERROR_PROFILE,
-            .field = "profile.count",
-            .value = static_cast<double>(n),
-            .unit = "points",
-            .cause = "fewer than four points that lie further than 50 um apart"};
+    return Fault::profile("profile.count", {n, "points"},
+                          "fewer than four points that lie further than 50 um apart");
   second_derivatives(n, a.knot_s, a.knot_y, a.second_y, a.scratch);
   second_derivatives(n, a.knot_s, a.knot_z, a.second_z, a.scratch);
 

@@ -22,13 +22,8 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
     }
   }
   if (inside == distance) return {};
-  return {.status = WRC_FLAG_BEYOND_SECTIONS,
-          .field = "input.distance",
-          .value = distance,
-          .unit = "m",
-          .low = varying.begin,
-          .high = varying.end,
-          .cause = "the nearest section is used"};
+  return Fault::beyond_sections("input.distance", {distance, "m", varying.begin, varying.end},
+                                "the nearest section is used");
 }
 
 // The front of the flange touches only what is on its own side of its tip, and rays from there would meet it

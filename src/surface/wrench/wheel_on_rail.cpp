@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
-#include "surface/pressure/normal_slopes.hpp"
+#include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/wrench/given_load.hpp"
 #include "surface/wrench/wrench_at_height.hpp"
 #include "surface/wrench/wrench_sum.hpp"
@@ -36,10 +36,9 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
     return arena.doubles();
   };
   geometry(Arena(doubles(geometry(Arena()))));
-  SurfacePressure& p = w.pressure;
-  for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = doubles(most);
-  w.normal =
-      doubles(std::max(surface_normal_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
+  StripPressure& p = w.pressure;
+  for (double** a : {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load}) *a = doubles(most);
+  w.normal = doubles(std::max(pressure_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
   w.slopes = w.normal;  // which is done with by then
   w.rolling = doubles(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   for (double** a :
@@ -51,7 +50,7 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
     *a = doubles(static_cast<std::int64_t>(most) * cells);
   w.loaded = 0;
   w.along = w.planar = w.region = nullptr;
-  if (methods.planar.solve) w.planar = doubles(planar_normal_doubles(most, methods.planar));
+  if (methods.planar.solve) w.planar = doubles(planar_pressure_doubles(most, methods.planar));
   if (methods.region.solve) {
     w.along = doubles(most);
     w.region = doubles(region_rolling_doubles(most, methods.region));
@@ -119,7 +118,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
   const Fault outside = place_rail(model, in.distance, w.rail_strips, w.rail);
   warm = warm && state.set > 0.0;
-  SurfaceStart start{state.length_squared, state.shift, state.depth, warm};
+  PressureStart start{state.length_squared, state.shift, state.depth, warm};
   out = {};
   Fault fault;
   if (in.load_prescribed) {

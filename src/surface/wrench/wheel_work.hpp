@@ -5,7 +5,7 @@
 
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/rail_direction.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/pressure.hpp"
 #include "surface/rolling/surface_rolling.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
@@ -28,7 +28,7 @@ struct WheelWork {
   StripArrays rail_strips;  ///< its memory, where it is not the model's
   Overlaps overlaps;
   OverlapScratch scratch;
-  SurfacePressure pressure;
+  StripPressure pressure;
   RelativeMotion seen;              ///< of the last solve
   double* normal;                   ///< scratch of the normal problem
   double* rolling;                  ///< scratch of rolling

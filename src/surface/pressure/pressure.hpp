@@ -30,19 +30,28 @@
 
 namespace wrc {
 
+/// Constants of a pair of bodies.
+struct PressureModel {
+  const InfluenceTables& influence;
+  const Kernels& kernels;
+  double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
+};
+
 /// A solution over the strips of the rail, from which the next solve may start.
-struct SurfaceStart {
+struct PressureStart {
   double* length_squared = nullptr;  ///< for every strip of the rail [m^2]
   double* shift = nullptr;           ///< c_j less the overlap's centre [m]
   double* depth = nullptr;           ///< of the overlap [m]
   bool set = false;
-  bool led = false;  ///< lengths are those expected at the next depths already, not those found at `depth`
+  bool extrapolated =
+      false;  ///< length_squared is predicted for the new overlaps already, not found at `depth`
 };
 
-struct SurfaceNormalOptions {
-  /// Sweeps end without a solution after `assured_sweeps`, when the squares of the strips in contact add up
-  /// to `max_work`, which 40 of them reach by then; narrow patches take more sweeps, up to `max_sweeps`.
-  std::int32_t assured_sweeps = 40, max_sweeps = 160;
+struct PressureOptions {
+  /// Sweeps end without a solution after `assured_iterations`, when the squares of the strips in contact add
+  /// up to `max_work`, which 40 of them reach by then; narrow patches take more sweeps, up to
+  /// `max_iterations`.
+  std::int32_t assured_iterations = 40, max_iterations = 160;
   double max_work = 64000.0;
   /// Part of the area that a sweep moves at which the step after it is the last. Lengths and strengths end
   /// ten and more times nearer: the step is taken, and strengths follow it.
@@ -50,27 +59,24 @@ struct SurfaceNormalOptions {
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.
-struct SurfacePressure {
-  double* length_squared = nullptr;  ///< L [m^2]; 0: not in contact
-  double* level = nullptr;           ///< lambda [Pa/m]
-  double* centre = nullptr;          ///< c [m]
-  double* strength = nullptr;        ///< q = lambda L [Pa m]; N = pi/2 w q
+struct StripPressure {
+  double* length_squared = nullptr;   ///< L [m^2]; 0: not in contact
+  double* peak_per_length = nullptr;  ///< lambda [Pa/m]
+  double* centre = nullptr;           ///< c [m]
+  double* line_load = nullptr;        ///< q = lambda L [N/m]; N = pi/2 w q
 };
 
-struct SurfaceNormalResult {
-  std::int32_t sweeps = 0;
+struct PressureResult {
+  std::int32_t iterations = 0;
   bool converged = false;
 };
 
 /// Doubles of working memory for at most so many candidates.
-std::int64_t surface_normal_doubles(std::int32_t most);
+std::int64_t pressure_doubles(std::int32_t most);
 
-/// Solves at the depths given. `start` is read where it is set, and left with the solution. `compliance`:
-/// that of the pair, (1 - nu) / (pi G) [1/Pa].
-SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& overlaps,
-                                         const InfluenceTables& influence, const Kernels& kernels,
-                                         double compliance, const SurfaceNormalOptions& options,
-                                         double* workspace, SurfaceStart& start,
-                                         const SurfacePressure& pressure) noexcept;
+/// Solves at the depths given. `start` is read where it is set, and left with the solution.
+PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& overlaps,
+                              const PressureOptions& options, double* workspace, PressureStart& start,
+                              const StripPressure& pressure) noexcept;
 
 }  // namespace wrc

@@ -1,11 +1,11 @@
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/elementary.hpp"
 #include "base/number.hpp"
-#include "surface/pressure/surface_means.hpp"
+#include "surface/pressure/smoothing.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc {
@@ -430,9 +430,9 @@ void follow_last_step(const StripSet& s, std::int32_t sweep, std::int32_t used, 
 
 /// Sweeps from the lengths and shifts that stand in `s` to the tolerance. Ends after the first sweep where
 /// that moves more than the part `farthest` of the area.
-SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double tolerance, double farthest,
-                             const SurfaceNormalOptions& options, Scratch& w) {
-  SurfaceNormalResult result;
+PressureResult sweep_to(const Problem& problem, const StripSet& s, double tolerance, double farthest,
+                        const PressureOptions& options, Scratch& w) {
+  PressureResult result;
   const std::int32_t n = s.count;
   bool skewed = false;
   for (std::int32_t i = 1; i < n; ++i) skewed = skewed || s.middle[i] != s.middle[0];
@@ -447,11 +447,11 @@ SurfaceNormalResult sweep_to(const Problem& problem, const StripSet& s, double t
   std::int32_t kept = 0, since = 0, slow = 0;
   double moved_before = 1e300, area = 1.0, shift_weight = 0.0;
   const auto affordable = [&options](std::int32_t sweep, double work) {
-    return sweep < options.assured_sweeps || (sweep < options.max_sweeps && work < options.max_work);
+    return sweep < options.assured_iterations || (sweep < options.max_iterations && work < options.max_work);
   };
   double work = 0.0;
   for (std::int32_t sweep = 0; affordable(sweep, work); ++sweep) {
-    ++result.sweeps;
+    ++result.iterations;
     for (std::int32_t i = 0; i < n; ++i) {
       const double least = least_half_length * s.width[i];
       w.l[i] = root(larger(s.L[i], least * least));
@@ -535,8 +535,8 @@ void pair_up(const StripSet& s, std::int32_t* pair_of, const std::int32_t* numbe
 
 /// Lengths and shifts to start from where there is no earlier solution: those of the overlaps, or of a
 /// solution on pairs of strips. Its sweeps are added to `result`.
-void start_from_overlaps(const Problem& problem, const Overlaps& o, const SurfaceNormalOptions& options,
-                         std::int32_t* pair_of, SurfaceNormalResult& result, Scratch& w) {
+void start_from_overlaps(const Problem& problem, const Overlaps& o, const PressureOptions& options,
+                         std::int32_t* pair_of, PressureResult& result, Scratch& w) {
   const StripSet& s = w.fine;
   for (std::int32_t i = 0; i < s.count; ++i) {
     s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
@@ -545,7 +545,7 @@ void start_from_overlaps(const Problem& problem, const Overlaps& o, const Surfac
   if (s.count >= 2 * fewest_pairs) {
     StripSet& c = w.coarse;
     pair_up(s, pair_of, o.strip, c);
-    result.sweeps += sweep_to(problem, c, coarse_tolerance, anywhere, options, w).sweeps;
+    result.iterations += sweep_to(problem, c, coarse_tolerance, anywhere, options, w).iterations;
     for (std::int32_t i = 0; i < s.count; ++i) {
       // along the line through this pair and the next one on the strip's side, where both are in contact
       const std::int32_t k = pair_of[i];
@@ -568,7 +568,7 @@ void start_from_overlaps(const Problem& problem, const Overlaps& o, const Surfac
 /// what is shifted: overlaps of a pose beside the last one tell how much of either there is. The parts are
 /// those that leave the fewest sweeps on poses of wheel and rail a millisecond apart. Returns whether they
 /// have moved so little that the earlier solution is a start.
-bool follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSet& s) {
+bool follow_overlaps(const Overlaps& o, const PressureStart& start, const StripSet& s) {
   double longest = 0.0, deepest = 0.0, weights = 0.0, mean = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
@@ -596,18 +596,16 @@ bool follow_overlaps(const Overlaps& o, const SurfaceStart& start, const StripSe
 
 }  // namespace
 
-std::int64_t surface_normal_doubles(std::int32_t most) {
+std::int64_t pressure_doubles(std::int32_t most) {
   Scratch w;
   double nothing = 0.0;
   return cut(&nothing, most, w) + 2 * most;
 }
 
-SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps& o,
-                                         const InfluenceTables& influence, const Kernels& kernels,
-                                         double compliance, const SurfaceNormalOptions& options,
-                                         double* memory, SurfaceStart& start,
-                                         const SurfacePressure& p) noexcept {
-  SurfaceNormalResult result;
+PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& o,
+                              const PressureOptions& options, double* memory, PressureStart& start,
+                              const StripPressure& p) noexcept {
+  PressureResult result;
   Scratch w;
   auto* const pair_of = reinterpret_cast<std::int32_t*>(memory + cut(memory, o.capacity, w));
   StripSet& s = w.fine;
@@ -626,20 +624,21 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
     s.shift[i] = start.set ? start.shift[j] : 0.0;
     started = started || s.L[i] > 0.0;
   }
-  const Problem problem{kernels, {influence.tables(), influence.mean_under.data()}, compliance};
+  const Problem problem{
+      model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
   if (o.count == 0) {
     result.converged = true;
   } else {
-    if (started && !start.led) started = follow_overlaps(o, start, s);
+    if (started && !start.extrapolated) started = follow_overlaps(o, start, s);
     if (started) {
       result = sweep_to(problem, s, options.tolerance, farthest_start, options, w);
       started = result.converged;
     }
     if (!started) {
       start_from_overlaps(problem, o, options, pair_of, result, w);
-      const std::int32_t earlier = result.sweeps;
+      const std::int32_t earlier = result.iterations;
       result = sweep_to(problem, s, options.tolerance, anywhere, options, w);
-      result.sweeps += earlier;
+      result.iterations += earlier;
     }
   }
   for (std::int32_t j = 0; j < rail.count; ++j)
@@ -649,12 +648,12 @@ SurfaceNormalResult solve_surface_normal(const RailStrips& rail, const Overlaps&
     start.shift[o.strip[i]] = s.shift[i];
     start.depth[o.strip[i]] = s.depth[i];
     p.length_squared[i] = s.L[i];
-    p.level[i] = s.level[i];
+    p.peak_per_length[i] = s.level[i];
     p.centre[i] = s.middle[i] + s.shift[i];
-    p.strength[i] = s.q[i];
+    p.line_load[i] = s.q[i];
   }
   start.set = true;
-  start.led = false;
+  start.extrapolated = false;
   return result;
 }
 
