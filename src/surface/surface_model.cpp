@@ -22,10 +22,11 @@ struct ModelArrays {
   StripArrays strips;
   double *y, *z;              ///< points of a profile while it is read
   VaryingRailArrays varying;  ///< with sections
-  OutOfRoundArrays radius;    ///< of a wheel that is not round
+  OutOfRoundArrays radius;    ///< if the wheel is not round
 };
 
 ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
+  // the model first: its address is that of the memory
   ModelArrays a;
   a.model = arena.take<std::byte>(sizeof(SurfaceModel));
   a.wheel = cut_curve(arena, sizes.wheel_nodes);
@@ -50,6 +51,7 @@ Fault make_wheel(const SurfaceBodies& bodies, const ModelArrays& a, WheelCurve& 
 
 /// The rail's profile, turned by its cant about the profile's origin.
 Fault make_rail(const SurfaceBodies& bodies, const ModelArrays& a, Curve& rail) {
+  // cosine and sine of the cant, from its tangent
   const double c = 1.0 / std::sqrt(1.0 + bodies.rail_inclination * bodies.rail_inclination);
   const double s = bodies.rail_inclination * c;
   for (std::int32_t i = 0; i < bodies.rail.count; ++i) {
@@ -78,10 +80,12 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   const ModelArrays arrays = cut(arena, sizes, bodies.radius);
   auto* const model = new (arrays.model) SurfaceModel;
 
+  // both cross sections by arc length, and the rail's strips
   Fault fault = make_wheel(bodies, arrays, model->wheel);
   if (!fault.failed()) fault = make_rail(bodies, arrays, model->rail_curve);
   if (fault.failed()) return fault;
   model->rail = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, arrays.strips);
+  // a rail that changes along the track, a wheel whose radius changes round it
   if (bodies.sections > 0) {
     fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, most_strips_of_a_rail,
                               arrays.varying, model->varying);
@@ -89,6 +93,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   }
   if (bodies.radius.rows > 0)
     model->out_of_round = make_out_of_round(bodies.radius, bodies.nominal_radius, arrays.radius);
+  // places of the bodies, material, tables, methods
   model->rail_origin_y = bodies.rail_origin_y;
   model->wheel_radius = bodies.nominal_radius;
   model->rail_origin_z = bodies.rail_origin_z;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double nearest = 50e-6;         // [m] between points
 constexpr double longest_piece = 0.5e-3;  // [m]
-constexpr double longest_curve = 0.6;     // [m]: of a profile's points, by what profiles may be
+constexpr double longest_curve = 0.6;     // [m]: longest profile that is accepted
 
 }  // namespace
 
@@ -39,6 +39,7 @@ namespace {
 std::int32_t take_points(std::int32_t points, const double* y, const double* z, const CurveArrays& a) {
   std::int32_t n = 0;
   for (std::int32_t i = 0; i < points; ++i) {
+    // a point nearer than 50 um to the last one kept would make the spline wave
     double step = 0.0;
     if (n > 0) {
       const double dy = y[i] - a.knot_y[n - 1], dz = z[i] - a.knot_z[n - 1];

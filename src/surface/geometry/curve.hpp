@@ -46,8 +46,8 @@ std::int32_t most_curve_pieces(std::int32_t points);
 /// Arrays of a curve: its pieces, and the points kept with their second derivatives, read while it is made.
 struct CurveArrays {
   std::int64_t capacity;                                             ///< elements of s, y and z
-  double *s, *y[4], *z[4];                                           ///< of the pieces
-  double *knot_s, *knot_y, *knot_z, *second_y, *second_z, *scratch;  ///< of the points
+  double *s, *y[4], *z[4];                                           ///< over the pieces
+  double *knot_s, *knot_y, *knot_z, *second_y, *second_z, *scratch;  ///< over the points
 };
 CurveArrays cut_curve(Arena& arena, std::int32_t points);
 

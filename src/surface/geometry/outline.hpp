@@ -139,8 +139,8 @@ WRC_IN_LOOP RayOverlap<Number> ray_overlap(const RelativePoseOf<OfPose>& pose, c
   const Number nx = p.uy * o.sin_theta, nz = p.uy * o.cos_theta;
   const Number wheel_ny = R[1][0] * nx - R[1][1] * p.uz + R[1][2] * nz;
   const Number wheel_nz = R[2][0] * nx - R[2][1] * p.uz + R[2][2] * nz;
-  // overlap along the rail's normal (-tz, ty); turned to the mean normal, half the angle between both away,
-  // a plane under the wheel's tangent is overlap cosine / half^2 deep
+  // overlap along the rail's normal (-tz, ty), taken over to the mean of both normals, which lies half the
+  // angle between them from either; both unit normals add up to 2 half times the mean one
   const Number overlap = (o.z - ray.z) * ray.ty - (o.y - ray.y) * ray.tz;
   const Number cosine = wheel_nz * ray.ty - wheel_ny * ray.tz;
   const Number half = root(larger(0.5 * (1.0 + cosine), Number(0.1)));

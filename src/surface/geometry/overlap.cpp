@@ -76,8 +76,8 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   if (count == 0) return o;
   kernels.follow_rays(task, o);
 
-  // Of these stay the strips that overlap by more than -margin on the curve itself. Depth is -1 m where the
-  // surfaces do not face each other.
+  // Strips stay that overlap by more than -margin on the curve itself. Depth is -1 m where the surfaces do
+  // not face each other.
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     if (!(o.depth[i] > -margin)) continue;

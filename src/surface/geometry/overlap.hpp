@@ -51,7 +51,7 @@ WheelCurve make_wheel_curve(const Curve& curve, const KnotArrays& arrays);
 template <class Number>
 struct RelativePoseOf {
   Number rotation[3][3];  ///< rail = rotation * wheel axes
-  Number y, z;            ///< of the wheel's reference point [m]
+  Number y, z;            ///< the wheel's reference point [m]
 };
 using RelativePose = RelativePoseOf<double>;
 
@@ -63,7 +63,7 @@ struct Overlaps {
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
   double* grade = nullptr;        ///< nullptr: zero everywhere
-  std::int32_t* piece = nullptr;  ///< of the wheel's curve, where the ray ends
+  std::int32_t* piece = nullptr;  ///< piece of the wheel's curve where the ray ends
   double* u = nullptr;            ///< length on that piece [m]
 };
 

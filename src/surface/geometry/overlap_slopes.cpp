@@ -10,6 +10,7 @@ PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>&
   const OnProfile<PlaceDual> p = on_profile(piece, PlaceDual(u));
   const PlaceDual miss = ray_miss(ray, outline_place(pose, attitude, p.y, p.radius, p.slope));
 
+  // slope d miss / du of the outline at rest
   RelativePose rest;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) rest.rotation[i][k] = pose.rotation[i][k].value;

@@ -7,7 +7,7 @@
 
 namespace wrc {
 
-/// What moves a wheel as a rail sees it: along rail y and z [m], about the x and z axes through its reference
+/// Motions of a wheel as a rail sees it: along rail y and z [m], about the x and z axes through its reference
 /// point [rad]. The turning about y follows from the axle's unit length, and about the axle nothing changes.
 enum PlaceInput : std::int32_t { place_y, place_z, turn_x, turn_z, place_inputs };
 
@@ -23,12 +23,12 @@ struct StripPlace {
   PlaceDual y, z, ty, tz;
 };
 
-/// Of a strip whose ray ends at length `u` [m] on a piece of the wheel's curve (Overlaps).
+/// The overlap of a strip whose ray ends at length `u` [m] on a piece of the wheel's curve (Overlaps).
 OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
                              const RelativePoseOf<PlaceDual>& pose,
                              const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t piece, double u);
 
-/// A pose that carries the derivatives with respect to what moves it.
+/// A pose that carries its derivatives by all PlaceInput.
 RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose);
 
 }  // namespace wrc

@@ -26,6 +26,7 @@ void tangent_at(const Curve& rail, double s, double& ty, double& tz) {
 }  // namespace
 
 double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
+  // mean radius over 6 mm of arc, from the angle the tangent turns by; the width is linear in it
   double ay, az, by, bz;
   tangent_at(rail, s - looked_over, ay, az);
   tangent_at(rail, s + looked_over, by, bz);
@@ -34,6 +35,7 @@ double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
   const double t = std::clamp((radius - widths.sharp) / (widths.flat - widths.sharp), 0.0, 1.0);
   const double width = widths.narrowest + t * (widths.widest - widths.narrowest);
   if (!(widths.guiding < widths.widest)) return width;
+  // on faces that guide, narrower from a slope of 64 degrees on
   double ty, tz;
   tangent_at(rail, s, ty, tz);
   constexpr double begins = 0.90, holds = 0.97;  // sines
@@ -68,6 +70,7 @@ RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t m
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   const std::int32_t n = cut_length(
       begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, a.s, a.width);
+  // place and unit tangent in the middle of each strip
   for (std::int32_t j = 0; j < n; ++j) {
     const std::int32_t k = piece_of(rail, a.s[j]);
     const CurvePoint p = evaluate(rail, k, a.s[j] - rail.s[k]);

@@ -11,6 +11,7 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
     rail = {surfaces.rail, distance, 0.0, {}};
     return {};
   }
+  // sections end somewhere: beyond, the nearest one stands for the rail
   const double inside = smaller(larger(distance, varying.begin), varying.end);
   rail = place_strips(*surfaces.kernels, varying, inside, arrays);
   if (has_check_rail(varying)) {
@@ -26,12 +27,14 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
                                 "the nearest section is used");
 }
 
-// The front of the flange touches only what is on its own side of its tip, and rays from there would meet it
-// through its body. Overlaps that are solved are less deep than 3 mm.
+// The front of the flange touches only surfaces on its own side of its tip; rays from the other side would
+// meet it through its body. Overlaps that are solved are less deep than 3 mm.
 RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& pose,
                          const RailStrips& strips) {
   RailStrips rail = strips;
   if (rail.ranges < 2 || has_check_rail(surfaces.varying)) return rail;
+  // y of the tip as the rail sees it; faces that fall to the other side (tz < 0) and lie before it are left
+  // out
   constexpr double deepest = 3e-3;  // [m]
   const WheelCurve& wheel = surfaces.wheel;
   const double y = pose.y + pose.rotation[1][1] * wheel.knot_y[wheel.flange_tip] +
@@ -49,8 +52,9 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept {
-  // The margin of a round wheel on a rail that is the same all along is wider by what follow_track() may add:
-  // on a slope a, a^2 r / 2, and more where the rail is concave; at most 2 mm, and the wheel's largest reach.
+  // The search, of a round wheel on a rail that is the same all along, is wider by the most that
+  // follow_track() adds: on a slope a, a^2 r / 2, and more where the rail is concave; at most 2 mm, and the
+  // wheel's largest reach.
   const bool varying = varies(surfaces);
   constexpr double concave = 1.5;
   const double more =

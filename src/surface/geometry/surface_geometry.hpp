@@ -1,8 +1,8 @@
 /// Stage geometry: the pose of a wheel -> its overlaps with the strips of a rail.
 ///
 /// Both cross sections by arc length and the strips of the rail do not change while a wheel rolls. A distance
-/// along the track places the strips; a pose of the wheel finds the overlaps (overlap.hpp) and adds what the
-/// rail's changes along the track and the wheel's round it do to them (along_track.hpp).
+/// along the track places the strips; a pose of the wheel gives their overlaps (overlap.hpp), to which the
+/// rail's changes along the track and the wheel's round it are added (along_track.hpp).
 #pragma once
 
 #include "surface/geometry/along_track.hpp"
@@ -17,7 +17,7 @@ struct SurfaceGeometry {
   VaryingRail varying;
   OutOfRound out_of_round;
   double wheel_radius = 0.0;         ///< nominal [m]
-  double roller_curvature = 0.0;     ///< of a rail that is a roller, at its profile's origin [1/m]
+  double roller_curvature = 0.0;     ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
   const Kernels* kernels = nullptr;  ///< that search them
 };
 

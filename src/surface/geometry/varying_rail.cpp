@@ -10,8 +10,8 @@ namespace wrc {
 namespace {
 
 constexpr double faces_apart = 1.0;          // [m] of arc length
-constexpr std::int32_t width_samples = 512;  // of an outline, where the widths wanted are looked at
-constexpr double largest_stretch = 8.0;      // of an outline's part against that it is paired with
+constexpr std::int32_t width_samples = 512;  // along an outline, of the widths wanted
+constexpr double largest_stretch = 8.0;      // length of a part over that of the part it is paired with
 constexpr double least_cosine = 0.5;         // between the tangents of points that are paired
 
 /// A cubic that rises through its knots (Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246, with
@@ -34,6 +34,7 @@ struct Pairing {
   void at(double x, double& length, double& growth) const {
     std::int32_t i = 0;
     while (i + 2 < knots && x > u[i + 1]) ++i;
+    // Hermite cubic on the interval and its derivative by x
     const double h = u[i + 1] - u[i], t = std::clamp((x - u[i]) / h, 0.0, 1.0);
     const double d = s[i + 1] - s[i], a = h * slope[i], b = h * slope[i + 1];
     length = s[i] + t * (a + t * (3.0 * d - 2.0 * a - b + t * (a + b - 2.0 * d)));
@@ -49,6 +50,7 @@ Fault find_marks(const RailSection& section, std::int32_t index, const Curve& cu
     const CurvePoint p = evaluate(curve, k, s - curve.s[k]);
     return cosine * (p.y - section.y) - sine * (p.z - section.z);
   };
+  // each mark's length by bisection: y increases along an outline between its ends
   double before = 0.0;
   for (std::int32_t m = 0; m < section.marks; ++m) {
     double low = 0.0, high = curve.s[curve.pieces];
@@ -90,6 +92,7 @@ Fault pair_with_first(const RailSection& section, std::int32_t index, const Curv
   const Fault fault = find_marks(section, index, curve, cosine, sine, length);
   if (fault.failed()) return fault;
   pairing.knots = section.marks + 2;
+  // knots at the outline's ends and marks; the parts between two knots may differ in length, but not by much
   const auto knot = [&](std::int32_t i) {
     return i == 0 ? 0.0 : i <= section.marks ? length[i - 1] : curve.s[curve.pieces];
   };
@@ -170,6 +173,7 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
 
 /// Puts the sections into faces, and notes their distances.
 void take_sections(const RailSection* sections, std::int32_t count, double* distance, VaryingRail& rail) {
+  // sections of one face stand together, by increasing distance
   std::int32_t faces = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     distance[k] = sections[k].distance;
@@ -184,10 +188,10 @@ void take_sections(const RailSection* sections, std::int32_t count, double* dist
 /// Sections on their way to strips.
 struct SectionReader {
   const RailSection* sections;
-  double cosine, sine;  ///< of the rail's inclination
+  double cosine, sine;  ///< inclination of the rail
   const VaryingRailArrays& arrays;
   Curve curve;      ///< outline of the section read last
-  Pairing pairing;  ///< of that with the first of its face
+  Pairing pairing;  ///< lengths along it over those along the first of its face
 
   Fault read(std::int32_t k, bool first) {
     const Fault fault = read_outline(sections[k], k, cosine, sine, arrays, curve);
@@ -224,6 +228,7 @@ Fault lay_outlines(SectionReader& reader, const VaryingRail& rail, const RailFac
     if (fault.failed()) return fault;
     double* const list = lists_of(rail, a.outline, k);
     for (std::int32_t j = 0; j < face.strips; ++j) {
+      // P(u) at the length s(u) along this outline, and P'(u) = dP/ds ds/du
       double s, growth;
       reader.pairing.at(a.middle[j], s, growth);
       const std::int32_t piece = piece_of(reader.curve, s), to = face.first + j;
@@ -295,6 +300,8 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   SectionBlend b;
   b.left = left;
   b.right = left + 1;
+  // The quintic Hermite functions of the header and their derivatives by t, scaled to derivatives by the
+  // distance: h1 = up, h0 = 1 - up, h2 = leaving, h3 = reaching.
   const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
                t = (distance - rail.distance[left]) * per;
   const double t2 = t * t;
@@ -319,6 +326,7 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
 }  // namespace
 
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
+  // the interval of sections that holds the distance
   const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
   const double* const above = std::upper_bound(begin, end, distance);
   if (above != begin && above != end)

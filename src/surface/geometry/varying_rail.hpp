@@ -38,19 +38,19 @@ struct RailSection {
 };
 
 struct RailFace {
-  std::int32_t first = 0, strips = 0;            ///< of the rail's strips
-  std::int32_t first_section = 0, sections = 0;  ///< of all sections
+  std::int32_t first = 0, strips = 0;            ///< among the rail's strips
+  std::int32_t first_section = 0, sections = 0;  ///< among all sections
 };
 
 struct VaryingRail {
   std::int32_t faces = 0;               ///< 0: the rail is the same everywhere
   std::int32_t strips = 0, stride = 0;  ///< stride: elements from one list of `outline` to the next
   RailFace face[most_rail_faces];
-  double begin = 0.0, end = 0.0;     ///< of the sections [m]
-  const double* distance = nullptr;  ///< of each section [m]
-  const double* outline = nullptr;   ///< of each section eight lists over the strips: y, z, dy/du, dz/du, and
-                                     ///< how they change along the track
-  const double* step = nullptr;      ///< of u, across each strip [m]
+  double begin = 0.0, end = 0.0;     ///< first and last distance of a section [m]
+  const double* distance = nullptr;  ///< distance of each section [m]
+  const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
+                                    ///< their slopes along the track
+  const double* step = nullptr;     ///< range of u across each strip [m]
 };
 
 /// Arrays of a rail that varies, and of its making.
@@ -71,8 +71,8 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
                         std::int32_t most_strips, const VaryingRailArrays& arrays, VaryingRail& rail);
 
-/// Where a distance lies in a face's sections: between `left` and `right`, or at one that is both, and what
-/// their values and slopes count for the outline and its derivatives by the distance, up to the third.
+/// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
+/// their values and slopes in the outline and its derivatives by the distance, up to the third.
 struct SectionBlend {
   std::int32_t left, right;
   double weight[4][4];
@@ -86,7 +86,7 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 struct PlacedRail : RailStrips {
   double distance = 0.0;                ///< within the sections [m]
   double steepest = 0.0;                ///< steepest fall of a strip along its normal, within 20 mm [-]
-  SectionBlend blend[most_rail_faces];  ///< of the faces there
+  SectionBlend blend[most_rail_faces];  ///< blend of each face there
 };
 
 /// The rail at a distance: strips of the faces that are there.

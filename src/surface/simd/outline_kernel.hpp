@@ -17,6 +17,7 @@ inline void outline_kernel(const OutlineTask& task) {
                                                      load_pack(wheel.knot_radius + k), slope);
     store_pack(task.scratch->y + k, o.y + task.pose->y);
     store_pack(task.scratch->z + k, o.z + task.pose->z);
+    // theta exists where |e2 r' / Y'| stays well below 1, and the face does not turn back
     const Mask seen = (magnitude(task.attitude.e2 * slope) < steepest_sine) & (slope < 1e200);
     store_pack(task.scratch->seen + k, select(seen, 1.0, 0.0));
   }
@@ -67,6 +68,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
   const std::int32_t knots = task.wheel->knots;
   for (std::int32_t j = 0; j < rail.count; j += lanes)
     store(nowhere, scratch.overlap + j, rail.count - j < lanes ? rail.count - j : lanes);
+  // Each range is walked on its own. Knots near it lie below its top and between its sides, by the margin.
   std::int32_t lowest = rail.count, highest = -1;
   const double least = -margin - chord_sagitta - rounding;
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
@@ -74,6 +76,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
     const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
     const double left = range.leftmost - beside, right = range.rightmost + beside;
     RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};
+    // Packs of knots that are all far from the range are passed over; the walk jumps to where they end.
     bool near_before = false, passed_over = false;
     for (std::int32_t pack = 0; pack < knots; pack += lanes) {
       const Pack ys = load_pack(scratch.y + pack), zs = load_pack(scratch.z + pack);
@@ -90,6 +93,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
           continue;
         }
         near_before = near;
+        // Behind knots that were passed over, or where the outline does not exist, nothing is crossed.
         if (passed_over) walk.jump_to(scratch.y[k - 1], scratch.z[k - 1]);
         passed_over = false;
         if (k == 0 || !(scratch.seen[k] > 0.0 && scratch.seen[k - 1] > 0.0)) {
@@ -99,16 +103,19 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
         const std::int32_t before = walk.last;
         walk.go_to(y, z);
         if (walk.last == before) continue;
+        // Rays between the chord's ends: the crossing divides it by the distances of both ends from the ray.
         const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
         std::int32_t j = before < walk.last ? before : walk.last;
         const std::int32_t last = before < walk.last ? walk.last : before;
         while (++j <= last) {
+          // a chord that lies above the margin at both ends lies above it at the crossing
           if (walk.below(j, y_before, z_before) < least && walk.below(j, y, z) < least) continue;
           const double from = walk.ahead(j, y_before, z_before), to = walk.ahead(j, y, z);
           const double share = from == to ? 0.5 : from / (from - to);
           const double t = share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;
           const double py = y_before + t * (y - y_before) - rail.y[j],
                        pz = z_before + t * (z - z_before) - rail.z[j];
+          // a ray that meets the outline twice keeps the deeper crossing
           const double overlap = pz * rail.ty[j] - py * rail.tz[j];
           if (overlap <= scratch.overlap[j]) continue;
           scratch.overlap[j] = overlap;
@@ -130,6 +137,7 @@ struct Pieces : PieceOf<Pack> {
 };
 
 inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) {
+  // rays of neighbouring strips may end on different pieces: gathered one by one
   double y[4][lanes], z[4][lanes], length[lanes];
   for (std::int32_t i = 0; i < lanes; ++i) {
     const std::int32_t k = piece[i];
@@ -166,6 +174,7 @@ inline void follow_rays_kernel(const OutlineTask& task, const Overlaps& overlaps
       tz[i] = rail.tz[j];
     }
     const Pieces c = pieces_of(task.wheel->curve, piece);
+    // the rays, from the wheel's reference point
     const StripRay<Pack> ray{load_pack(y) - task.pose->y, load_pack(z) - task.pose->z, load_pack(ty),
                              load_pack(tz)};
 
