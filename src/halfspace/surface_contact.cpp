@@ -111,12 +111,13 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   const auto on_wheel = static_cast<int>(bodies.wheel.length() / spacing);
   for (int k = 0; k <= on_wheel; ++k) lowest = std::max(lowest, bodies.wheel.at(spacing * k).z);
   if (bodies.out_of_round != nullptr) lowest += bodies.out_of_round->largest;
+  const SineCosine rolled = sine_cosine(rail.roll);
   bool first = true;
   for (const RailSurface& face : bodies.rail) {
     const auto on_rail = static_cast<int>(face.section.length() / spacing);
     for (int k = 0; k <= on_rail; ++k) {
       const SectionCurve::Point p = face.section.at(spacing * k);
-      const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
+      const double z = rolled.sine * p.y + rolled.cosine * p.z;
       top = first ? z : std::min(top, z);
       first = false;
     }
@@ -274,7 +275,7 @@ void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocatio
   s.row_forces.clear();
   for (int j = 0; j < g.ny; ++j) {
     const SurfaceRow& place = s.rows[j];
-    const double c = std::cos(place.angle), sn = std::sin(place.angle);
+    const auto [sn, c] = sine_cosine(place.angle);
     RowForces row{.s = g.y(j), .y = place.y, .z = place.z, .angle = place.angle};
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
@@ -569,9 +570,11 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
         bool found = false;
         const SurfaceRow row = surfaces.row((j + 0.5) * options_.cell_s, options_.normals, found);
         constexpr double least_down = 0.2;  // steeper faces guide
-        if (!found || std::cos(row.angle) < least_down) continue;
+        if (!found) continue;
+        const double down = sine_cosine(row.angle).cosine;
+        if (down < least_down) continue;
         const SurfacePoint p = surfaces.point(row, row.middle);
-        if (p.found) nearest = std::min(nearest, p.gap / std::cos(row.angle));
+        if (p.found) nearest = std::min(nearest, p.gap / down);
       }
     }
     height += std::min(nearest, apart);

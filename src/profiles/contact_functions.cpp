@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 #include "base/number.hpp"
-#include "contact/contact.hpp"
+#include "contact/wheel.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/silhouette.hpp"
 

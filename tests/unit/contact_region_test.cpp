@@ -9,7 +9,8 @@
 
 #include "abi/handles.hpp"
 #include "abi/wear.hpp"
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
+#include "contact/stages.hpp"
 #include "test_config.hpp"
 
 namespace wrc {
@@ -115,7 +116,7 @@ class ContactRegion : public testing::Test {
   void roll(const Creepage& creepage, double way = 1.0) {
     Friction law;
     law.law.coefficient = friction;
-    ASSERT_FALSE(solve_tangential(*contact, creepage, law, {.speed = speed, .way = way}).failed());
+    ASSERT_FALSE(solve_tangential(*contact, creepage, law, {.speed = speed, .direction = way}).failed());
   }
 
   Assessed all_of(int32_t index) {

@@ -309,8 +309,8 @@ struct Patches {
     in.grid = &grid;
     for (auto* each : {&fx, &fy, &mz}) each->assign(place.size(), 0.0);
     std::vector<double> workspace(static_cast<std::size_t>(region_rolling_doubles(in.count, method)));
-    const Fault fault = roll_by_region(in, along.data(), method, {}, 1.0, workspace.data(), {},
-                                       {fx.data(), fy.data(), mz.data()});
+    const Fault fault =
+        roll_by_region({in, along.data()}, method, workspace.data(), {}, {fx.data(), fy.data(), mz.data()});
     EXPECT_EQ(fault.status, WRC_OK);
     TangentialForces sum;
     for (std::size_t j = from; j < place.size(); ++j) {

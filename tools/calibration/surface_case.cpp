@@ -344,7 +344,7 @@ SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
   rolled.fx = std::exchange(d, d + n);
   rolled.fy = std::exchange(d, d + n);
   rolled.mz = std::exchange(d, d + n);
-  roll_on_surface(in, d, fields, rolled);
+  const SurfaceRollingTotals totals = roll_on_surface(in, d, fields, rolled);
   SurfaceForces f{};
   const double middle = mean(c.strips, &SurfaceStrip::place);
   for (std::size_t j = 0; j < n; ++j) {
@@ -354,8 +354,8 @@ SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
     f.fz += rolled.fy[j] * std::sin(s.angle);
     f.mz += rolled.mz[j] + s.centre * rolled.fy[j] - (s.place - middle) * rolled.fx[j];
   }
-  f.power = rolled.power_per_speed;
-  f.adhesion = rolled.adhesion_fraction;
+  f.power = totals.power_per_speed;
+  f.adhesion = totals.adhesion_fraction;
   f.converged = true;
   return f;
 }

@@ -146,10 +146,10 @@ struct Reading {
   double by_value[2 * most_within_reach], by_strength[2 * most_within_reach];
 };
 
-/// Mean of strip a's neighbours (level_reach), or their line (shift_reach, Kernels::near_lines).
+/// Mean of strip a's neighbours (lambda_reach), or their line (shift_reach, Kernels::near_lines).
 template <bool line>
 void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* wanted, Reading& r) {
-  const double reach = line ? shift_reach(s.width[a]) : level_reach(s.width[a]);
+  const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a]);
   r.from = a;
   while (r.from > 0 && a - r.from < most_within_reach && w.place[a] - w.place[r.from - 1] < reach) --r.from;
   double y[2 * most_within_reach], near[2 * most_within_reach];

@@ -128,8 +128,8 @@ Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count,
       const double x = w.pressure.centre[w.candidate[k]];
       w.along[k] = backwards ? -x : x;
     }
-    fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
-                           forces, heat, w.friction);
+    const RegionRollingInput patches{rolls, w.along, in.slope, in.slope_reduction, heat, w.friction};
+    fault = roll_by_region(patches, methods.region, w.region, w.fields, forces);
   } else {
     const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
     roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);

@@ -70,7 +70,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (Number** a : {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
                      &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz})
     numbers(*a, 1);
-  numbers(w.numbers, RollingArraysOf<Number>::count);
+  w.numbers = reinterpret_cast<Number*>(take(rolling_doubles<Number>(most)));
   w.values = take(most * kernel_numbers);
   w.slopes = take(most * 3 * simd::strip_inputs);
   return std::max(take.at, end) - memory;
@@ -111,7 +111,8 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
     mirror(s.slip_x);
     mirror(s.spin);
   }
-  const RollingArraysOf<Number> a = strip_numbers::arrays(w.numbers, n);
+  Arena scratch(w.numbers);
+  const RollingArraysOf<Number> a = cut_rolling_arrays<Number>(scratch, n);
   using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   strip_numbers::link<Each>(rolls, a);
