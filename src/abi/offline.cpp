@@ -22,7 +22,7 @@
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
-#include "surface/wrench/wheel_overlaps.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies that have rolled so far, and what they are.
@@ -396,14 +396,14 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
     faces.push_back({.section = section_of(surface.rail_curve, 0.0)});
     return {};
   }
-  std::vector<double> memory(static_cast<std::size_t>(rail_strip_doubles(most_strips_of_a_rail)));
-  RailStrips strips;
-  double distance = problem.distance, steepest = 0.0;
-  SectionBlend blend[most_rail_faces];
-  const Fault outside = place_strips(*surface.kernels, surface.varying, memory.data(), most_strips_of_a_rail,
-                                     distance, strips, blend, steepest);
-  strips =
-      strips_before_wheel(surface, motion_at_height(surface, problem, problem.wheel.position[2]), strips);
+  Arena count;
+  cut_strips(count, most_strips_of_a_rail);
+  std::vector<double> memory(static_cast<std::size_t>(count.doubles()));
+  Arena arena(memory.data());
+  PlacedRail rail;
+  const Fault outside = place_rail(surface, problem.distance, cut_strips(arena, most_strips_of_a_rail), rail);
+  const RailStrips strips =
+      strips_before(surface, motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
   const bool same_everywhere = has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
     const FaceStrips& range = strips.range[r];
@@ -415,7 +415,7 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
     faces.push_back({.section = {part(strips.y), part(strips.z), 0.0},
                      .varying = same_everywhere ? nullptr : &surface.varying,
                      .first = range.first,
-                     .distance = distance});
+                     .distance = rail.distance});
   }
   return outside;
 }

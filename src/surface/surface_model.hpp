@@ -1,5 +1,5 @@
-/// What does not change while a wheel rolls on a rail: both cross sections by arc length, the rail's strips,
-/// elastic constants and tables. Immutable after creation; any number of contacts use one.
+/// Constants of a wheel that rolls on a rail: both cross sections by arc length, the rail's strips, elastic
+/// constants and tables. Immutable after creation; any number of contacts use one.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "patch/material.hpp"
-#include "surface/geometry/out_of_round.hpp"
-#include "surface/geometry/overlap.hpp"
-#include "surface/geometry/rail_strips.hpp"
-#include "surface/geometry/varying_rail.hpp"
+#include "surface/geometry/surface_geometry.hpp"
 #include "surface/pressure/planar_pressure.hpp"
 #include "surface/pressure/pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
@@ -22,7 +19,7 @@
 
 namespace wrc {
 
-/// What a wheel on a rail is solved with.
+/// Methods that solve a wheel on a rail.
 struct SurfaceMethods {
   PlanarMethod planar;  ///< without `solve`: strips in half-space equilibrium on the surface
   SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
@@ -39,35 +36,27 @@ struct SurfaceBodies {
   Profile wheel;                                    ///< from its own origin, z down
   Profile rail;                                     ///< from its own origin, not canted
   double rail_inclination = 0.0;                    ///< tangent of the cant about that origin
-  double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< of the right-hand rail, track axes [m]
-  double nominal_radius = 0.0;                      ///< of the wheel at its profile's origin [m]
+  double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
+  double nominal_radius = 0.0;                      ///< radius of the wheel at its profile's origin [m]
   std::int32_t sections = 0;                        ///< 0: the rail is the same everywhere
   const RailSection* section = nullptr;
   RadiusTable radius;             ///< without rows: the wheel is round
-  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
+  double roller_curvature = 0.0;  ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
   Material material;
   Effusivities effusivities;
   // These outlive the model:
   const InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
-  const KalkerTable* ellipse = nullptr;  ///< of the material's Poisson ratio
+  const KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
   const MarchGrid* grid = nullptr;
   SurfaceMethods methods;
 };
 
-struct SurfaceModel {
-  Curve rail_curve;
-  RailStrips rail;
-  WheelCurve wheel;
-  VaryingRail varying;
-  OutOfRound out_of_round;
-  double rail_origin_y = 0.0, rail_origin_z = 0.0;
-  double wheel_radius = 0.0;      ///< nominal [m]
-  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
+struct SurfaceModel : SurfaceGeometry {
+  double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
   Material material;
   Effusivities effusivities;
   const InfluenceTables* influence = nullptr;
-  const Kernels* kernels = nullptr;
   StripCoefficientTable coefficients;
   const MarchGrid* grid = nullptr;
   SurfaceMethods methods;
@@ -86,11 +75,6 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 /// The model's constants of the normal problem.
 inline PressureModel pressure_model(const SurfaceModel& model) {
   return {*model.influence, *model.kernels, model.material.normal_compliance()};
-}
-
-/// Is there anything that changes along the track or round the wheel?
-inline bool varies(const SurfaceModel& model) {
-  return model.varying.faces > 0 || model.out_of_round.rows > 0 || model.roller_curvature != 0.0;
 }
 
 }  // namespace wrc

@@ -303,7 +303,7 @@ struct HandMadeStrips {
       s.overlaps.nz[k] = std::cos(u);
       s.overlaps.wy[k] = -0.03 + 1e-3 * strip;
       s.overlaps.wz[k] = 0.46 + 1e-4 * strip;
-      s.overlaps.lean[k] = 0.01 * u;
+      s.overlaps.grade[k] = 0.01 * u;
       s.overlaps.depth[k] = s.overlaps.centre[k] = s.overlaps.curvature[k] = 0.0;
       c.candidate[k] = k;
       c.x[k] = 1e-3 * (k - 1);
@@ -328,7 +328,7 @@ struct HandMadeStrips {
                           const Vector& moment) const {
     Vector F{}, M{};
     for (std::int32_t k = first; k < first + count; ++k) {
-      const double N = load(k), g = s.overlaps.lean[k], ny = s.overlaps.ny[k], nz = s.overlaps.nz[k];
+      const double N = load(k), g = s.overlaps.grade[k], ny = s.overlaps.ny[k], nz = s.overlaps.nz[k];
       const double fx = s.strips.fx[k], fy = s.strips.fy[k];
       const auto turned = [this](double x, double y, double z) {
         return Vector{x, std::cos(0.3) * y - std::sin(0.3) * z, std::sin(0.3) * y + std::cos(0.3) * z};

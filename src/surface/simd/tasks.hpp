@@ -1,5 +1,4 @@
-/// What crosses between contact on the rail's surface and the kernels of an instruction set: plain data, no
-/// constructors.
+/// Arguments of the kernels of contact on the rail's surface: plain data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +26,11 @@ struct SurfaceStrips {
   const double *ny, *nz;        ///< directions
 };
 
-/// What does not change while strips press more or less: a row for each strip of a list, over strips.
+/// Constants of pairs of strips, however much they press: a row for each strip of a list, over strips.
 struct SurfacePairs {
-  double*
-      axis_place;  ///< of the distance over 1 m on the axis of the table's rows; a length's is taken from it
-  double* cosine;  ///< between the directions; 0 of a strip with itself
-  double* correction;   ///< of width_correction() (normal/simd/line_tables.hpp), without inverse_to_end
+  double* axis_place;   ///< distance over 1 m on the axis of the table's rows; a length's is taken from it
+  double* cosine;       ///< between the directions; 0 of a strip with itself
+  double* correction;   ///< width_correction() (normal/simd/line_tables.hpp) without inverse_to_end
   std::int64_t stride;  ///< from row to row
 };
 
@@ -44,7 +42,7 @@ struct SurfaceSources {
   const double* centre;          ///< x of the middle [m]
   const double* inverse_length;  ///< 1 / l [1/m]
   const double* half_width;      ///< half the width over l [-]
-  const double* factor;          ///< what the displacement is multiplied by
+  const double* factor;          ///< on the displacement
 };
 
 /// Tables of the influence function (normal/elasticity/influence_tables.hpp).
@@ -65,28 +63,28 @@ struct SurfacePoints {
   const double *place, *x;
 };
 
-/// Edges of the sources themselves: x = centre +- half length, and what is found there. Whole packs.
+/// Edges of the sources themselves: x = centre +- half length, and the displacements there. Whole packs.
 struct SurfaceEdges {
-  const std::int32_t* row;     ///< of each strip's pairs with the sources
+  const std::int32_t* row;     ///< row of each strip's pairs with the sources
   const double* half_length;   ///< [m]
   double *leading, *trailing;  ///< displacements; trailing nullptr: as the leading ones, not asked for
 };
 
-/// What each source does to a point of another direction: without the cosine between them, and its
+/// Displacement of a point by each source, without the cosine between their directions, and its
 /// derivatives by the source's half length, factor included, and by the point's x. Whole packs.
 struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// The row of a point's displacement over the sources' changes, from what they do to it without the cosine,
-/// and its sums over the sources with their directions.
+/// Row of a point's displacement over the sources' changes, from their displacements without the cosine, and
+/// its sums over the sources with their directions.
 struct SlopesRowTask {
   std::int32_t count;
   SurfaceSlopes seen;
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
-  const double *strength, *growing;  ///< of each source; growing: its half length's growth times strength
-  const double* direction;           ///< of each source, `directions` of them
+  const double *strength, *growing;  ///< for each source; growing: its half length's growth times strength
+  const double* direction;           ///< `directions` numbers for each source
   double* row;                       ///< by strength, by squared length and by centre, `count` of each
   double* sum;                       ///< strength times value times direction
 
@@ -117,12 +115,12 @@ struct NearLinesTask {
 struct SectionStripsTask {
   std::int32_t count;
   const double *left, *right;  ///< the sections' lists: y, z, dy/du, dz/du, and their slopes along the track
-  std::int64_t room;           ///< elements from one list to the next
-  const double (*weight)[4];  ///< of left, right, slope on the left, on the right: for values, then for first
+  std::int64_t stride;         ///< elements from one list to the next
+  const double (*weight)[4];  ///< on left, right, slope on the left, on the right: for values, then for first
                               ///< and second derivatives by the distance
-  const double* step;         ///< of u [m]
+  const double* step;         ///< range of u across each strip [m]
   double within;              ///< [m]
-  double *y, *z, *ty, *tz, *width;  ///< of RailStrips
+  double *y, *z, *ty, *tz, *width;  ///< as RailStrips
 };
 
 /// A wheel's outline, and the strips whose rays it may cross.

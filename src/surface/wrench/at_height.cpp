@@ -29,10 +29,10 @@ constexpr Fault on_the_back =
                          "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?");
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
-Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
+Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline) {
   const SurfaceModel& model = problem.model;
   constexpr double most = 4e-3;  // [m]: overlaps that rays are crossed for (outline_kernel.hpp)
-  const RailStrips& rail = problem.rail.strips;
+  const RailStrips& rail = problem.rail;
 
   // the knot of the wheel's outline that is deepest below the rail's profile, beyond that
   double deepest = most;
@@ -40,8 +40,8 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
     const FaceStrips& range = rail.range[r];
     for (std::int32_t k = 0; k < model.wheel.knots; ++k) {
-      const double y = rays.y[k], z = rays.z[k];
-      if (!(rays.seen[k] > 0.0 && z > range.top + deepest)) continue;
+      const double y = outline.y[k], z = outline.z[k];
+      if (!(outline.seen[k] > 0.0 && z > range.top + deepest)) continue;
       const double *const begin = rail.y + range.first, *const end = begin + range.count;
       const double* const above = std::upper_bound(begin, end, y);
       if (above == begin || above == end) continue;
@@ -54,7 +54,7 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
   if (knot < 0) return Fault::no_contact();
   return Fault::no_contact(
       "depth of the wheel inside the rail", {deepest, "m", 0.0, most},
-      knot < flange_tip(model.wheel)
+      knot < model.wheel.flange_tip
           ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
             "beside its rail (input.wheel.y)?"
           : "the flange is inside the rail's side, where no contact is looked for: did you pass "
@@ -64,12 +64,12 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& rays) {
 /// Flags of a solution that reaches beyond the profiles or the deepest overlap, or is of more strips than
 /// fit.
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
-  const WheelOverlaps& o = s.overlaps;
+  const Overlaps& o = s.overlaps;
   if (o.full)
     return Fault::more_patches("strips that overlap",
                                {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},
                                "those beyond, on the field side, carry nothing");
-  const RailStrips& rail = problem.rail.strips;
+  const RailStrips& rail = problem.rail;
   const SurfaceModel& model = problem.model;
   const Curve& wheel = model.wheel.curve;
   const bool alone = model.varying.faces < 2;  // another face may be there for the flange's back
@@ -85,12 +85,12 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
 
     // the back of the flange, where rays of the rail's field side meet the wheel behind its tip
     constexpr double falling = 0.5;  // to the field side
-    if (alone && rail.tz[j] > falling && o.rays.piece[j] < flange_tip(model.wheel)) return on_the_back;
+    if (alone && rail.tz[j] > falling && o.piece[i] < model.wheel.flange_tip) return on_the_back;
 
     // The first and the last strip of a face, and ends of the wheel's profile, beyond which rays meet
     // nothing.
     const bool rail_ends = at_end(rail, j);
-    const double at = wheel.s[o.rays.piece[j]] + o.rays.along[j], near = rail.width[j];
+    const double at = wheel.s[o.piece[i]] + o.u[i], near = rail.width[j];
     const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
     if (rail_ends || wheel_ends) return Fault::patch_at_edge(rail_ends ? "config.rail" : "config.wheel");
   }
@@ -100,7 +100,7 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
 /// Pressures at the overlaps, by the model's method.
 Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options) {
   const SurfaceModel& model = solver.problem.model;
-  const RailStrips& rail = solver.problem.rail.strips;
+  const RailStrips& rail = solver.problem.rail;
   const Overlaps& overlaps = solver.solution.overlaps;
   const StripPressure& pressure = solver.solution.pressure;
   Arena scratch = solver.scratch;
@@ -133,7 +133,7 @@ struct LoadSums {
 /// [m/s], [rad/s].
 LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
   LoadSums sums;
-  const RailStrips& rail = problem.rail.strips;
+  const RailStrips& rail = problem.rail;
   const Overlaps& o = s.overlaps;
   const StripPressure& p = s.pressure;
   ContactStrips& strips = s.strips;
@@ -141,7 +141,7 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     const std::int32_t j = o.strip[i];
     const double l = std::sqrt(p.length_squared[i]), x = p.centre[i];
-    const StripMotion<double> m = motion_at(s.motion.velocity, strip_of(o, i), x, o.lean != nullptr);
+    const StripMotion<double> m = motion_at(s.motion.velocity, strip_of(o, i), x, o.grade != nullptr);
 
     // p0 = lambda l = q / l and N = pi/2 w l p0, both times the damping factor
     const double damped = damping_factor(m.approach, problem.in.damping);
@@ -210,7 +210,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
   if (fault.failed()) return fault;
   const LoadSums sums = take_loaded_strips(solver.problem, s);
   // converged or not: there is no force
-  if (s.strips.count == 0) return apart_or_inside(solver.problem, s.overlaps.rays);
+  if (s.strips.count == 0) return apart_or_inside(solver.problem, s.overlaps.outline);
 
   // slips are velocities over the speed of rolling, bounded below near standstill
   s.sums.rolling_speed = rolling_speed_of(s.motion, sums);
@@ -269,7 +269,7 @@ Fault solve_given_height(const HeightSolver& solver) {
     find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);
     s.overlaps.count = 0;  // they have no pressures
     out.height = asked;
-    return apart_or_inside(problem, s.overlaps.rays);
+    return apart_or_inside(problem, s.overlaps.outline);
   }
 
   // N (1 + stiffness (asked - border) / N): all forces by the same factor

@@ -29,11 +29,11 @@ double fall_to_strips(const WheelProblem& problem, const RelativeMotion& motion,
 
 /// The distance from the lowest point of the wheel's outline down to the highest of the rail [m].
 double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion,
-                       const OverlapScratch& rays) {
+                       const OverlapScratch& outline) {
   double lowest = -1e300, top = 1e300;
   for (std::int32_t k = 0; k < problem.model.wheel.knots; ++k)
-    if (rays.seen[k] > 0.0) lowest = larger(lowest, rays.z[k]);
-  const RailStrips& rail = problem.rail.strips;
+    if (outline.seen[k] > 0.0) lowest = larger(lowest, outline.z[k]);
+  const RailStrips& rail = problem.rail;
   for (std::int32_t r = 0; r < rail.ranges; ++r) top = smaller(top, rail.range[r].top);
   return (top - lowest) / motion.cosine;
 }
@@ -44,7 +44,7 @@ double clearance(const WheelProblem& problem, Arena scratch) {
   constexpr int most_steps = 12;
   constexpr double close = 1e-10;     // [m]
   constexpr double least_down = 0.1;  // steeper than any flange
-  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   double lowered = 0.0;
   for (int n = 0; n < most_steps; ++n) {
     const double height = problem.in.wheel.position[2] + lowered;
@@ -63,7 +63,7 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
   constexpr double least_down = 0.2;
   constexpr double deep =
       0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
-  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   double height = problem.in.wheel.position[2];
   bool above = false;
   for (int n = 0; n < most_steps; ++n) {
@@ -72,7 +72,7 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
     // a guess deep inside the rail starts again from above all of it, once
     if (!above && fall < -deep) {
       above = true;
-      fall = smaller(fall, fall_from_above(problem, motion, overlaps.rays));
+      fall = smaller(fall, fall_from_above(problem, motion, overlaps.outline));
     }
     height += fall;
     if (std::abs(fall) < close) break;

@@ -168,12 +168,11 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
 bool friction_outweighs_slope(const WheelProblem& problem, double height, Arena scratch) {
   constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of the balance
   const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
-  WheelOverlaps o = cut_overlaps(scratch, work_sizes(problem.model));
+  WheelOverlaps o = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   find_wheel_overlaps(problem, motion, beyond, o);
   bool outweighs = false;
   for (std::int32_t i = 0; i < o.count && !outweighs; ++i) {
-    const double friction =
-        problem.in.law ? friction_at_rest(problem, o.rays, o.strip[i]).value : problem.in.friction;
+    const double friction = problem.in.law ? friction_at_rest(problem, o, i).value : problem.in.friction;
     // vertical: N (down - mu aside) at the worst direction of friction
     const double down = downwards(motion, o.ny[i], o.nz[i]);
     const double aside = motion.cosine * o.ny[i] - motion.sine * o.nz[i];

@@ -6,10 +6,11 @@
 
 namespace wrc {
 
-FrictionAtRest friction_at_rest(const WheelProblem& problem, const OverlapScratch& rays, std::int32_t strip) {
+FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& overlaps, std::int32_t i) {
   constexpr double rounding = 1e-9;  // [m]: of widths
   const WheelOnRail& in = problem.in;
-  const RailStrips& rail = problem.rail.strips;
+  const RailStrips& rail = problem.rail;
+  const std::int32_t strip = overlaps.strip[i];
   const FrictionZones& zones = in.law->zones;
   if (zones.count == 0) return {in.law->coefficient, 0.0};
 
@@ -20,7 +21,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const OverlapScratc
   }
 
   // zones over the wheel's y: the same width about the end of the strip's ray
-  const CurvePoint p = evaluate(problem.model.wheel.curve, rays.piece[strip], rays.along[strip]);
+  const CurvePoint p = evaluate(problem.model.wheel.curve, overlaps.piece[i], overlaps.u[i]);
   const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz), advance = p.dy / speed;
   const double half = 0.5 * rail.width[strip] * magnitude(advance) + rounding;
   const double from = p.y - half, to = p.y + half;
@@ -35,7 +36,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const OverlapScratc
   return {mean, ((last - first) * 0.5 + (0.5 * (first + last) - mean) * half_by_y) / half};
 }
 
-double strip_speed_factor(const FrictionLaw& law, const StripArrays& strips, std::int32_t k, double speed) {
+double strip_speed_factor(const FrictionLaw& law, const ContactArrays& strips, std::int32_t k, double speed) {
   // the mean of |(xi_x, xi_y + phi x)|^2 over -l <= x <= l is xi_x^2 + xi_y^2 + (phi l)^2 / 3
   const double turning = strips.spin[k] * strips.half_length[k];
   const double slip2 =
@@ -43,11 +44,10 @@ double strip_speed_factor(const FrictionLaw& law, const StripArrays& strips, std
   return speed_factor(law, speed * std::sqrt(slip2));
 }
 
-void set_cold_friction(const WheelProblem& problem, const WheelOverlaps& overlaps, double speed,
+void set_cold_friction(const WheelProblem& problem, const Overlaps& overlaps, double speed,
                        const ContactStrips& strips) {
   for (std::int32_t k = 0; k < strips.count; ++k) {
-    const std::int32_t j = overlaps.strip[strips.candidate[k]];
-    const double at_rest = friction_at_rest(problem, overlaps.rays, j).value;
+    const double at_rest = friction_at_rest(problem, overlaps, strips.candidate[k]).value;
     strips.friction[k] = at_rest * strip_speed_factor(*problem.in.law, strips, k, speed);
   }
 }

@@ -36,8 +36,8 @@ StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOv
   const Number vz = v.linear[2] + omega[0] * o.wy - omega[1] * x;
   StripMotion<Number> m{vx, vy * o.nz - vz * o.ny, vy * o.ny + vz * o.nz, omega[1] * o.ny + omega[2] * o.nz};
   if (graded) {
-    m.along = vx + o.lean * m.approach;
-    m.approach = m.approach - o.lean * vx;
+    m.along = vx + o.grade * m.approach;
+    m.approach = m.approach - o.grade * vx;
   }
   return m;
 }
@@ -50,9 +50,9 @@ void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, cons
   // in rail axes: tangential forces and pressure, then the parts that a grade turns into one another
   Number Fx = fx, Fy = fy * o.nz - N * o.ny, Fz = -(fy * o.ny) - N * o.nz;
   if (graded) {
-    Fy += o.lean * fx * o.ny;
-    Fz += o.lean * fx * o.nz;
-    Fx += o.lean * N;
+    Fy += o.grade * fx * o.ny;
+    Fz += o.grade * fx * o.nz;
+    Fx += o.grade * N;
   }
   // sums, moments by r x F + m_z n
   force[0] += Fx;

@@ -14,7 +14,7 @@ namespace {
 /// Completes the results of the strips, of which a solve leaves slips, friction and forces there.
 void complete_results(const WheelProblem& problem, const WheelSolution& s, StripResults& results) {
   const WheelOnRail& in = problem.in;
-  const RailStrips& rail = problem.rail.strips;
+  const RailStrips& rail = problem.rail;
   StripResultsHead& head = results;
   // numbers of the solution as a whole, and of the problem those that fields are computed with later
   head = s.sums;
@@ -71,10 +71,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   // results of the stages first; the rest of the workspace is scratch
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
-  double* const sections = sizes.varying ? arena.take(rail_strip_doubles(most_strips_of_a_rail)) : nullptr;
+  StripArrays sections{};
+  if (sizes.varying) sections = cut_strips(arena, most_strips_of_a_rail);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
-  const Fault outside = place_rail(model, in, sections, problem.rail);
+  const Fault outside = place_rail(model, in.distance, sections, problem.rail);
 
   // from the last solution where it holds one: a load is searched from its height, else below first touch
   warm = warm && state.set > 0.0;
@@ -112,7 +113,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
   const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
   const TangentialFields& f = scratch.fields;
   ContactStrips strips;
-  static_cast<StripArrays&>(strips) = StripArrays(results, first);
+  static_cast<ContactArrays&>(strips) = ContactArrays(results, first);
   strips.count = count;
 
   // near standstill, where forces of both directions are blended, fields are those of the own direction

@@ -27,7 +27,7 @@ Number frame_number(const PlaceDual& a) {
 
 StripOverlap<Number> frame_overlap(const OverlapSlopes& o) {
   return {frame_number(o.depth), frame_number(o.centre), frame_number(o.curvature), frame_number(o.ny),
-          frame_number(o.nz),    frame_number(o.wy),     frame_number(o.wz),        frame_number(o.lean)};
+          frame_number(o.nz),    frame_number(o.wy),     frame_number(o.wz),        frame_number(o.grade)};
 }
 
 /// Numbers of the strips that carry load; one element per strip.
@@ -119,25 +119,26 @@ RelativePoseOf<PlaceDual> resting_pose(const RelativePose& pose) {
   return resting;
 }
 
-/// Overlap of strip j with all that the track and the wheel's shape add: find_wheel_overlaps() of
-/// wheel_overlaps.cpp, along the ray of the solution.
+/// Overlap i with all that the track and the wheel's shape add: overlap_surfaces() of surface_geometry.cpp,
+/// along the ray of the solution.
 OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePoseOf<PlaceDual>& pose,
-                                    const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t j) {
+                                    const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t i) {
   const SurfaceModel& model = d.problem.model;
-  const RailBelow& below = d.problem.rail;
-  const RailStrips& rail = below.strips;
-  const OverlapScratch& rays = d.solved.overlaps.rays;
+  const PlacedRail& rail = d.problem.rail;
+  const Overlaps& overlaps = d.solved.overlaps;
+  const std::int32_t j = overlaps.strip[i], piece = overlaps.piece[i];
+  const double u = overlaps.u[i];
   StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
-  if (!varies(model)) return overlap_slopes(place, model.wheel, pose, attitude, rays, j);
+  if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
 
   // by track the strip itself moves: beyond the last section nothing changes with the distance
-  PlaceDual distance = below.distance, angle = d.problem.in.angle;
+  PlaceDual distance = rail.distance, angle = d.problem.in.angle;
   if (d.by == JacobianBy::track) {
-    if (below.distance == d.problem.in.distance) distance.d[track_distance] = 1.0;
+    if (rail.distance == d.problem.in.distance) distance.d[track_distance] = 1.0;
     angle.d[track_angle] = 1.0;
   }
   if (model.varying.faces > 0 && d.by == JacobianBy::track) {
-    const SectionBlend& blend = below.blend[face_of(model.varying, j)];
+    const SectionBlend& blend = rail.blend[face_of(model.varying, j)];
     const auto moved = strip_at(model.varying, blend, j, distance);
     place.y = moved.y;
     place.z = moved.z;
@@ -145,17 +146,14 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   }
 
   // the same corrections as of plain numbers, in the same order
-  OverlapSlopes o = overlap_slopes(place, model.wheel, pose, attitude, rays, j);
-  o.lean = 0.0;
-  if (model.varying.faces > 0) follow_rail(model.varying, j, distance, below.blend, o);
-  if (model.roller_curvature != 0.0) follow_roller(model.roller_curvature, rail.z[j], distance, o);
-  if (model.out_of_round.rows > 0) follow_wheel(model.out_of_round, pose, o.y_wheel, angle, o);
+  OverlapSlopes o = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  follow_track<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
   return o;
 }
 
 /// The strips that press, with their overlaps and pressures differentiated.
 Fault take_pressed_strips(const Differentiation& d) {
-  const RailStrips& rail = d.problem.rail.strips;
+  const RailStrips& rail = d.problem.rail;
   const Overlaps& o = d.solved.overlaps;
   const StripPressure& p = d.solved.pressure;
   const RelativePose& solved = d.solved.motion.pose;
@@ -180,7 +178,7 @@ Fault take_pressed_strips(const Differentiation& d) {
     s.line_load[k] = p.line_load[i];
     s.length_squared[k] = p.length_squared[i];
     s.centre[k] = p.centre[i];
-    s.overlap[k] = differentiate_overlap(d, pose, attitude, j);
+    s.overlap[k] = differentiate_overlap(d, pose, attitude, i);
   }
   differentiate_pressures(pressure_model(d.problem.model), d.w.pressures, s);
   return {};
@@ -211,7 +209,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
   LoadedStrips& loaded = d.w.loaded;
   const WheelOnRail& in = d.problem.in;
   const RelativeVelocityOf<Number> velocity = differentiate_velocity(d.solved.motion.velocity, d.by);
-  const bool graded = d.solved.overlaps.lean != nullptr;
+  const bool graded = d.solved.overlaps.grade != nullptr;
   // a factor of 1 on all friction, whose derivative is that by the coefficient, whatever the law
   loaded.count = 0;
   loaded.friction_factor = 1.0;
@@ -254,11 +252,10 @@ Number differentiate_loaded_strips(const Differentiation& d) {
 /// Coefficients of cold strips at their sliding speeds: set_cold_friction() of strip_friction.cpp.
 void differentiate_friction(const Differentiation& d, const Number& speed) {
   const FrictionLaw& law = *d.problem.in.law;
-  const WheelOverlaps& overlaps = d.solved.overlaps;
+  const Overlaps& overlaps = d.solved.overlaps;
   const LoadedStrips& s = d.w.loaded;
   for (std::int32_t k = 0; k < s.count; ++k) {
-    const std::int32_t j = overlaps.strip[d.solved.strips.candidate[k]];
-    const FrictionAtRest at_rest = friction_at_rest(d.problem, overlaps.rays, j);
+    const FrictionAtRest at_rest = friction_at_rest(d.problem, overlaps, d.solved.strips.candidate[k]);
     // mu = mu_rest(y) f(V |xi|), the root mean square of the rigid slip over the strip
     const Number turning = s.spin[k] * s.half_length[k];
     const Number slip2 = s.slip_x[k] * s.slip_x[k] + s.slip_y[k] * s.slip_y[k] + turning * turning / 3.0;
@@ -439,7 +436,7 @@ class HeatedDifferences {
   /// Solves the tractions of the strips a step along an input; `more` as in solve_heated_tractions().
   void solve(std::size_t input, double step, int more) {
     const WheelOnRail& in = d_.problem.in;
-    const WheelOverlaps& overlaps = d_.solved.overlaps;
+    const Overlaps& overlaps = d_.solved.overlaps;
     double* const to[numbers] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin};
     double* const cold_friction = h_.rolling.cold_friction;
     if (more > 0) std::copy_n(h_.share, s_.count, h_.rolling.heat_share);
@@ -450,8 +447,7 @@ class HeatedDifferences {
     // the law at each strip's own place and sliding speed
     for (std::int32_t k = 0; k < s_.count; ++k) {
       to[lengths][k] = larger(to[lengths][k], 0.0);
-      const FrictionAtRest cold =
-          friction_at_rest(d_.problem, overlaps.rays, overlaps.strip[strips_.candidate[k]]);
+      const FrictionAtRest cold = friction_at_rest(d_.problem, overlaps, strips_.candidate[k]);
       double mu = cold.value;
       if (in.zones_on_wheel)
         mu = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(d_.w, k).d[input], 0.0);
@@ -521,7 +517,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   if (problem.in.friction > 0.0) differentiate_rolling(d, rolling_speed);
 
   // force and moment about the wheel's reference point, rail axes
-  const bool graded = solved.overlaps.lean != nullptr;
+  const bool graded = solved.overlaps.grade != nullptr;
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), frame_number(w.pressed.centre_dual[k]), graded,
