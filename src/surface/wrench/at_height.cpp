@@ -74,7 +74,7 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   const Curve& wheel = model.wheel.curve;
   const bool alone = model.varying.faces < 2;  // another face may be there for the flange's back
 
-  // of the strips in contact, from the gauge side on, the first that is flagged counts
+  // strips in contact from the gauge side on: the first that is flagged counts
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     constexpr double rounding = 1e-9;  // [m]
     const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
