@@ -273,7 +273,7 @@ std::uint64_t fingerprint(const Model& model) {
       for (std::int32_t k = face.first_section; k < face.first_section + face.sections; ++k) {
         sum.add(rail.distance[k]);
         for (std::int32_t list = 0; list < 8; ++list)
-          sum.add(rail.outline + (static_cast<std::int64_t>(k) * 8 + list) * rail.room + face.first, bytes);
+          sum.add(rail.outline + (static_cast<std::int64_t>(k) * 8 + list) * rail.stride + face.first, bytes);
       }
     }
     const OutOfRound& wheel = model.surface->out_of_round;

@@ -15,7 +15,7 @@ struct ContactPoint {
   double x = 0.0, y = 0.0, z = 0.0;  ///< on the rail, track frame; x is that of the wheel's point [m]
   double vertical_gap = 0.0;         ///< rail z - wheel z; negative: the undeformed bodies overlap [m]
   double angle = 0.0;                ///< contact angle, atan of the common tangent's dz/dy [rad]
-  double cosine = 1.0, sine = 0.0;   ///< of the contact angle
+  double cosine = 1.0, sine = 0.0;   ///< contact angle
   double y_rail = 0.0;               ///< in the coordinates of the rail's profile, field side positive [m]
   double y_wheel = 0.0;              ///< in the coordinates of the wheel's profile, field side positive [m]
   double wheel_s = 0.0;              ///< wheelset-frame lateral position of the wheel's point [m]

@@ -9,7 +9,7 @@ namespace wrc {
 
 /// Velocity of the wheelset relative to the track.
 struct WheelsetMotion {
-  double speed = 0.0;              ///< of its middle, along the track [m/s]
+  double speed = 0.0;              ///< velocity of its middle along the track [m/s]
   double lateral_velocity = 0.0;   ///< along y [m/s]
   double vertical_velocity = 0.0;  ///< along z, down [m/s]
   double roll_rate = 0.0;          ///< about the x axis turned by yaw [rad/s]
@@ -24,14 +24,14 @@ struct RigidCreepage {
   double longitudinal = 0.0;   ///< nu_x [-]
   double lateral = 0.0;        ///< nu_y [-]
   double spin = 0.0;           ///< phi [1/m]
-  double rolling_speed = 0.0;  ///< what the velocities are divided by, with the sign of V [m/s]
+  double rolling_speed = 0.0;  ///< divisor of the velocities, with the sign of V [m/s]
   double reverse_share = 0.0;  ///< share of the forces that is of rolling against that sign, 0 to 1/2
   bool limited = false;        ///< is |rolling_speed| something else than |V|?
   double normal_velocity =
-      0.0;  ///< of the wheel's point along the contact normal, into the rail positive [m/s]
+      0.0;  ///< velocity of the wheel's point along the contact normal, into the rail positive [m/s]
 };
 
-/// What the tangential stage takes, and creepage() therefore gives at most.
+/// Largest creepage that the tangential stage takes, and creepage() therefore gives.
 inline constexpr double largest_creepage = 10.0;  // longitudinal, lateral [-]
 inline constexpr double largest_spin = 1e3;       // [1/m]
 inline constexpr double fastest_rolling = 200.0;  // [m/s]
@@ -42,7 +42,7 @@ inline constexpr double largest_share_of_other_way = 0.5;
 /// sets the step of an explicit integrator.
 inline constexpr double floor_speed = 0.1;
 
-/// What sliding velocities are divided by, and the share of rolling the other way than the speed says.
+/// Divisor of sliding velocities, and the share of rolling against the direction of the speed.
 /// With u = |V| / floor_speed < 1 the divisor is
 ///     floor_speed (3 + 6 u^2 - u^4) / 8,
 /// and the share (1 - (15 u - 10 u^3 + 3 u^5) / 8) / 2: of V both are C2, also at the floor, above which they

@@ -9,7 +9,7 @@ namespace wrc {
 namespace {
 
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
-constexpr double least_advance = 0.05;  ///< of y per parameter; below, the wheel's outline is about to fold
+constexpr double least_advance = 0.05;  ///< dy per parameter; below, the wheel's outline is about to fold
 constexpr double window_step = scan_spacing;
 
 /// A curve's point in the contact frame.
@@ -59,7 +59,7 @@ struct Frame {
 /// wheel to the vertical and to the contact plane give the separation along the contact normal to first order
 /// in g.
 struct Station {
-  double y = 0.0;        ///< of the wheel's point in the contact frame [m]
+  double y = 0.0;        ///< the wheel's point in the contact frame [m]
   double height = 0.0;   ///< [m]
   double facing = 1.0;   ///< least cosine of rail and wheel to the contact normal; <= 0 turned away
   double advance = 1.0;  ///< dy/ds of the wheel's outline

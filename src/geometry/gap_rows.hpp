@@ -26,7 +26,7 @@ struct GapRowMemory {
   double* curvature = nullptr;
 };
 
-/// What ended the rows on one side.
+/// Reason why the rows end on one side.
 enum class RowsEnd {
   gap,          ///< the gap grew beyond the limit: nothing nearby is left out
   half_width,   ///< max_half_width was reached

@@ -43,7 +43,7 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
             Profile& placed) {
   const double c = 1.0 / std::sqrt(1.0 + placement.inclination * placement.inclination);
   const double s = placement.inclination * c;
-  // dy'/dy > 0 with a slope that is not too steep: what remains a function z(y) after the rotation.
+  // dy'/dy > 0 with a slope that is not too steep: the part that stays a function z(y) after the rotation.
   const auto usable = [&](std::int32_t i) {
     const double run = c + s * profile.slope[i];
     const double rise = c * profile.slope[i] - s;

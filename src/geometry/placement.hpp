@@ -32,7 +32,7 @@ void mirror(const ProfileMemory& memory, const Profile& profile);
 struct TrackDimensions {
   double gauge = 0.0;             ///< between the gauge faces [m]
   double gauge_depth = 0.0;       ///< the gauge is measured here, below the top of the rail [m]
-  double rail_inclination = 0.0;  ///< of the given profile; 0 if its points are canted already [-]
+  double rail_inclination = 0.0;  ///< cant of the given profile; 0 if its points are canted already [-]
   bool by_origin = false;    ///< the origin of the profile lies at rail_origin and z = 0, whatever the gauge
   double rail_origin = 0.0;  ///< distance of that origin from the track's centre line [m]
 };

@@ -11,16 +11,16 @@ namespace wrc {
 /// Which body the points describe; the orientation checks differ.
 enum class ProfileBody { rail, wheel };
 
-/// Bounds of what is taken for a profile in metres.
+/// Bounds of a profile in metres.
 inline constexpr double profile_reach = 1.0;            ///< |y|, |z| of a point [m]
 inline constexpr double profile_width_least = 0.020;    ///< [m]
 inline constexpr double profile_width_most = 0.5;       ///< [m]
 inline constexpr double profile_spacing_least = 1e-12;  ///< steep ends have points nanometres apart [m]
 inline constexpr double profile_spacing_most = 0.035;   ///< between neighbouring points [m]
-inline constexpr double profile_noise_most = 1e-4;      ///< of points that will be smoothed [m]
+inline constexpr double profile_noise_most = 1e-4;      ///< in points that will be smoothed [m]
 
-/// Checks points (y strictly increasing towards the field side, z down, metres) and says what is wrong with
-/// them: non-finite values, millimetres, points that run backwards or fold back, gaps, steps, upside-down or
+/// Checks points (y strictly increasing towards the field side, z down, metres) and names their error:
+/// non-finite values, millimetres, points that run backwards or fold back, gaps, steps, upside-down or
 /// mirrored profiles, too few points or too short a piece. WRC_ERROR_NOT_FINITE, WRC_ERROR_PROFILE; `index`
 /// is the point's. `noise`: y may step back so far from point to point [m]; for points that will be smoothed.
 Fault check_points(ProfileBody body, std::int32_t count, const double* y, const double* z,

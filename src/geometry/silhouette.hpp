@@ -50,7 +50,7 @@ Attitude attitude(const Pose& pose);
 struct PosedWheel {
   const Wheel* wheel = nullptr;
   Attitude attitude;
-  double centre_y = 0.0, centre_z = 0.0;  ///< of the wheelset's middle in the track frame [m]
+  double centre_y = 0.0, centre_z = 0.0;  ///< the wheelset's middle in the track frame [m]
 };
 PosedWheel posed(const Wheel& wheel, const Pose& pose);
 

@@ -87,7 +87,7 @@ ProfilePoint s1002_millimetres(double s) {
 struct Section {
   double from, to;        ///< [m]
   std::int32_t pieces;    ///< Hermite pieces
-  double centre, radius;  ///< of the arc [m]; radius 0: uniform in y
+  double centre, radius;  ///< arc [m]; radius 0: uniform in y
 };
 
 double section_y(const Section& section, std::int32_t i) {

@@ -36,8 +36,8 @@ struct RailHead {
 
   /// Centres (y > 0 side) and the start of the side, from tangency [m].
   double crown_z() const;                                       ///< z of the R300-R80 joint
-  double shoulder_centre_y() const, shoulder_centre_z() const;  ///< of R80
-  double corner_centre_y() const, corner_centre_z() const;      ///< of R13
+  double shoulder_centre_y() const, shoulder_centre_z() const;  ///< R80
+  double corner_centre_y() const, corner_centre_z() const;      ///< R13
   double side_y() const, side_z() const;                        ///< where R13 meets the side
 };
 

@@ -22,7 +22,7 @@ SectionPoint turned(const SectionPoint& track, const ContactPoint& contact) {
 
 /// The wheel cut at x of the track, at profile coordinate s.
 SectionPoint wheel_section(const PosedWheel& wheel, double x, double s, std::int32_t& piece) {
-  constexpr double least_depth = 1e-3;  // of the point below the axle [m]: the root stays real
+  constexpr double least_depth = 1e-3;  // depth of the point below the axle [m]: the root stays real
   const Attitude& a = wheel.attitude;
   const ProfilePoint profile = evaluate(wheel.wheel->profile, s, piece);
   const double r = wheel.wheel->nominal_radius + profile.z;
@@ -46,7 +46,7 @@ double height_at(const Curve& curve, double t, double y) {
   constexpr int cap = 200;
   constexpr double longest_step = 1e-3;        // [m]
   constexpr double tolerance = 1e-9;           // last step [m]; the tangent leaves less than 1e-14 m
-  constexpr double least_cotangent = 0.17633;  // of 80 degrees
+  constexpr double least_cotangent = 0.17633;  // 80 degrees
   SectionPoint p;
   for (int i = 0; i < cap; ++i) {
     p = curve(t);

@@ -10,7 +10,7 @@
 /// so that Newton's method looks for s alone. Without roll y is linear in s on that curve: a section does not
 /// fold where the outline does, and no second derivative of the profile comes in.
 ///
-/// What rows leave out: under yaw psi the surface at distance x from the outline belongs to s - psi x of the
+/// Rows leave this out: under yaw psi the surface at distance x from the outline belongs to s - psi x of the
 /// profile. Where the curvature of the profile steps (ends of arcs), that of the surface steps along a line
 /// y - psi x = const, but centre and curvature of the rows step at one y for all x: far ahead or behind their
 /// parabolas leave a ridge there that no wheel has.

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "base/elementary.hpp"
-#include "surface/surface_model.hpp"
-#include "surface/wrench/wrench_at_height.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -34,13 +33,14 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem, std::v
     return {};
   }
   // otherwise sections through the strips' middles, cut off where the real-time side cuts them
-  std::vector<double> memory(static_cast<std::size_t>(rail_strip_doubles(most_strips_of_a_rail)));
-  RailStrips strips;
-  double distance = problem.distance, steepest = 0.0;
-  SectionBlend blend[most_rail_faces];
-  const Fault outside = place_strips(*surface.kernels, surface.varying, memory.data(), most_strips_of_a_rail,
-                                     distance, strips, blend, steepest);
-  strips = strips_before(surface, see(surface, problem, problem.wheel.position[2]), strips);
+  Arena count;
+  cut_strips(count, most_strips_of_a_rail);
+  std::vector<double> memory(static_cast<std::size_t>(count.doubles()));
+  Arena arena(memory.data());
+  PlacedRail rail;
+  const Fault outside = place_rail(surface, problem.distance, cut_strips(arena, most_strips_of_a_rail), rail);
+  const RailStrips strips =
+      strips_before(surface, motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
   // a check rail stands beside a rail that does not vary: its faces are straight
   const bool same_everywhere = has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
@@ -53,7 +53,7 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem, std::v
     faces.push_back({.section = {part(strips.y), part(strips.z), 0.0},
                      .varying = same_everywhere ? nullptr : &surface.varying,
                      .first = range.first,
-                     .distance = distance});
+                     .distance = rail.distance});
   }
   return outside;
 }
@@ -120,7 +120,7 @@ Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const S
   keep_worst(fault, outside);
 
   // Its wrench about the wheel's reference point, then back to the host's side and point. Regions have no
-  // points that could be turned: hand_back() is told of none.
+  // points that could be turned: hand_back_wrench() is told of none.
   Wrench& wrench = result.wrench;
   for (int k = 0; k < 3; ++k) {
     wrench.force[k] = found.force[k];
@@ -130,9 +130,9 @@ Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const S
   wrench.area = found.area;
   wrench.peak_pressure = found.peak_pressure;
   wrench.power = found.power;
-  wrench.sweeps = found.turns + found.heights;
+  wrench.iterations = found.turns + found.heights;
   regions = add_regions(found.row_forces, options.cell_s, wrench);
-  hand_back(model, placed, result);
+  hand_back_wrench(model, placed, result);
   return fault;
 }
 

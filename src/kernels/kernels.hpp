@@ -119,9 +119,10 @@ struct Kernels {
   /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than
   /// `margin` above the rail, which lie from `begin` to before `end`.
   void (*cross_rays)(const simd::OutlineTask& task, double margin, std::int32_t& begin, std::int32_t& end);
-  /// Fills the overlaps' numbers (but `strip`) along the rays of overlaps.count strips in scratch.strip.
-  /// Depth -1 where the surfaces do not face each other.
-  void (*follow_rays)(const simd::OutlineTask& task, Overlaps& overlaps);
+  /// Fills the overlaps of overlaps.count strips, whose rays cross the chord of overlaps.piece at the part
+  /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
+  /// other.
+  void (*follow_rays)(const simd::OutlineTask& task, const Overlaps& overlaps);
 
   // damage
   void (*assess_cells)(const simd::CellTask& task, simd::CellExtremes& extremes);

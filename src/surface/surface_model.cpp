@@ -4,61 +4,94 @@
 #include <cmath>
 #include <new>
 
-#include "base/number.hpp"
+#include "base/arena.hpp"
 
 namespace wrc {
 namespace {
 
-constexpr std::size_t whole_lines(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
+/// Numbers the model's memory depends on: points of the profiles, sections, points of the longest of them.
+struct Sizes {
+  std::int32_t wheel_nodes, rail_nodes, sections, section_nodes;
+};
+
+/// Memory of a model.
+struct ModelArrays {
+  void* model;
+  CurveArrays wheel, rail;
+  KnotArrays knots;
+  StripArrays strips;
+  double *y, *z;              ///< points of a profile while it is read
+  VaryingRailArrays varying;  ///< with sections
+  OutOfRoundArrays radius;    ///< if the wheel is not round
+};
+
+ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
+  // the model first: its address is that of the memory
+  ModelArrays a;
+  a.model = arena.take<std::byte>(sizeof(SurfaceModel));
+  a.wheel = cut_curve(arena, sizes.wheel_nodes);
+  a.rail = cut_curve(arena, sizes.rail_nodes);
+  a.knots = cut_knots(arena, most_curve_pieces(sizes.wheel_nodes));
+  a.strips = cut_strips(arena, most_strips_of_a_rail);
+  arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), {&a.y, &a.z});
+  if (sizes.sections > 0)
+    a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);
+  if (radius.rows > 0) a.radius = cut_out_of_round(arena, radius);
+  return a;
+}
+
+/// The wheel's radius over its profile, as a curve with knots.
+Fault make_wheel(const SurfaceBodies& bodies, const ModelArrays& a, WheelCurve& wheel) {
+  for (std::int32_t i = 0; i < bodies.wheel.count; ++i) a.z[i] = bodies.nominal_radius + bodies.wheel.z[i];
+  Curve curve;
+  const Fault fault = make_curve(bodies.wheel.count, bodies.wheel.y, a.z, a.wheel, curve);
+  if (!fault.failed()) wheel = make_wheel_curve(curve, a.knots);
+  return fault;
+}
+
+/// The rail's profile, turned by its cant about the profile's origin.
+Fault make_rail(const SurfaceBodies& bodies, const ModelArrays& a, Curve& rail) {
+  // cosine and sine of the cant, from its tangent
+  const double c = 1.0 / std::sqrt(1.0 + bodies.rail_inclination * bodies.rail_inclination);
+  const double s = bodies.rail_inclination * c;
+  for (std::int32_t i = 0; i < bodies.rail.count; ++i) {
+    a.y[i] = c * bodies.rail.y[i] + s * bodies.rail.z[i];
+    a.z[i] = c * bodies.rail.z[i] - s * bodies.rail.y[i];
+  }
+  return make_curve(bodies.rail.count, a.y, a.z, a.rail, rail);
+}
 
 }  // namespace
 
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
                                 std::int32_t section_nodes, const RadiusTable& radius) {
-  const auto doubles = static_cast<std::size_t>(
-      curve_doubles(wheel_nodes) + curve_doubles(rail_nodes) +
-      wheel_knot_doubles(most_curve_pieces(wheel_nodes)) + rail_strip_doubles(most_strips_of_a_rail) +
-      2 * static_cast<std::int64_t>(std::max(wheel_nodes, rail_nodes)) +
-      (sections > 0 ? varying_rail_doubles(sections, section_nodes, most_strips_of_a_rail) : 0) +
-      out_of_round_doubles(radius));
-  return whole_lines(sizeof(SurfaceModel)) + sizeof(double) * doubles;
+  Arena count;
+  cut(count, {wheel_nodes, rail_nodes, sections, section_nodes}, radius);
+  return static_cast<std::size_t>(count.bytes());
 }
 
-std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
-
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& made) {
-  auto* const model = new (memory) SurfaceModel;
-  auto* doubles = reinterpret_cast<double*>(static_cast<char*>(memory) + whole_lines(sizeof(SurfaceModel)));
-  double* const wheel = doubles;
-  double* const rail = wheel + curve_doubles(bodies.wheel.count);
-  double* const knots = rail + curve_doubles(bodies.rail.count);
-  double* const strips = knots + wheel_knot_doubles(most_curve_pieces(bodies.wheel.count));
-  double* const y = strips + rail_strip_doubles(most_strips_of_a_rail);
-  double* const z = y + std::max(bodies.wheel.count, bodies.rail.count);
-  double* const reach = z + std::max(bodies.wheel.count, bodies.rail.count);
-  double* const sections = reach + out_of_round_doubles(bodies.radius);
+  Sizes sizes{bodies.wheel.count, bodies.rail.count, bodies.sections, 0};
+  for (std::int32_t k = 0; k < bodies.sections; ++k)
+    sizes.section_nodes = std::max(sizes.section_nodes, bodies.section[k].profile.count);
+  Arena arena(memory);
+  const ModelArrays arrays = cut(arena, sizes, bodies.radius);
+  auto* const model = new (arrays.model) SurfaceModel;
 
-  for (std::int32_t i = 0; i < bodies.wheel.count; ++i) z[i] = bodies.nominal_radius + bodies.wheel.z[i];
-  Fault fault = make_curve(bodies.wheel.count, bodies.wheel.y, z, wheel, model->wheel.curve);
+  // both cross sections by arc length, and the rail's strips
+  Fault fault = make_wheel(bodies, arrays, model->wheel);
+  if (!fault.failed()) fault = make_rail(bodies, arrays, model->rail_curve);
   if (fault.failed()) return fault;
-  find_knots(knots, model->wheel);
-  const double c = 1.0 / std::sqrt(1.0 + bodies.rail_inclination * bodies.rail_inclination);
-  const double s = bodies.rail_inclination * c;
-  for (std::int32_t i = 0; i < bodies.rail.count; ++i) {
-    y[i] = c * bodies.rail.y[i] + s * bodies.rail.z[i];
-    z[i] = c * bodies.rail.z[i] - s * bodies.rail.y[i];
-  }
-  fault = make_curve(bodies.rail.count, y, z, rail, model->rail_curve);
-  if (fault.failed()) return fault;
-  fault = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, strips, model->rail);
-  if (fault.failed()) return fault;
+  model->rail = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, arrays.strips);
+  // a rail that changes along the track, a wheel whose radius changes round it
   if (bodies.sections > 0) {
     fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, most_strips_of_a_rail,
-                              sections, model->varying);
+                              arrays.varying, model->varying);
     if (fault.failed()) return fault;
   }
   if (bodies.radius.rows > 0)
-    make_out_of_round(bodies.radius, bodies.nominal_radius, reach, model->out_of_round);
+    model->out_of_round = make_out_of_round(bodies.radius, bodies.nominal_radius, arrays.radius);
+  // places of the bodies, material, tables, methods
   model->rail_origin_y = bodies.rail_origin_y;
   model->wheel_radius = bodies.nominal_radius;
   model->rail_origin_z = bodies.rail_origin_z;

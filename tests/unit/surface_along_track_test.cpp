@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "cut_into.hpp"
 #include "surface/geometry/out_of_round.hpp"
 #include "surface/geometry/varying_rail.hpp"
 
@@ -29,8 +30,9 @@ struct SectionsOfArcs {
                     .z = -2e-3 * k,
                     .profile = {nodes, y[k].data(), z[k].data()}};
     }
-    memory.resize(static_cast<std::size_t>(varying_rail_doubles(sections, nodes, most)));
-    EXPECT_FALSE(make_varying_rail(section, sections, 0.025, most, memory.data(), rail).failed());
+    const VaryingRailArrays arrays =
+        cut_into(memory, [](Arena& arena) { return cut_varying_rail(arena, sections, nodes, most); });
+    EXPECT_FALSE(make_varying_rail(section, sections, 0.025, most, arrays, rail).failed());
   }
 };
 
@@ -38,26 +40,24 @@ struct SectionsOfArcs {
 // strip.
 TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
   const SectionsOfArcs arcs;
-  constexpr std::int32_t most = SectionsOfArcs::most;
   for (int n = 0; n < 40; ++n) {
     const double distance = 1.0 + 2.09 * n / 39;
     std::vector<double> baseline;
     for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
       if (set > best_instruction_set()) continue;
-      std::vector<double> placed(static_cast<std::size_t>(rail_strip_doubles(most)) + 1, 0.0);
-      RailStrips strips;
-      SectionBlend blend[most_rail_faces];
-      const double steepest =
-          place_strips(kernels_for(set), arcs.rail, distance, placed.data(), most, strips, blend);
-      placed.back() = steepest;
+      std::vector<double> placed;
+      const StripArrays arrays =
+          cut_into(placed, [](Arena& arena) { return cut_strips(arena, SectionsOfArcs::most); });
+      const PlacedRail strips = place_strips(kernels_for(set), arcs.rail, distance, arrays);
+      placed.push_back(strips.steepest);
       ASSERT_GT(strips.count, 20);
       if (baseline.empty()) baseline = placed;
       ASSERT_EQ(std::memcmp(baseline.data(), placed.data(), placed.size() * sizeof(double)), 0) << distance;
       double most_seen = 0.0;
       for (std::int32_t j = 0; j < strips.count; ++j) {
-        const auto here = strip_at(arcs.rail, blend[0], j, distance);
+        const auto here = strip_at(arcs.rail, strips.blend[0], j, distance);
         double ty = 0.0, tz = 0.0;
-        tangent_at(arcs.rail, blend[0], j, distance, ty, tz);
+        tangent_at(arcs.rail, strips.blend[0], j, distance, ty, tz);
         ASSERT_EQ(strips.y[j], here.y);
         ASSERT_EQ(strips.z[j], here.z);
         ASSERT_NEAR(strips.ty[j], ty, 1e-15);
@@ -65,7 +65,7 @@ TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
         most_seen = std::max(most_seen, std::abs(ty * here.slope_z - tz * here.slope_y) +
                                             20e-3 * std::abs(ty * here.curvature_z - tz * here.curvature_y));
       }
-      EXPECT_NEAR(steepest, most_seen, 1e-15);
+      EXPECT_NEAR(strips.steepest, most_seen, 1e-15);
     }
   }
 }
@@ -104,9 +104,9 @@ TEST(OutOfRound, ReachOfAChordIsThatOfItsEnds) {
       deviation.push_back(std::abs(from) < half ? radius * (std::cos(half) / std::cos(from) - 1.0) : 0.0);
     }
     const RadiusTable table{count + 1, 1, angle.data(), nullptr, deviation.data()};
-    std::vector<double> memory(static_cast<std::size_t>(out_of_round_doubles(table)));
-    OutOfRound wheel;
-    make_out_of_round(table, radius, memory.data(), wheel);
+    std::vector<double> memory;
+    const OutOfRound wheel = make_out_of_round(
+        table, radius, cut_into(memory, [&](Arena& arena) { return cut_out_of_round(arena, table); }));
     for (int i = -6000; i <= 6000; ++i) {
       const double from = 1e-5 * i, beside = std::abs(from);
       const double exact = beside < half ? radius * (std::cos(half - beside) - 1.0) : 0.0;

@@ -15,7 +15,7 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "random.hpp"
-#include "surface/surface_model.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc::calibration {
 namespace {
@@ -68,34 +68,26 @@ class Pair {
 
   /// Strips in contact at that height, without slips; their points of the wheel.
   std::vector<SurfaceStrip> strips(const WheelOnRail& in, std::vector<std::array<double, 3>>& points) {
-    const std::size_t most = most_overlapping_strips;
+    constexpr std::int32_t most = most_overlapping_strips;
     RelativePose pose;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) pose.rotation[i][k] = in.wheel.rotation[i][k];
     }
     pose.y = in.wheel.position[1] - rail_y;
     pose.z = in.wheel.position[2];
-    std::vector<double> doubles(16 * most + 4 * (most_curve_pieces(s1002_nodes) + 64) +
-                                4 * most_strips_of_a_rail);
-    std::vector<std::int32_t> integers(most + 4 * (most_strips_of_a_rail + 64));
-    double* d = doubles.data();
-    std::int32_t* n = integers.data();
-    const auto take = [&d](std::size_t count) { return std::exchange(d, d + count); };
-    const auto take_n = [&n](std::size_t count) { return std::exchange(n, n + count); };
-    Overlaps o;
-    o.capacity = static_cast<std::int32_t>(most);
-    o.strip = take_n(most);
-    for (double** a : {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz}) *a = take(most);
-    const auto knots = static_cast<std::size_t>(most_curve_pieces(s1002_nodes) + 64);
-    OverlapScratch scratch{take(knots), take(knots), take(knots), take(most_strips_of_a_rail),
-                           nullptr,     nullptr,     nullptr,     nullptr};
-    scratch.piece = take_n(most_strips_of_a_rail);
-    scratch.part = take(most_strips_of_a_rail);
-    scratch.along = take(most_strips_of_a_rail);
-    scratch.strip = take_n(most_strips_of_a_rail + 64);
-    find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, o);
+    const auto cut = [&](Arena arena, Overlaps& o, OverlapScratch& scratch, StripPressure& p) {
+      o = cut_overlaps(arena, most, false);
+      scratch = cut_overlap_scratch(arena, most_curve_pieces(s1002_nodes), most_strips_of_a_rail);
+      arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+      return arena.doubles();
+    };
+    Overlaps memory;
+    OverlapScratch scratch;
     StripPressure p;
-    for (double** a : {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load}) *a = take(most);
+    std::vector<double> doubles(static_cast<std::size_t>(cut(Arena(), memory, scratch, p)));
+    cut(Arena(doubles.data()), memory, scratch, p);
+    const Overlaps o =
+        find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, memory);
     std::vector<double> normal(static_cast<std::size_t>(pressure_doubles(o.capacity)));
     auto state = std::make_unique<SurfaceState>();
     PressureStart start{state->length_squared, state->shift, state->depth};

@@ -16,9 +16,9 @@ constexpr std::int32_t block = 16;  ///< rows
 static_assert(block % lanes == 0);
 
 constexpr std::int32_t newton_cap = 12;    ///< two or three steps are typical
-constexpr double newton_tolerance = 1e-8;  ///< last step [m]; what is left then is below 1e-12 m
+constexpr double newton_tolerance = 1e-8;  ///< last step [m]; the error is below 1e-12 m then
 constexpr double newton_step = 1e-3;       ///< longest step [m]
-constexpr double least_advance = 0.05;     ///< of y per parameter, see gap_rows.cpp
+constexpr double least_advance = 0.05;     ///< dy per parameter, see gap_rows.cpp
 
 /// Points of a curve in the contact frame.
 struct FramePoints {
@@ -88,7 +88,7 @@ struct Outwards {
   Curve curve;
   double t, y, rate;                       ///< at the last row: parameter, y [m], dy/dt
   double bend;                             ///< how dy/dt changes with y there [1/m]
-  double rows_t[block], rows_rate[block];  ///< of the present block
+  double rows_t[block], rows_rate[block];  ///< present block
 
   Outwards(const Curve& from, double start) : curve(from), t(start), y(0.0), bend(0.0) {
     double rates[lanes];

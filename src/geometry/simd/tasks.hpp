@@ -1,5 +1,4 @@
-/// What crosses between the geometry stage and the kernels of an instruction set: plain data, no
-/// constructors.
+/// Arguments of the kernels of the geometry stage: plain data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +18,7 @@ struct RowsTask {
   const Rail* rail;
   const PosedWheel* wheel;
   const ContactPoint* contact;
-  std::int32_t rail_piece, wheel_piece;  ///< of the profiles, where the contact point is
+  std::int32_t rail_piece, wheel_piece;  ///< pieces of the profiles at the contact point
   double low, step;                      ///< [m]
   std::int32_t count;
   const GapRowMemory* memory;

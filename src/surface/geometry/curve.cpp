@@ -10,7 +10,7 @@ namespace {
 
 constexpr double nearest = 50e-6;         // [m] between points
 constexpr double longest_piece = 0.5e-3;  // [m]
-constexpr double longest_curve = 0.6;     // [m]: of a profile's points, by what profiles may be
+constexpr double longest_curve = 0.6;     // [m]: longest profile that is accepted
 
 }  // namespace
 
@@ -23,69 +23,86 @@ std::int32_t most_curve_pieces(std::int32_t points) {
   return points + static_cast<std::int32_t>(longest_curve / longest_piece);
 }
 
-std::int64_t curve_doubles(std::int32_t points) {
-  return 9 * static_cast<std::int64_t>(most_curve_pieces(points) + 1) + 6 * static_cast<std::int64_t>(points);
+CurveArrays cut_curve(Arena& arena, std::int32_t points) {
+  CurveArrays a;
+  a.capacity = most_curve_pieces(points) + 1;
+  a.s = arena.take(a.capacity);
+  for (double*& c : a.y) c = arena.take(a.capacity);
+  for (double*& c : a.z) c = arena.take(a.capacity);
+  arena.each(points, {&a.knot_s, &a.knot_y, &a.knot_z, &a.second_y, &a.second_z, &a.scratch});
+  return a;
 }
 
-Fault make_curve(std::int32_t points, const double* y, const double* z, double* memory, Curve& curve) {
-  curve = {};
-  double *const ky = memory, *const kz = ky + points, *const ks = kz + points, *const my = ks + points,
-                *const mz = my + points, *const scratch = mz + points;
+namespace {
+
+/// Copies the points that lie apart, with the length of chords up to them; returns how many.
+std::int32_t take_points(std::int32_t points, const double* y, const double* z, const CurveArrays& a) {
   std::int32_t n = 0;
   for (std::int32_t i = 0; i < points; ++i) {
+    // a point nearer than 50 um to the last one kept would make the spline wave
     double step = 0.0;
     if (n > 0) {
-      const double dy = y[i] - ky[n - 1], dz = z[i] - kz[n - 1];
+      const double dy = y[i] - a.knot_y[n - 1], dz = z[i] - a.knot_z[n - 1];
       step = std::sqrt(dy * dy + dz * dz);
       if (step < nearest) continue;
     }
-    ky[n] = y[i];
-    kz[n] = z[i];
-    ks[n] = n > 0 ? ks[n - 1] + step : 0.0;
+    a.knot_y[n] = y[i];
+    a.knot_z[n] = z[i];
+    a.knot_s[n] = n > 0 ? a.knot_s[n - 1] + step : 0.0;
     ++n;
   }
+  return n;
+}
+
+/// The cubic between knots i and i + 1 of a spline, from its values v and second derivatives m.
+struct Cubic {
+  double c[4];
+
+  Cubic(const double* v, const double* m, std::int32_t i, double h)
+      : c{v[i], (v[i + 1] - v[i]) / h - h * (2.0 * m[i] + m[i + 1]) / 6.0, 0.5 * m[i],
+          (m[i + 1] - m[i]) / (6.0 * h)} {}
+
+  /// Writes the coefficients of the same cubic about u as those of piece k.
+  void move(double u, double* const (&to)[4], std::int32_t k) const {
+    to[0][k] = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+    to[1][k] = c[1] + u * (2.0 * c[2] + 3.0 * u * c[3]);
+    to[2][k] = c[2] + 3.0 * u * c[3];
+    to[3][k] = c[3];
+  }
+};
+
+}  // namespace
+
+Fault make_curve(std::int32_t points, const double* y, const double* z, const CurveArrays& a, Curve& curve) {
+  curve = {};
+  const std::int32_t n = take_points(points, y, z, a);
   if (n < 4)
     return Fault::profile("profile.count", {n, "points"},
                           "fewer than four points that lie further than 50 um apart");
-  second_derivatives(n, ks, ky, my, scratch);
-  second_derivatives(n, ks, kz, mz, scratch);
+  second_derivatives(n, a.knot_s, a.knot_y, a.second_y, a.scratch);
+  second_derivatives(n, a.knot_s, a.knot_z, a.second_z, a.scratch);
 
-  const std::int64_t capacity = most_curve_pieces(points) + 1;
-  double* at = memory + 6 * static_cast<std::int64_t>(points);
-  double* const s = at;
-  double *cy[4], *cz[4];
-  for (double*& c : cy) c = at += capacity;
-  for (double*& c : cz) c = at += capacity;
+  // Each interval between knots becomes as many equal pieces as keep them under the longest, within the
+  // capacity: one piece is held back for each interval yet to come.
   std::int32_t k = 0;
   for (std::int32_t i = 0; i + 1 < n; ++i) {
-    const double h = ks[i + 1] - ks[i];
-    const double by[4] = {ky[i], (ky[i + 1] - ky[i]) / h - h * (2.0 * my[i] + my[i + 1]) / 6.0, 0.5 * my[i],
-                          (my[i + 1] - my[i]) / (6.0 * h)};
-    const double bz[4] = {kz[i], (kz[i + 1] - kz[i]) / h - h * (2.0 * mz[i] + mz[i + 1]) / 6.0, 0.5 * mz[i],
-                          (mz[i + 1] - mz[i]) / (6.0 * h)};
-    const std::int64_t room = capacity - 2 - k - (n - 2 - i);  // one piece for each interval yet to come
+    const double h = a.knot_s[i + 1] - a.knot_s[i];
+    const Cubic of_y(a.knot_y, a.second_y, i, h), of_z(a.knot_z, a.second_z, i, h);
+    const std::int64_t left = a.capacity - 2 - k - (n - 2 - i);
     const auto wanted = static_cast<std::int64_t>(-std::floor(-h / longest_piece));
-    const std::int64_t parts = std::max<std::int64_t>(1, std::min(wanted, room));
+    const std::int64_t parts = std::max<std::int64_t>(1, std::min(wanted, left));
     for (std::int64_t p = 0; p < parts; ++p, ++k) {
       const double u = h * static_cast<double>(p) / static_cast<double>(parts);
-      s[k] = ks[i] + u;
-      const auto move = [u](const double(&b)[4], double* const(&c)[4], std::int32_t to) {
-        c[0][to] = b[0] + u * (b[1] + u * (b[2] + u * b[3]));
-        c[1][to] = b[1] + u * (2.0 * b[2] + 3.0 * u * b[3]);
-        c[2][to] = b[2] + 3.0 * u * b[3];
-        c[3][to] = b[3];
-      };
-      move(by, cy, k);
-      move(bz, cz, k);
+      a.s[k] = a.knot_s[i] + u;
+      of_y.move(u, a.y, k);
+      of_z.move(u, a.z, k);
     }
   }
-  s[k] = ks[n - 1];
+  a.s[k] = a.knot_s[n - 1];
   curve.pieces = k;
-  curve.s = s;
-  for (int d = 0; d < 4; ++d) {
-    curve.y[d] = cy[d];
-    curve.z[d] = cz[d];
-  }
+  curve.s = a.s;
+  std::copy_n(a.y, 4, curve.y);
+  std::copy_n(a.z, 4, curve.z);
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "base/fault.hpp"
 
 namespace wrc {
@@ -39,13 +40,21 @@ inline CurvePoint evaluate(const Curve& c, std::int32_t k, double u) {
 /// Piece that holds the length s; the first or last one outside.
 std::int32_t piece_of(const Curve& curve, double s);
 
-/// Most pieces a curve through `points` points may get, and doubles of memory it needs (scratch included).
+/// Most pieces a curve through `points` points may get.
 std::int32_t most_curve_pieces(std::int32_t points);
-std::int64_t curve_doubles(std::int32_t points);
 
-/// The curve through the points, in `memory` of curve_doubles(points) doubles. Points nearer than 50 um to
-/// the one before are left out; pieces longer than 0.5 mm are divided, which changes nothing but how finely
-/// they are searched. WRC_ERROR_PROFILE if fewer than four points are left.
-Fault make_curve(std::int32_t points, const double* y, const double* z, double* memory, Curve& curve);
+/// Arrays of a curve: its pieces, and the points kept with their second derivatives, read while it is made.
+struct CurveArrays {
+  std::int64_t capacity;                                             ///< elements of s, y and z
+  double *s, *y[4], *z[4];                                           ///< over the pieces
+  double *knot_s, *knot_y, *knot_z, *second_y, *second_z, *scratch;  ///< over the points
+};
+CurveArrays cut_curve(Arena& arena, std::int32_t points);
+
+/// The curve through the points, in arrays for as many. Points nearer than 50 um to the one before are left
+/// out; pieces longer than 0.5 mm are divided, which changes nothing but how finely they are searched.
+/// WRC_ERROR_PROFILE if fewer than four points are left.
+Fault make_curve(std::int32_t points, const double* y, const double* z, const CurveArrays& arrays,
+                 Curve& curve);
 
 }  // namespace wrc

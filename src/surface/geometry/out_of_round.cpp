@@ -19,7 +19,8 @@ void periodic_second_derivatives(std::int32_t n, const Width& width, const doubl
     const double from_before = (value(i) - value(i == 0 ? n - 1 : i - 1)) / before;
     return 6.0 * ((value(i + 1) - value(i)) / width(i) - from_before);
   };
-  // Rows 0 .. n - 2, the unknown n - 1 in a column of its own; the last row at the end.
+  // Rows 0 .. n - 2 by forward elimination, the unknown n - 1 in a column of its own (`corner`):
+  // before m_(i-1) + 2 (before + width) m_i + width m_(i+1) = 6 (difference of the secants).
   for (std::int32_t i = 0; i + 1 < n; ++i) {
     const double before = i == 0 ? width(n - 1) : width(i - 1);
     double diagonal = 2.0 * (before + width(i)), right = rhs(i), last = 0.0;
@@ -45,6 +46,7 @@ void periodic_second_derivatives(std::int32_t n, const Width& width, const doubl
     second[i] /= pivot[i];
     corner[i] /= pivot[i];
   }
+  // the last row, in which both neighbours are known up to the last unknown, and that put into all others
   const double w = width(n - 1), before = width(n - 2);
   second[n - 1] = (rhs(n - 1) - before * second[n - 2] - w * second[0]) /
                   (2.0 * (before + w) - before * corner[n - 2] - w * corner[0]);
@@ -55,6 +57,7 @@ void periodic_second_derivatives(std::int32_t n, const Width& width, const doubl
 void sample(const RadiusTable& table, const double* deviation, const double* second, double* to) {
   std::int32_t k = 0;
   for (std::int32_t i = 0; i < nodes; ++i) {
+    // interval of the table that holds the angle, and the spline there
     const double at = 2.0 * pi * i / nodes;
     while (k + 2 < table.angles && at >= table.angle[k + 1]) ++k;
     const double h = table.angle[k + 1] - table.angle[k], b = (at - table.angle[k]) / h, a = 1.0 - b;
@@ -65,7 +68,7 @@ void sample(const RadiusTable& table, const double* deviation, const double* sec
 }
 
 /// The envelope of its parabolas: the largest at the nodes, the top of the parabola through it and its
-/// neighbours, and what is given between these, where an edge may stand out. `place`: scratch, of nodes.
+/// neighbours, and the deviations given between these, where an edge may stand out. `place`: scratch.
 void find_reach(const RadiusTable& table, const double* given, const double* deviation, double radius,
                 std::int32_t* place, double* reach) {
   const double step = 2.0 * pi / nodes;
@@ -74,6 +77,7 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
     low = std::min(low, deviation[i]);
     high = std::max(high, deviation[i]);
   }
+  // A parabola further away than sqrt(2 (high - low) / r) lies below the one of the node itself.
   const auto furthest =
       std::min(static_cast<std::int32_t>(std::sqrt(2.0 * (high - low) / radius) / step) + 2, nodes / 4);
   const auto at = [&](std::int32_t i, std::int32_t k) {
@@ -86,7 +90,8 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
       if (at(i, k) > at(i, best)) best = k;
     return best;
   };
-  // the place never goes back as the wheel turns on: between those of two nodes lies that of one between them
+  // The place of the highest parabola never goes back as the wheel turns on: that of a node lies between
+  // those of the nodes to both sides, which halves the search at each level.
   place[0] = highest(0, -furthest, furthest);
   for (std::int32_t apart = nodes / 2; apart > 0; apart /= 2)
     for (std::int32_t i = apart; i < nodes; i += 2 * apart) {
@@ -96,9 +101,11 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
   const double* const end = table.angle + table.angles;
   for (std::int32_t i = 0; i < nodes; ++i) {
     const std::int32_t best = place[i];
+    // top of the parabola through the highest node and its neighbours
     const double middle = at(i, best), before = at(i, best - 1), behind = at(i, best + 1);
-    const double bend = before - 2.0 * middle + behind, lean = 0.5 * (behind - before);
-    reach[i] = bend < 0.0 ? middle - 0.5 * lean * lean / bend : middle;
+    const double bend = before - 2.0 * middle + behind, rise = 0.5 * (behind - before);
+    reach[i] = bend < 0.0 ? middle - 0.5 * rise * rise / bend : middle;
+    // deviations given in the two intervals beside it
     for (const std::int32_t k : {best - 1, best}) {
       const double from = step * ((k + nodes) % nodes);
       for (const double* a = std::lower_bound(table.angle, end, from); a < end && *a < from + step; ++a) {
@@ -111,36 +118,38 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
 
 }  // namespace
 
-std::int64_t out_of_round_doubles(const RadiusTable& table) {
-  if (table.rows == 0) return 0;
-  return 2 * static_cast<std::int64_t>(table.rows) * nodes + 3 * static_cast<std::int64_t>(table.angles) +
-         2 * static_cast<std::int64_t>(nodes);
+OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table) {
+  OutOfRoundArrays a;
+  const std::int64_t all = static_cast<std::int64_t>(table.rows) * nodes;
+  arena.each(all, {&a.value, &a.second});
+  arena.each(table.angles, {&a.given, &a.given_pivot, &a.given_corner});
+  arena.each(nodes, {&a.sampled, &a.corner});
+  a.place = arena.take<std::int32_t>(nodes);
+  return a;
 }
 
-void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel) {
-  wheel = {};
+OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutOfRoundArrays& a) {
+  OutOfRound wheel;
   wheel.rows = table.rows;
   wheel.radius = radius;
-  double* const value = memory;
-  double* const second = value + static_cast<std::int64_t>(table.rows) * nodes;
-  double* const given = second + static_cast<std::int64_t>(table.rows) * nodes;
-  double *const pivot = given + table.angles, *const corner = pivot + table.angles;
-  double *const sampled = corner + table.angles, *const scratch = sampled + nodes;
+  wheel.value = a.value;
+  wheel.second = a.second;
   const auto apart = [&](std::int32_t i) { return table.angle[i + 1] - table.angle[i]; };
   const auto one_apart = [](std::int32_t) { return 1.0; };
   for (std::int32_t r = 0; r < table.rows; ++r) {
     if (table.rows > 1) wheel.y[r] = table.y[r];
+    // The row's deviation through a spline over the angles given, sampled at the nodes.
     const double* const deviation = table.deviation + static_cast<std::int64_t>(r) * table.angles;
-    periodic_second_derivatives(table.angles - 1, apart, deviation, given, pivot, corner);
-    sample(table, deviation, given, sampled);
-    double* const reach = value + static_cast<std::int64_t>(r) * nodes;
-    find_reach(table, deviation, sampled, radius, reinterpret_cast<std::int32_t*>(scratch), reach);
-    periodic_second_derivatives(nodes, one_apart, reach, second + static_cast<std::int64_t>(r) * nodes,
-                                sampled, scratch);
+    periodic_second_derivatives(table.angles - 1, apart, deviation, a.given, a.given_pivot, a.given_corner);
+    sample(table, deviation, a.given, a.sampled);
+    // Its reach D, and the spline through that. The samples are free then.
+    double* const reach = a.value + static_cast<std::int64_t>(r) * nodes;
+    find_reach(table, deviation, a.sampled, radius, a.place, reach);
+    periodic_second_derivatives(nodes, one_apart, reach, a.second + static_cast<std::int64_t>(r) * nodes,
+                                a.sampled, a.corner);
     for (std::int32_t i = 0; i < nodes; ++i) wheel.largest = std::max(wheel.largest, reach[i]);
   }
-  wheel.value = value;
-  wheel.second = second;
+  return wheel;
 }
 
 }  // namespace wrc

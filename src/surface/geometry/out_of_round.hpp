@@ -14,6 +14,7 @@
 
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "base/elementary.hpp"
 #include "base/fault.hpp"
 #include "base/number.hpp"
@@ -25,7 +26,7 @@ namespace wrc {
 struct RadiusTable {
   std::int32_t angles = 0, rows = 0;
   const double* angle = nullptr;      ///< [rad]
-  const double* y = nullptr;          ///< of the rows, on the wheel's profile [m]; not read with one row
+  const double* y = nullptr;          ///< place of each row on the wheel's profile [m]; not read with one row
   const double* deviation = nullptr;  ///< rows times angles [m]
 };
 
@@ -40,10 +41,17 @@ struct OutOfRound {
   const double *value = nullptr, *second = nullptr;  ///< D, and its second derivative by the node's number
 };
 
-std::int64_t out_of_round_doubles(const RadiusTable& table);
+/// Arrays of a wheel that is not round, and of its making.
+struct OutOfRoundArrays {
+  double *value, *second;                      ///< rows times nodes
+  double *given, *given_pivot, *given_corner;  ///< over the table's angles
+  double *sampled, *corner;                    ///< over the nodes
+  std::int32_t* place;                         ///< over the nodes
+};
+OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table);
 
-/// In `memory` of out_of_round_doubles(). The table has been checked.
-void make_out_of_round(const RadiusTable& table, double radius, double* memory, OutOfRound& wheel);
+/// From a table that has been checked, in arrays for it.
+OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutOfRoundArrays& arrays);
 
 /// D and its derivative by the angle at an angle, on the wheel's profile at y [m].
 template <class Number>
@@ -53,9 +61,10 @@ struct Reach {
 
 namespace out_of_round {
 
-/// Of one row.
+/// Reach of one row.
 template <class Number>
 Reach<Number> row_at(const OutOfRound& wheel, std::int32_t row, const Number& angle) {
+  // interval of the angle between two nodes, the last of which is the first
   constexpr double per_turn = 1.0 / (2.0 * pi), n = OutOfRound::nodes;
   double turns = value_of(angle) * per_turn;
   turns -= std::floor(turns);
@@ -65,6 +74,7 @@ Reach<Number> row_at(const OutOfRound& wheel, std::int32_t row, const Number& an
   const std::int32_t next = i + 1 < OutOfRound::nodes ? i + 1 : 0;
   const double *const v = wheel.value + static_cast<std::int64_t>(row) * OutOfRound::nodes,
                       *const m = wheel.second + static_cast<std::int64_t>(row) * OutOfRound::nodes;
+  // cubic spline with weights a, b: D, dD/d(node), d2D/d(node)2
   const double b = place - i, a = 1.0 - b, per_angle = n * per_turn;
   const double depth = a * v[i] + b * v[next] + ((a * a * a - a) * m[i] + (b * b * b - b) * m[next]) / 6.0;
   const double slope = v[next] - v[i] + ((1.0 - 3.0 * a * a) * m[i] + (3.0 * b * b - 1.0) * m[next]) / 6.0;
@@ -81,6 +91,7 @@ Reach<Number> reach_at(const OutOfRound& wheel, const Number& y, const Number& a
   while (row + 2 < wheel.rows && value_of(y) > wheel.y[row + 1]) ++row;
   const Reach<Number> here = out_of_round::row_at(wheel, row, angle);
   if (wheel.rows == 1) return here;
+  // between two rows by 3 t^2 - 2 t^3, whose slope is zero at each row
   const Reach<Number> there = out_of_round::row_at(wheel, row + 1, angle);
   const Number t =
       smaller(larger((y - wheel.y[row]) / (wheel.y[row + 1] - wheel.y[row]), Number(0.0)), Number(1.0));

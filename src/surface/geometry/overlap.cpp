@@ -9,55 +9,85 @@
 namespace wrc {
 namespace {
 
-/// A slope no pose sees.
+/// Slope of a face that turns back, steeper than the outline in any pose.
 constexpr double unseen = 1e300;
 
 }  // namespace
 
-std::int64_t wheel_knot_doubles(std::int32_t pieces) { return 3 * simd::whole_packs(pieces + 1); }
-
-void find_knots(double* memory, WheelCurve& wheel) {
-  const Curve& curve = wheel.curve;
-  wheel.knots = curve.pieces + 1;
-  const std::int64_t padded = simd::whole_packs(wheel.knots);
-  double *const y = memory, *const radius = y + padded, *const slope = radius + padded;
-  for (std::int64_t i = 0; i < padded; ++i) {
-    const auto k = static_cast<std::int32_t>(std::min<std::int64_t>(i, curve.pieces - 1));
-    const CurvePoint p = evaluate(curve, k, i > k ? curve.s[curve.pieces] - curve.s[k] : 0.0);
-    y[i] = p.y;
-    radius[i] = p.z;
-    const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz);
-    slope[i] = p.dy > least_advance * speed ? p.dz / p.dy : unseen;
-  }
-  wheel.knot_y = y;
-  wheel.knot_radius = radius;
-  wheel.knot_slope = slope;
+KnotArrays cut_knots(Arena& arena, std::int32_t most_pieces) {
+  KnotArrays arrays;
+  arena.each(simd::whole_packs(most_pieces + 1), {&arrays.y, &arrays.radius, &arrays.slope});
+  return arrays;
 }
 
-void find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
-                   const RelativePose& pose, double margin, const OverlapScratch& scratch,
-                   Overlaps& overlaps) noexcept {
+WheelCurve make_wheel_curve(const Curve& curve, const KnotArrays& arrays) {
+  const std::int32_t knots = curve.pieces + 1;
+  for (std::int64_t i = 0; i < simd::whole_packs(knots); ++i) {
+    // Knot i is where piece i begins. The last knot, and the lanes behind it, are the end of the last piece.
+    const auto k = static_cast<std::int32_t>(std::min<std::int64_t>(i, curve.pieces - 1));
+    const CurvePoint p = evaluate(curve, k, i > k ? curve.s[curve.pieces] - curve.s[k] : 0.0);
+    arrays.y[i] = p.y;
+    arrays.radius[i] = p.z;
+    const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz);
+    arrays.slope[i] = p.dy > least_advance * speed ? p.dz / p.dy : unseen;
+  }
+  const double* const tip = std::max_element(arrays.radius, arrays.radius + knots);
+  return {curve,    knots,         static_cast<std::int32_t>(tip - arrays.radius),
+          arrays.y, arrays.radius, arrays.slope};
+}
+
+Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
+  Overlaps o;
+  o.capacity = capacity;
+  arena.each(capacity, {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz, &o.u});
+  arena.each(capacity, {&o.strip, &o.piece});
+  if (graded) o.grade = arena.take(capacity);
+  return o;
+}
+
+OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips) {
+  OverlapScratch scratch;
+  arena.each(simd::whole_packs(wheel_pieces + 1), {&scratch.y, &scratch.z, &scratch.seen});
+  arena.each(rail_strips, {&scratch.overlap, &scratch.part});
+  scratch.piece = arena.take<std::int32_t>(rail_strips);
+  return scratch;
+}
+
+Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                       const RelativePose& pose, double margin, const OverlapScratch& scratch,
+                       const Overlaps& memory) noexcept {
   const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
   kernels.outline(task);
-  std::int32_t count = 0, j = 0, end = 0;
+  std::int32_t j = 0, end = 0;
   kernels.cross_rays(task, margin, j, end);
-  for (; j < end && count < overlaps.capacity; ++j)
-    if (scratch.overlap[j] >= -margin - chord_sagitta) scratch.strip[count++] = j;
-  overlaps.full = count == overlaps.capacity && j < rail.count;
-  overlaps.count = count;
-  if (count == 0) return;
-  kernels.follow_rays(task, overlaps);
-  // those that overlap, and whose surfaces face each other
+
+  // Candidates: the overlap up to the outline's chord, which lies at most its sagitta from the curve, passes
+  // the margin. Each ray starts where it crosses the chord.
+  Overlaps o = memory;
+  std::int32_t count = 0;
+  for (; j < end && count < o.capacity; ++j) {
+    if (!(scratch.overlap[j] >= -margin - chord_sagitta)) continue;
+    o.strip[count] = j;
+    o.piece[count] = scratch.piece[j];
+    o.u[count++] = scratch.part[j];
+  }
+  o.full = count == o.capacity && j < rail.count;
+  o.count = count;
+  if (count == 0) return o;
+  kernels.follow_rays(task, o);
+
+  // Strips stay that overlap by more than -margin on the curve itself. Depth is -1 m where the surfaces do
+  // not face each other.
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < count; ++i) {
-    if (!(overlaps.depth[i] > -margin)) continue;
-    overlaps.strip[kept] = scratch.strip[i];
-    for (double* const a : {overlaps.depth, overlaps.centre, overlaps.curvature, overlaps.ny, overlaps.nz,
-                            overlaps.wy, overlaps.wz})
-      a[kept] = a[i];
+    if (!(o.depth[i] > -margin)) continue;
+    o.strip[kept] = o.strip[i];
+    o.piece[kept] = o.piece[i];
+    for (double* const a : {o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u}) a[kept] = a[i];
     ++kept;
   }
-  overlaps.count = kept;
+  o.count = kept;
+  return o;
 }
 
 }  // namespace wrc

@@ -1,4 +1,4 @@
-/// Where a wheel in a pose overlaps the strips of a rail: one ray along each strip's normal.
+/// Overlaps of a wheel in a pose with the strips of a rail: one ray along each strip's normal.
 ///
 /// The rail is a cylinder along x, so only the outline of the wheel seen along x matters: with the wheel's
 /// surface of revolution p(sigma, theta) = (r sin(theta), Y, r cos(theta)) over its profile (Y, r)(sigma),
@@ -7,10 +7,21 @@
 ///     e1 sin(theta) + e3 cos(theta) = e2 r' / Y'.
 /// The ray of strip j meets the outline W(sigma) where (W - P_j) . t_j = 0. Its overlap is (W - P_j) . n_j,
 /// turned to the mean of the rail's and the wheel's normal; along x it falls like kappa/2 (x - W_x)^2.
+///
+/// | symbol  | array      | unit | quantity                                                     |
+/// |---------|------------|------|--------------------------------------------------------------|
+/// | d       | depth      | m    | largest overlap of the strip, along the mean normal          |
+/// | W_x     | centre     | m    | x of that place, from the wheel's reference point            |
+/// | kappa   | curvature  | 1/m  | of the overlap along x                                       |
+/// | n       | ny, nz     | -    | mean normal, into the rail                                   |
+/// | W       | wy, wz     | m    | point of the wheel, from its reference point, rail axes      |
+/// | n . P'  | grade      | -    | fall of the rail along its normal per distance along track   |
+/// | sigma   | piece, u   | -, m | end of the ray on the wheel's curve: piece, length on it     |
 #pragma once
 
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "kernels/kernels.hpp"
 #include "surface/geometry/curve.hpp"
 #include "surface/geometry/rail_strips.hpp"
@@ -22,62 +33,82 @@ namespace wrc {
 struct WheelCurve {
   Curve curve;
   std::int32_t knots = 0;
+  std::int32_t flange_tip = 0;                             ///< knot of the largest radius
   const double *knot_y = nullptr, *knot_radius = nullptr;  ///< [m]
-  const double* knot_slope = nullptr;  ///< dr/dy; beyond `steepest` where the face turns back
+  const double* knot_slope = nullptr;                      ///< dr/dy; 1e300 where the face turns back [-]
 };
 
-/// Doubles of memory for the knots of a curve with so many pieces.
-std::int64_t wheel_knot_doubles(std::int32_t pieces);
+/// Arrays of the knots of a wheel.
+struct KnotArrays {
+  double *y, *radius, *slope;
+};
+KnotArrays cut_knots(Arena& arena, std::int32_t most_pieces);
 
-/// Fills the knots of wheel.curve.
-void find_knots(double* memory, WheelCurve& wheel);
+/// The wheel with this profile.
+WheelCurve make_wheel_curve(const Curve& curve, const KnotArrays& arrays);
 
 /// A wheel as seen from a rail: rail axes, origin of the rail's profile; x from the wheel's reference point.
 template <class Number>
 struct RelativePoseOf {
   Number rotation[3][3];  ///< rail = rotation * wheel axes
-  Number y, z;            ///< of the wheel's reference point [m]
+  Number y, z;            ///< the wheel's reference point [m]
 };
 using RelativePose = RelativePoseOf<double>;
 
-/// Strips that may be in contact, by increasing arc length, each in its own frame.
+/// Strips that may be in contact, by increasing arc length, each in its own frame: the table above.
 struct Overlaps {
   std::int32_t capacity = 0, count = 0;
-  bool full = false;                    ///< there may be more strips than room
-  std::int32_t* strip = nullptr;        ///< number of the rail's strip
-  double* depth = nullptr;              ///< largest overlap, along the mean normal [m]
-  double* centre = nullptr;             ///< x where it is largest, from the wheel's reference point [m]
-  double* curvature = nullptr;          ///< kappa [1/m]
-  double *ny = nullptr, *nz = nullptr;  ///< mean normal, into the rail, rail axes
-  double *wy = nullptr, *wz = nullptr;  ///< the wheel's point, from its reference point, rail axes [m]
-  double* lean = nullptr;  ///< how much the rail falls along its normal per distance; nullptr: nowhere [-]
+  bool full = false;              ///< more strips than `capacity` may overlap
+  std::int32_t* strip = nullptr;  ///< number of the rail's strip
+  double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
+  double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
+  double* grade = nullptr;        ///< nullptr: zero everywhere
+  std::int32_t* piece = nullptr;  ///< piece of the wheel's curve where the ray ends
+  double* u = nullptr;            ///< length on that piece [m]
 };
 
-/// The overlap of one strip, by the names of Overlaps. Number is double, or one that carries derivatives.
+/// Empty overlaps for at most `capacity` strips; `graded`: the rail changes along the track.
+Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded);
+
+/// The overlap of one strip, by the names of Overlaps. Number is double, a pack, or one that carries
+/// derivatives.
 template <class Number>
 struct StripOverlap {
-  Number depth, centre, curvature, ny, nz, wy, wz, lean;
+  Number depth, centre, curvature, ny, nz, wy, wz, grade;
 };
 
 inline StripOverlap<double> strip_of(const Overlaps& o, std::int32_t i) {
   return {o.depth[i], o.centre[i], o.curvature[i], o.ny[i],
-          o.nz[i],    o.wy[i],     o.wz[i],        o.lean ? o.lean[i] : 0.0};
+          o.nz[i],    o.wy[i],     o.wz[i],        o.grade ? o.grade[i] : 0.0};
 }
 
-/// Scratch of a search.
+inline void put_strip(const StripOverlap<double>& s, std::int32_t i, const Overlaps& o) {
+  o.depth[i] = s.depth;
+  o.centre[i] = s.centre;
+  o.curvature[i] = s.curvature;
+  o.ny[i] = s.ny;
+  o.nz[i] = s.nz;
+  o.wy[i] = s.wy;
+  o.wz[i] = s.wz;
+  if (o.grade) o.grade[i] = s.grade;
+}
+
+/// Outline of the wheel in the last pose, and work arrays of the search.
 struct OverlapScratch {
-  double *y, *z;        ///< of the outline at the wheel's knots, rail axes [m]; whole packs
-  double* seen;         ///< 1 where it exists
+  double *y, *z;        ///< outline at the wheel's knots, rail axes [m]; whole packs
+  double* seen;         ///< 1 where the outline exists, else 0
   double* overlap;      ///< first estimate for each strip of the rail [m]
-  std::int32_t* piece;  ///< of the wheel's curve, for each strip
-  double* part;         ///< of the piece
-  double* along;        ///< where on the piece the ray of each strip that is followed ends [m]
-  std::int32_t* strip;  ///< strips whose rays are followed, in whole packs
+  std::int32_t* piece;  ///< piece of the wheel's curve that each strip's ray crosses
+  double* part;         ///< place of the crossing on its chord, 0 to 1
 };
 
-/// Finds all strips with depth > -margin.
-void find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
-                   const RelativePose& pose, double margin, const OverlapScratch& scratch,
-                   Overlaps& overlaps) noexcept;
+/// Scratch for a wheel of so many pieces and a rail of so many strips.
+OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips);
+
+/// All strips with depth > -margin of a round wheel and a rail that is the same all along, in the arrays of
+/// `memory`, whose grade is left alone.
+Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                       const RelativePose& pose, double margin, const OverlapScratch& scratch,
+                       const Overlaps& memory) noexcept;
 
 }  // namespace wrc

@@ -26,6 +26,7 @@ void tangent_at(const Curve& rail, double s, double& ty, double& tz) {
 }  // namespace
 
 double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
+  // mean radius over 6 mm of arc, from the angle the tangent turns by; the width is linear in it
   double ay, az, by, bz;
   tangent_at(rail, s - looked_over, ay, az);
   tangent_at(rail, s + looked_over, by, bz);
@@ -34,6 +35,7 @@ double wanted_width(const Curve& rail, const StripWidths& widths, double s) {
   const double t = std::clamp((radius - widths.sharp) / (widths.flat - widths.sharp), 0.0, 1.0);
   const double width = widths.narrowest + t * (widths.widest - widths.narrowest);
   if (!(widths.guiding < widths.widest)) return width;
+  // on faces that guide, narrower from a slope of 64 degrees on
   double ty, tz;
   tangent_at(rail, s, ty, tz);
   constexpr double begins = 0.90, holds = 0.97;  // sines
@@ -58,28 +60,29 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
   return range;
 }
 
-std::int64_t rail_strip_doubles(std::int32_t strips) { return 7 * static_cast<std::int64_t>(strips); }
+StripArrays cut_strips(Arena& arena, std::int32_t most) {
+  StripArrays a;
+  arena.each(most, {&a.s, &a.width, &a.y, &a.z, &a.ty, &a.tz, &a.angle});
+  return a;
+}
 
-Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
-               RailStrips& strips) {
-  strips = {};
-  double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
-                *const ty = z + most, *const tz = ty + most, *const angle = tz + most;
+RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, const StripArrays& a) {
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   const std::int32_t n = cut_length(
-      begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, s, width);
+      begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, a.s, a.width);
+  // place and unit tangent in the middle of each strip
   for (std::int32_t j = 0; j < n; ++j) {
-    const std::int32_t k = piece_of(rail, s[j]);
-    const CurvePoint p = evaluate(rail, k, s[j] - rail.s[k]);
-    y[j] = p.y;
-    z[j] = p.z;
-    tangent_at(rail, s[j], ty[j], tz[j]);
+    const std::int32_t k = piece_of(rail, a.s[j]);
+    const CurvePoint p = evaluate(rail, k, a.s[j] - rail.s[k]);
+    a.y[j] = p.y;
+    a.z[j] = p.z;
+    tangent_at(rail, a.s[j], a.ty[j], a.tz[j]);
   }
-  strips = {n, s, width, y, z, ty, tz, nullptr, 1, {}};
-  for (std::int32_t j = 0; j < n; ++j) angle[j] = strip_angle(strips, j);
-  strips.angle = angle;
+  RailStrips strips{n, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 1, {}};
+  for (std::int32_t j = 0; j < n; ++j) a.angle[j] = strip_angle(strips, j);
+  strips.angle = a.angle;
   strips.range[0] = range_of(strips, 0, n);
-  return {};
+  return strips;
 }
 
 }  // namespace wrc

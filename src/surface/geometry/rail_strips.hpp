@@ -12,7 +12,7 @@ namespace wrc {
 /// its sections.
 inline constexpr std::int32_t most_rail_faces = 4, most_rail_marks = 64;
 
-/// Strips side by side, and what their middles lie between.
+/// Strips side by side, and the bounds of their middles.
 struct FaceStrips {
   std::int32_t first, count;
   double top, leftmost, rightmost;  ///< smallest z, smallest and largest y [m]
@@ -54,7 +54,7 @@ double wanted_width(const Curve& rail, const StripWidths& widths, double s);
 template <class Wanted>
 std::int32_t cut_length(double begin, double end, const Wanted& wanted, std::int32_t most, double* s,
                         double* width) {
-  // The widths wanted, added up: so many strips as that gives.
+  // number of strips that the widths wanted, times a scale, add up to
   const auto count_from = [&](double scale) {
     double at = begin;
     std::int32_t n = 0;
@@ -65,8 +65,10 @@ std::int32_t cut_length(double begin, double end, const Wanted& wanted, std::int
     }
     return n;
   };
+  // all widths scaled alike until there are few enough
   double scale = 1.0;
   while (count_from(scale) > most - 1) scale *= 1.1;
+  // each strip's width is that wanted in its middle; the last takes a rest of less than half a strip
   double at = begin;
   std::int32_t n = 0;
   while (at < end && n < most) {
@@ -87,11 +89,14 @@ double strip_angle(const RailStrips& strips, std::int32_t strip);
 /// The range of `count` strips from `first` on.
 FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
 
-/// Doubles of memory for so many strips.
-std::int64_t rail_strip_doubles(std::int32_t strips);
+/// Arrays of the strips of a rail.
+struct StripArrays {
+  double *s, *width, *y, *z, *ty, *tz, *angle;
+};
+StripArrays cut_strips(Arena& arena, std::int32_t most);
 
-/// Cuts the whole curve into at most `most` strips, in `memory` of rail_strip_doubles(most) doubles.
-Fault cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, double* memory,
-               RailStrips& strips);
+/// The whole curve, cut into at most `most` strips, in arrays for as many.
+RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,
+                    const StripArrays& arrays);
 
 }  // namespace wrc

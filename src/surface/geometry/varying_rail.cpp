@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/cutter.hpp"
 #include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
 
@@ -11,8 +10,8 @@ namespace wrc {
 namespace {
 
 constexpr double faces_apart = 1.0;          // [m] of arc length
-constexpr std::int32_t width_samples = 512;  // of an outline, where the widths wanted are looked at
-constexpr double largest_stretch = 8.0;      // of an outline's part against that it is paired with
+constexpr std::int32_t width_samples = 512;  // along an outline, of the widths wanted
+constexpr double largest_stretch = 8.0;      // length of a part over that of the part it is paired with
 constexpr double least_cosine = 0.5;         // between the tangents of points that are paired
 
 /// A cubic that rises through its knots (Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246, with
@@ -35,6 +34,7 @@ struct Pairing {
   void at(double x, double& length, double& growth) const {
     std::int32_t i = 0;
     while (i + 2 < knots && x > u[i + 1]) ++i;
+    // Hermite cubic on the interval and its derivative by x
     const double h = u[i + 1] - u[i], t = std::clamp((x - u[i]) / h, 0.0, 1.0);
     const double d = s[i + 1] - s[i], a = h * slope[i], b = h * slope[i + 1];
     length = s[i] + t * (a + t * (3.0 * d - 2.0 * a - b + t * (a + b - 2.0 * d)));
@@ -50,6 +50,7 @@ Fault find_marks(const RailSection& section, std::int32_t index, const Curve& cu
     const CurvePoint p = evaluate(curve, k, s - curve.s[k]);
     return cosine * (p.y - section.y) - sine * (p.z - section.z);
   };
+  // each mark's length by bisection: y increases along an outline between its ends
   double before = 0.0;
   for (std::int32_t m = 0; m < section.marks; ++m) {
     double low = 0.0, high = curve.s[curve.pieces];
@@ -69,20 +70,15 @@ Fault find_marks(const RailSection& section, std::int32_t index, const Curve& cu
   return {};
 }
 
-/// Memory while sections are read.
-struct Reading {
-  double *y, *z, *curve;
-};
-
 /// The outline of a section in the rail's axes.
 Fault read_outline(const RailSection& section, std::int32_t index, double cosine, double sine,
-                   const Reading& memory, Curve& curve) {
+                   const VaryingRailArrays& a, Curve& curve) {
   for (std::int32_t i = 0; i < section.profile.count; ++i) {
     const double y = section.profile.y[i], z = section.profile.z[i];
-    memory.y[i] = section.y + cosine * y + sine * z;
-    memory.z[i] = section.z + cosine * z - sine * y;
+    a.y[i] = section.y + cosine * y + sine * z;
+    a.z[i] = section.z + cosine * z - sine * y;
   }
-  Fault fault = make_curve(section.profile.count, memory.y, memory.z, memory.curve, curve);
+  Fault fault = make_curve(section.profile.count, a.y, a.z, a.curve, curve);
   if (fault.failed()) {
     fault.index = index;
     fault.field = "config.rail_section.profile";
@@ -96,6 +92,7 @@ Fault pair_with_first(const RailSection& section, std::int32_t index, const Curv
   const Fault fault = find_marks(section, index, curve, cosine, sine, length);
   if (fault.failed()) return fault;
   pairing.knots = section.marks + 2;
+  // knots at the outline's ends and marks; the parts between two knots may differ in length, but not by much
   const auto knot = [&](std::int32_t i) {
     return i == 0 ? 0.0 : i <= section.marks ? length[i - 1] : curve.s[curve.pieces];
   };
@@ -113,52 +110,57 @@ Fault pair_with_first(const RailSection& section, std::int32_t index, const Curv
   return {};
 }
 
-double dot(const double* a, const double* b, std::int32_t first, std::int32_t n, std::int32_t room) {
-  double sum = 0.0;
-  for (std::int32_t q = 0; q < 2; ++q)
-    for (std::int32_t j = first; j < first + n; ++j) sum += a[q * room + j] * b[q * room + j];
-  return sum;
+/// The lists of a section: y, z, dy/du, dz/du, and how they change along the track.
+double* lists_of(const VaryingRail& rail, double* outline, std::int32_t section) {
+  return outline + static_cast<std::int64_t>(section) * 8 * rail.stride;
 }
 
-/// How the outlines change along the track at a face's sections.
+/// Slopes of the outlines along the track at a face's sections; `before`, `behind`: scratch of four lists.
 void find_slopes(const VaryingRail& rail, const RailFace& face, double* outline, double* before,
                  double* behind) {
-  const std::int32_t room = rail.room;
-  const auto lists = [&](std::int32_t k) { return outline + static_cast<std::int64_t>(k) * 8 * room; };
+  const std::int32_t stride = rail.stride, first = face.first, last = face.first + face.strips;
   const auto secant = [&](std::int32_t k, double* to) {
     const double per = 1.0 / (rail.distance[k + 1] - rail.distance[k]);
+    const double *const here = lists_of(rail, outline, k), *const next = lists_of(rail, outline, k + 1);
     for (std::int32_t q = 0; q < 4; ++q)
-      for (std::int32_t j = face.first; j < face.first + face.strips; ++j)
-        to[q * room + j] = (lists(k + 1)[q * room + j] - lists(k)[q * room + j]) * per;
+      for (std::int32_t j = first; j < last; ++j)
+        to[q * stride + j] = (next[q * stride + j] - here[q * stride + j]) * per;
+  };
+  // a.b over the points of a whole outline
+  const auto dot = [&](const double* a, const double* b) {
+    double sum = 0.0;
+    for (std::int32_t q = 0; q < 2; ++q)
+      for (std::int32_t j = first; j < last; ++j) sum += a[q * stride + j] * b[q * stride + j];
+    return sum;
   };
   const std::int32_t end = face.first_section + face.sections;
   for (std::int32_t k = face.first_section; k < end; ++k) {
-    double* const slope = lists(k) + 4 * static_cast<std::int64_t>(room);
-    std::fill_n(slope, 4 * static_cast<std::int64_t>(room), 0.0);
+    // zero at the face's first and last section
+    double* const slope = lists_of(rail, outline, k) + 4 * static_cast<std::int64_t>(stride);
+    std::fill_n(slope, 4 * static_cast<std::int64_t>(stride), 0.0);
     if (k == face.first_section || k + 1 == end) continue;
+    // 2 a.b / (a.a + b.b) times the mean of the secants a, b, the shorter interval's weighing more
     secant(k - 1, before);
     secant(k, behind);
-    const double both = dot(before, behind, face.first, face.strips, room);
-    const double each = dot(before, before, face.first, face.strips, room) +
-                        dot(behind, behind, face.first, face.strips, room);
+    const double both = dot(before, behind), each = dot(before, before) + dot(behind, behind);
     if (!(both > 0.0)) continue;
     const double left = rail.distance[k] - rail.distance[k - 1],
                  right = rail.distance[k + 1] - rail.distance[k], agree = 2.0 * both / each;
     for (std::int32_t q = 0; q < 4; ++q)
-      for (std::int32_t j = face.first; j < face.first + face.strips; ++j)
-        slope[q * room + j] =
-            agree * (right * before[q * room + j] + left * behind[q * room + j]) / (left + right);
+      for (std::int32_t j = first; j < last; ++j)
+        slope[q * stride + j] =
+            agree * (right * before[q * stride + j] + left * behind[q * stride + j]) / (left + right);
   }
 }
 
 /// Points that are paired must face the same way, else strips between them would have no direction.
 Fault check_directions(const VaryingRail& rail, const RailFace& face, const double* outline) {
   for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
-    const double* const a = outline + static_cast<std::int64_t>(k) * 8 * rail.room;
-    const double* const b = a + 8 * static_cast<std::int64_t>(rail.room);
+    const double* const a = outline + static_cast<std::int64_t>(k) * 8 * rail.stride;
+    const double* const b = a + 8 * static_cast<std::int64_t>(rail.stride);
     for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
-      const double ay = a[2 * rail.room + j], az = a[3 * rail.room + j], by = b[2 * rail.room + j],
-                   bz = b[3 * rail.room + j];
+      const double ay = a[2 * rail.stride + j], az = a[3 * rail.stride + j], by = b[2 * rail.stride + j],
+                   bz = b[3 * rail.stride + j];
       const double cosine = (ay * by + az * bz) / std::sqrt((ay * ay + az * az) * (by * by + bz * bz));
       if (!(cosine > least_cosine))
         return Fault::profile(
@@ -169,33 +171,9 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
   return {};
 }
 
-}  // namespace
-
-std::int64_t varying_rail_doubles(std::int32_t sections, std::int32_t nodes, std::int32_t most_strips) {
-  return static_cast<std::int64_t>(sections) * (8 * most_strips + 1) + 9 * most_strips + width_samples +
-         2 * static_cast<std::int64_t>(nodes) + curve_doubles(nodes);
-}
-
-Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, double* memory, VaryingRail& rail) {
-  rail = {};
-  rail.room = most_strips;
-  Cutter take{memory};
-  double* const distance = take(count);
-  double* const outline = take(static_cast<std::int64_t>(count) * 8 * most_strips);
-  double* const step = take(most_strips);
-  double* const wanted = take(width_samples);
-  double *const before = take(4 * static_cast<std::int64_t>(most_strips)), *const behind = take(
-                                                                               4 * static_cast<std::int64_t>(
-                                                                                       most_strips));
-  std::int32_t nodes = 0;
-  for (std::int32_t k = 0; k < count; ++k) nodes = std::max(nodes, sections[k].profile.count);
-  const Reading reading{take(nodes), take(nodes), take(curve_doubles(nodes))};
-  rail.distance = distance;
-  rail.outline = outline;
-  rail.step = step;
-  const double cosine = 1.0 / std::sqrt(1.0 + inclination * inclination), sine = inclination * cosine;
-
+/// Puts the sections into faces, and notes their distances.
+void take_sections(const RailSection* sections, std::int32_t count, double* distance, VaryingRail& rail) {
+  // sections of one face stand together, by increasing distance
   std::int32_t faces = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     distance[k] = sections[k].distance;
@@ -205,57 +183,112 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     rail.end = k == 0 ? distance[k] : std::max(rail.end, distance[k]);
   }
   rail.faces = faces;
-  for (std::int32_t f = 0; f < faces; ++f) {
+}
+
+/// Sections on their way to strips.
+struct SectionReader {
+  const RailSection* sections;
+  double cosine, sine;  ///< inclination of the rail
+  const VaryingRailArrays& arrays;
+  Curve curve;      ///< outline of the section read last
+  Pairing pairing;  ///< lengths along it over those along the first of its face
+
+  Fault read(std::int32_t k, bool first) {
+    const Fault fault = read_outline(sections[k], k, cosine, sine, arrays, curve);
+    return fault.failed() ? fault : pair_with_first(sections[k], k, curve, cosine, sine, pairing, first);
+  }
+};
+
+/// Widths that the strips of a face may have, sampled over the first section's outline: the narrowest that
+/// any section wants there. `length`: of that outline [m].
+Fault find_widths(SectionReader& reader, const RailFace& face, const StripWidths& widths, double* wanted,
+                  double& length) {
+  const std::int32_t begin = face.first_section;
+  for (std::int32_t k = begin; k < begin + face.sections; ++k) {
+    const Fault fault = reader.read(k, k == begin);
+    if (fault.failed()) return fault;
+    if (k == begin) length = reader.curve.s[reader.curve.pieces];
+    for (std::int32_t i = 0; i < width_samples; ++i) {
+      // a width on this section is narrower by ds/du on the first one
+      double s, growth;
+      reader.pairing.at(length * i / (width_samples - 1), s, growth);
+      const double here = wanted_width(reader.curve, widths, s) / growth;
+      wanted[i] = k == begin ? here : std::min(wanted[i], here);
+    }
+  }
+  return {};
+}
+
+/// Points and tangents P(u), P'(u) of a face's sections in the middles of its strips.
+Fault lay_outlines(SectionReader& reader, const VaryingRail& rail, const RailFace& face,
+                   const VaryingRailArrays& a) {
+  const std::int32_t begin = face.first_section, stride = rail.stride;
+  for (std::int32_t k = begin; k < begin + face.sections; ++k) {
+    const Fault fault = reader.read(k, k == begin);
+    if (fault.failed()) return fault;
+    double* const list = lists_of(rail, a.outline, k);
+    for (std::int32_t j = 0; j < face.strips; ++j) {
+      // P(u) at the length s(u) along this outline, and P'(u) = dP/ds ds/du
+      double s, growth;
+      reader.pairing.at(a.middle[j], s, growth);
+      const std::int32_t piece = piece_of(reader.curve, s), to = face.first + j;
+      const CurvePoint p = evaluate(reader.curve, piece, s - reader.curve.s[piece]);
+      list[to] = p.y;
+      list[stride + to] = p.z;
+      list[2 * stride + to] = p.dy * growth;
+      list[3 * stride + to] = p.dz * growth;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int32_t nodes,
+                                   std::int32_t most_strips) {
+  VaryingRailArrays a;
+  a.distance = arena.take(sections);
+  a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
+  arena.each(most_strips, {&a.step, &a.middle});
+  a.wanted = arena.take(width_samples);
+  arena.each(4 * static_cast<std::int64_t>(most_strips), {&a.before, &a.behind});
+  arena.each(nodes, {&a.y, &a.z});
+  a.curve = cut_curve(arena, nodes);
+  return a;
+}
+
+Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
+                        std::int32_t most_strips, const VaryingRailArrays& a, VaryingRail& rail) {
+  rail = {};
+  rail.stride = most_strips;
+  rail.distance = a.distance;
+  rail.outline = a.outline;
+  rail.step = a.step;
+  take_sections(sections, count, a.distance, rail);
+  const double cosine = 1.0 / std::sqrt(1.0 + inclination * inclination), sine = inclination * cosine;
+  for (std::int32_t f = 0; f < rail.faces; ++f) {
     RailFace& face = rail.face[f];
     // one strip between faces belongs to none, so that strips of different faces are never neighbours
     face.first = f == 0 ? 0 : rail.strips + 1;
-    const std::int32_t begin = face.first_section, end = begin + face.sections;
-    Pairing pairing;
-    Curve curve;
+    // strips along u by the widths wanted, linear between their samples; a share of all strips for each face
+    SectionReader reader{sections, cosine, sine, a, {}, {}};
     double length = 0.0;
-    const StripWidths widths = f + 1 < faces ? guiding_widths : StripWidths{};
-    for (std::int32_t k = begin; k < end; ++k) {
-      Fault fault = read_outline(sections[k], k, cosine, sine, reading, curve);
-      if (fault.failed()) return fault;
-      fault = pair_with_first(sections[k], k, curve, cosine, sine, pairing, k == begin);
-      if (fault.failed()) return fault;
-      if (k == begin) length = curve.s[curve.pieces];
-      for (std::int32_t i = 0; i < width_samples; ++i) {
-        double s, growth;
-        pairing.at(length * i / (width_samples - 1), s, growth);
-        const double here = wanted_width(curve, widths, s) / growth;
-        wanted[i] = k == begin ? here : std::min(wanted[i], here);
-      }
-    }
+    const StripWidths widths = f + 1 < rail.faces ? guiding_widths : StripWidths{};
+    Fault fault = find_widths(reader, face, widths, a.wanted, length);
+    if (fault.failed()) return fault;
     const auto wanted_at = [&](double u) {
       const double place = std::clamp(u / length, 0.0, 1.0) * (width_samples - 1);
       const auto i = std::min(static_cast<std::int32_t>(place), width_samples - 2);
-      return wanted[i] + (place - i) * (wanted[i + 1] - wanted[i]);
+      return a.wanted[i] + (place - i) * (a.wanted[i + 1] - a.wanted[i]);
     };
-    double* const middle = before;  // free as yet
-    const std::int32_t share = most_strips / faces - 1;
-    face.strips = cut_length(0.0, length, wanted_at, share, middle, step + face.first);
+    const std::int32_t share = most_strips / rail.faces - 1;
+    face.strips = cut_length(0.0, length, wanted_at, share, a.middle, a.step + face.first);
     rail.strips = face.first + face.strips;
-    for (std::int32_t k = begin; k < end; ++k) {
-      Fault fault = read_outline(sections[k], k, cosine, sine, reading, curve);
-      if (!fault.failed()) fault = pair_with_first(sections[k], k, curve, cosine, sine, pairing, k == begin);
-      if (fault.failed()) return fault;
-      double* const list = outline + static_cast<std::int64_t>(k) * 8 * most_strips;
-      for (std::int32_t j = 0; j < face.strips; ++j) {
-        double s, growth;
-        pairing.at(middle[j], s, growth);
-        const std::int32_t piece = piece_of(curve, s);
-        const CurvePoint p = evaluate(curve, piece, s - curve.s[piece]);
-        const std::int32_t to = face.first + j;
-        list[to] = p.y;
-        list[most_strips + to] = p.z;
-        list[2 * most_strips + to] = p.dy * growth;
-        list[3 * most_strips + to] = p.dz * growth;
-      }
-    }
-    const Fault fault = check_directions(rail, face, outline);
+    // outlines at the strips' middles, and how they change from section to section
+    fault = lay_outlines(reader, rail, face, a);
+    if (!fault.failed()) fault = check_directions(rail, face, a.outline);
     if (fault.failed()) return fault;
-    find_slopes(rail, face, outline, before, behind);
+    find_slopes(rail, face, a.outline, a.before, a.behind);
   }
   return {};
 }
@@ -267,6 +300,8 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   SectionBlend b;
   b.left = left;
   b.right = left + 1;
+  // The quintic Hermite functions of the header and their derivatives by t, scaled to derivatives by the
+  // distance: h1 = up, h0 = 1 - up, h2 = leaving, h3 = reaching.
   const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
                t = (distance - rail.distance[left]) * per;
   const double t2 = t * t;
@@ -291,6 +326,7 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
 }  // namespace
 
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
+  // the interval of sections that holds the distance
   const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
   const double* const above = std::upper_bound(begin, end, distance);
   if (above != begin && above != end)
@@ -308,54 +344,34 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
   return there ? blend_between(rail, near.left, distance) : blend_at(rail, face, distance);
 }
 
-double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
-                    std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]) {
-  double *const s = memory, *const width = s + most, *const y = width + most, *const z = y + most,
-                *const ty = z + most, *const tz = ty + most;
-  strips = {rail.strips, s, width, y, z, ty, tz, nullptr, 0, {}};
-  double steepest = 0.0;
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
+                        const StripArrays& a) {
+  PlacedRail placed{{rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}}, distance, 0.0, {}};
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
     const std::int32_t first = face.first, end = first + face.strips;
-    const SectionBlend& b = blend[f] = blend_at(rail, face, distance);
+    const SectionBlend& b = placed.blend[f] = blend_at(rail, face, distance);
+    // a face is there between its first and its last section
     if (distance < rail.distance[face.first_section] ||
         distance > rail.distance[face.first_section + face.sections - 1])
       continue;
     const auto lists = [&](std::int32_t section) {
-      return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.room + first;
+      return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.stride + first;
     };
     constexpr double within = 20e-3;  // [m]
-    const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.room,
-                                       b.weight,    rail.step + first, within,         y + first,
-                                       z + first,   ty + first,        tz + first,     width + first};
-    steepest = std::max(steepest, kernels.section_strips(task));
+    const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.stride,
+                                       b.weight,    rail.step + first, within,         a.y + first,
+                                       a.z + first, a.ty + first,      a.tz + first,   a.width + first};
+    placed.steepest = std::max(placed.steepest, kernels.section_strips(task));
+    // arc length by the widths there, each face from a place of its own
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {
-      s[j] = at + 0.5 * width[j];
-      at += width[j];
+      a.s[j] = at + 0.5 * a.width[j];
+      at += a.width[j];
     }
-    strips.range[strips.ranges++] = range_of(strips, first, face.strips);
+    placed.range[placed.ranges++] = range_of(placed, first, face.strips);
   }
-  return steepest;
-}
-
-Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memory, std::int32_t most,
-                   double& distance, RailStrips& strips, SectionBlend (&blend)[most_rail_faces],
-                   double& steepest) {
-  const double asked = distance;
-  distance = smaller(larger(asked, rail.begin), rail.end);
-  steepest = place_strips(kernels, rail, distance, memory, most, strips, blend);
-  if (has_check_rail(rail)) {
-    // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
-    FaceStrips& check = strips.range[0];
-    while (check.count > 1 && strips.tz[check.first] < 0.0) {
-      ++check.first;
-      --check.count;
-    }
-  }
-  if (distance == asked) return {};
-  return Fault::beyond_sections("input.distance", {asked, "m", rail.begin, rail.end},
-                                "the nearest section is used");
+  return placed;
 }
 
 }  // namespace wrc

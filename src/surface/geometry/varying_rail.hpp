@@ -38,31 +38,41 @@ struct RailSection {
 };
 
 struct RailFace {
-  std::int32_t first = 0, strips = 0;            ///< of the rail's strips
-  std::int32_t first_section = 0, sections = 0;  ///< of all sections
+  std::int32_t first = 0, strips = 0;            ///< among the rail's strips
+  std::int32_t first_section = 0, sections = 0;  ///< among all sections
 };
 
 struct VaryingRail {
-  std::int32_t faces = 0;             ///< 0: the rail is the same everywhere
-  std::int32_t strips = 0, room = 0;  ///< room: elements from one list of `outline` to the next
+  std::int32_t faces = 0;               ///< 0: the rail is the same everywhere
+  std::int32_t strips = 0, stride = 0;  ///< stride: elements from one list of `outline` to the next
   RailFace face[most_rail_faces];
-  double begin = 0.0, end = 0.0;     ///< of the sections [m]
-  const double* distance = nullptr;  ///< of each section [m]
-  const double* outline = nullptr;   ///< of each section eight lists over the strips: y, z, dy/du, dz/du, and
-                                     ///< how they change along the track
-  const double* step = nullptr;      ///< of u, across each strip [m]
+  double begin = 0.0, end = 0.0;     ///< first and last distance of a section [m]
+  const double* distance = nullptr;  ///< distance of each section [m]
+  const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
+                                    ///< their slopes along the track
+  const double* step = nullptr;     ///< range of u across each strip [m]
 };
 
-/// Doubles of memory for so many sections, of which the longest profile has so many nodes.
-std::int64_t varying_rail_doubles(std::int32_t sections, std::int32_t nodes, std::int32_t most_strips);
+/// Arrays of a rail that varies, and of its making.
+struct VaryingRailArrays {
+  double *distance, *outline, *step;  ///< as VaryingRail
+  double* middle;                     ///< u in the middle of the strips of a face [m]
+  double* wanted;                     ///< samples of the widths wanted [m]
+  double *before, *behind;            ///< secants between sections, four lists each
+  double *y, *z;                      ///< points of a section, rail axes [m]
+  CurveArrays curve;                  ///< through them
+};
+/// For so many sections, of which the longest profile has so many nodes.
+VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int32_t nodes,
+                                   std::int32_t most_strips);
 
 /// Cuts and pairs the sections, whose distances and faces the caller has put in order. WRC_ERROR_PROFILE,
 /// with the section's index, if they cannot be paired.
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, double* memory, VaryingRail& rail);
+                        std::int32_t most_strips, const VaryingRailArrays& arrays, VaryingRail& rail);
 
-/// Where a distance lies in a face's sections: between `left` and `right`, or at one that is both, and what
-/// their values and slopes count for the outline and its derivatives by the distance, up to the third.
+/// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
+/// their values and slopes in the outline and its derivatives by the distance, up to the third.
 struct SectionBlend {
   std::int32_t left, right;
   double weight[4][4];
@@ -72,17 +82,16 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
                       const SectionBlend& near);
 
-/// Cuts the strips of a rail at a distance, into `memory` of rail_strip_doubles(most) doubles: those of faces
-/// that are there. Returns how steeply any of them falls along its normal, within 20 mm of there [-]. Blends
-/// of all faces.
-double place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double* memory,
-                    std::int32_t most, RailStrips& strips, SectionBlend (&blend)[most_rail_faces]);
+/// A rail at one distance along the track.
+struct PlacedRail : RailStrips {
+  double distance = 0.0;                ///< within the sections [m]
+  double steepest = 0.0;                ///< steepest fall of a strip along its normal, within 20 mm [-]
+  SectionBlend blend[most_rail_faces];  ///< blend of each face there
+};
 
-/// The same within the sections, where `distance` is put, and flagged beyond them; of a check rail the side
-/// that guides.
-Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memory, std::int32_t most,
-                   double& distance, RailStrips& strips, SectionBlend (&blend)[most_rail_faces],
-                   double& steepest);
+/// The rail at a distance: strips of the faces that are there.
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
+                        const StripArrays& arrays);
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).
@@ -123,7 +132,7 @@ struct BlendedList {
 inline BlendedList blended(const VaryingRail& rail, const SectionBlend& b, std::int32_t strip,
                            std::int32_t list) {
   const auto at = [&](std::int32_t section, std::int32_t q) {
-    return rail.outline[(static_cast<std::int64_t>(section) * 8 + q) * rail.room + strip];
+    return rail.outline[(static_cast<std::int64_t>(section) * 8 + q) * rail.stride + strip];
   };
   const double values[4] = {at(b.left, list), at(b.right, list), at(b.left, list + 4), at(b.right, list + 4)};
   BlendedList l;

@@ -17,6 +17,7 @@ inline void outline_kernel(const OutlineTask& task) {
                                                      load_pack(wheel.knot_radius + k), slope);
     store_pack(task.scratch->y + k, o.y + task.pose->y);
     store_pack(task.scratch->z + k, o.z + task.pose->z);
+    // theta exists where |e2 r' / Y'| stays well below 1, and the face does not turn back
     const Mask seen = (magnitude(task.attitude.e2 * slope) < steepest_sine) & (slope < 1e200);
     store_pack(task.scratch->seen + k, select(seen, 1.0, 0.0));
   }
@@ -67,6 +68,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
   const std::int32_t knots = task.wheel->knots;
   for (std::int32_t j = 0; j < rail.count; j += lanes)
     store(nowhere, scratch.overlap + j, rail.count - j < lanes ? rail.count - j : lanes);
+  // Each range is walked on its own. Knots near it lie below its top and between its sides, by the margin.
   std::int32_t lowest = rail.count, highest = -1;
   const double least = -margin - chord_sagitta - rounding;
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
@@ -74,6 +76,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
     const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
     const double left = range.leftmost - beside, right = range.rightmost + beside;
     RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};
+    // Packs of knots that are all far from the range are passed over; the walk jumps to where they end.
     bool near_before = false, passed_over = false;
     for (std::int32_t pack = 0; pack < knots; pack += lanes) {
       const Pack ys = load_pack(scratch.y + pack), zs = load_pack(scratch.z + pack);
@@ -90,6 +93,7 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
           continue;
         }
         near_before = near;
+        // Behind knots that were passed over, or where the outline does not exist, nothing is crossed.
         if (passed_over) walk.jump_to(scratch.y[k - 1], scratch.z[k - 1]);
         passed_over = false;
         if (k == 0 || !(scratch.seen[k] > 0.0 && scratch.seen[k - 1] > 0.0)) {
@@ -99,16 +103,19 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
         const std::int32_t before = walk.last;
         walk.go_to(y, z);
         if (walk.last == before) continue;
+        // Rays between the chord's ends: the crossing divides it by the distances of both ends from the ray.
         const double y_before = scratch.y[k - 1], z_before = scratch.z[k - 1];
         std::int32_t j = before < walk.last ? before : walk.last;
         const std::int32_t last = before < walk.last ? walk.last : before;
         while (++j <= last) {
+          // a chord that lies above the margin at both ends lies above it at the crossing
           if (walk.below(j, y_before, z_before) < least && walk.below(j, y, z) < least) continue;
           const double from = walk.ahead(j, y_before, z_before), to = walk.ahead(j, y, z);
-          const double way = from == to ? 0.5 : from / (from - to);
-          const double t = way > 0.0 ? (way < 1.0 ? way : 1.0) : 0.0;
+          const double share = from == to ? 0.5 : from / (from - to);
+          const double t = share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;
           const double py = y_before + t * (y - y_before) - rail.y[j],
                        pz = z_before + t * (z - z_before) - rail.z[j];
+          // a ray that meets the outline twice keeps the deeper crossing
           const double overlap = pz * rail.ty[j] - py * rail.tz[j];
           if (overlap <= scratch.overlap[j]) continue;
           scratch.overlap[j] = overlap;
@@ -124,12 +131,13 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
   end = highest + 1;
 }
 
-/// Coefficients of the wheel's curve, one piece per lane.
-struct Pieces {
-  Pack y[4], z[4], length;
+/// Pieces of the wheel's curve, one per lane.
+struct Pieces : PieceOf<Pack> {
+  Pack length;  ///< [m]
 };
 
 inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) {
+  // rays of neighbouring strips may end on different pieces: gathered one by one
   double y[4][lanes], z[4][lanes], length[lanes];
   for (std::int32_t i = 0; i < lanes; ++i) {
     const std::int32_t k = piece[i];
@@ -148,93 +156,54 @@ inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) 
   return p;
 }
 
-/// The outline at one place, as far as a ray needs it.
-struct OnOutline {
-  OutlinePlace<Pack> place;
-  Pack uy, uz;    ///< unit tangent of the profile
-  Pack dy, dz;    ///< of the outline, along the profile's parameter, rail axes
-  Pack meridian;  ///< curvature of the profile [1/m]
-  Pack radius;
-};
-
-WRC_IN_LOOP OnOutline on_outline(const OutlineTask& task, const Pieces& c, Pack u) {
-  const auto& R = task.pose->rotation;
-  const Pack py = c.y[0] + u * (c.y[1] + u * (c.y[2] + u * c.y[3]));
-  const Pack pz = c.z[0] + u * (c.z[1] + u * (c.z[2] + u * c.z[3]));
-  const Pack dy = c.y[1] + u * (2.0 * c.y[2] + 3.0 * u * c.y[3]);
-  const Pack dz = c.z[1] + u * (2.0 * c.z[2] + 3.0 * u * c.z[3]);
-  const Pack ddy = 2.0 * c.y[2] + 6.0 * u * c.y[3], ddz = 2.0 * c.z[2] + 6.0 * u * c.z[3];
-  OnOutline o;
-  const Pack per_speed = 1.0 / root(dy * dy + dz * dz);
-  o.uy = dy * per_speed;
-  o.uz = dz * per_speed;
-  const Pack advance = larger(o.uy, least_advance);
-  const Pack slope = o.uz / advance;
-  o.place = outline_place<Pack>(*task.pose, task.attitude, py, pz, slope);
-  o.radius = pz;
-  const Pack bent = dy * ddz - dz * ddy;
-  o.meridian = bent * per_speed * per_speed * per_speed;
-  const Pack theta_s = task.attitude.e2 * bent / (larger(dy * dy, 1e-8) * o.place.cosine);
-  const Pack st = o.place.sin_theta, ct = o.place.cos_theta;
-  const Pack tx = dz * st + pz * ct * theta_s, tz = dz * ct - pz * st * theta_s;
-  o.dy = R[1][0] * tx + R[1][1] * dy + R[1][2] * tz;
-  o.dz = R[2][0] * tx + R[2][1] * dy + R[2][2] * tz;
-  return o;
-}
-
-/// Kernels::follow_rays. Newton's method within the piece that a chord was seen to cross in.
-inline void follow_rays_kernel(const OutlineTask& task, Overlaps& overlaps) {
+/// Kernels::follow_rays. Newton's method within the piece whose chord the ray crosses.
+inline void follow_rays_kernel(const OutlineTask& task, const Overlaps& overlaps) {
   constexpr int steps = 4;
   const RailStrips& rail = *task.rail;
-  const auto& R = task.pose->rotation;
-  const OverlapScratch& scratch = *task.scratch;
   for (std::int32_t first = 0; first < overlaps.count; first += lanes) {
+    const std::int32_t count = overlaps.count - first < lanes ? overlaps.count - first : lanes;
     std::int32_t piece[lanes];
     double part[lanes], y[lanes], z[lanes], ty[lanes], tz[lanes];
     for (std::int32_t i = 0; i < lanes; ++i) {  // lanes too many repeat the last strip
-      const std::int32_t at = first + i < overlaps.count ? first + i : overlaps.count - 1;
-      const std::int32_t j = scratch.strip[at];
-      piece[i] = scratch.piece[j];
-      part[i] = scratch.part[j];
+      const std::int32_t at = first + (i < count ? i : count - 1), j = overlaps.strip[at];
+      piece[i] = overlaps.piece[at];
+      part[i] = overlaps.u[at];
       y[i] = rail.y[j];
       z[i] = rail.z[j];
       ty[i] = rail.ty[j];
       tz[i] = rail.tz[j];
     }
     const Pieces c = pieces_of(task.wheel->curve, piece);
-    const Pack rail_y = load_pack(y) - task.pose->y, rail_z = load_pack(z) - task.pose->z;
-    const Pack along_y = load_pack(ty), along_z = load_pack(tz);
+    // the rays, from the wheel's reference point
+    const StripRay<Pack> ray{load_pack(y) - task.pose->y, load_pack(z) - task.pose->z, load_pack(ty),
+                             load_pack(tz)};
+
+    // Newton's step miss / (d miss / du), held within the piece; none where the outline runs along the ray.
     Pack u = load_pack(part) * c.length;
     for (int n = 0; n < steps; ++n) {
-      const OnOutline o = on_outline(task, c, u);
-      const Pack miss = (o.place.y - rail_y) * along_y + (o.place.z - rail_z) * along_z;
-      const Pack slope = o.dy * along_y + o.dz * along_z;
+      const OnProfile<Pack> p = on_profile(c, u);
+      const OutlinePlace<Pack> o = outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
+      const OutlineSlope<Pack> by_u = outline_slope(*task.pose, task.attitude, p, o);
+      const Pack slope = by_u.y * ray.ty + by_u.z * ray.tz;
       const Mask steep = magnitude(slope) > 0.02;
-      const Pack step = select(steep, miss / select(steep, slope, 1.0), 0.0);
+      const Pack step = select(steep, ray_miss(ray, o) / select(steep, slope, 1.0), 0.0);
       u = smaller(larger(u - step, 0.0), c.length);
     }
-    const OnOutline o = on_outline(task, c, u);
-    const Pack st = o.place.sin_theta, ct = o.place.cos_theta;
-    const Pack nx = o.uy * st, nz = o.uy * ct;
-    const Pack wheel_ny = R[1][0] * nx - R[1][1] * o.uz + R[1][2] * nz;
-    const Pack wheel_nz = R[2][0] * nx - R[2][1] * o.uz + R[2][2] * nz;
-    const Pack overlap = (o.place.z - rail_z) * along_y - (o.place.y - rail_y) * along_z;
-    const Pack cosine = wheel_nz * along_y - wheel_ny * along_z;
-    const Pack half = root(larger(0.5 * (1.0 + cosine), 0.1));
-    const Pack cos_chi = R[0][0] * ct - R[0][2] * st, cos2 = cos_chi * cos_chi;
-    const Pack curvature = (cos2 * o.uy / o.radius - (1.0 - cos2) * o.meridian) / half;
-    const Mask faces = (cosine > 0.2) & (curvature > 0.01);
-    const Pack depth = select(faces, overlap * cosine / (half * half), -1.0);
-    const std::int32_t count = overlaps.count - first < lanes ? overlaps.count - first : lanes;
-    store_pack(part, u);
-    for (std::int32_t i = 0; i < count; ++i) scratch.along[scratch.strip[first + i]] = part[i];
-    store(depth, overlaps.depth + first, count);
-    store(o.place.x, overlaps.centre + first, count);
-    store(curvature, overlaps.curvature + first, count);
-    store(0.5 * (wheel_ny - along_z) / half, overlaps.ny + first, count);
-    store(0.5 * (wheel_nz + along_y) / half, overlaps.nz + first, count);
-    store(o.place.y, overlaps.wy + first, count);
-    store(o.place.z, overlaps.wz + first, count);
+
+    const OnProfile<Pack> p = on_profile(c, u);
+    const OutlinePlace<Pack> place = outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
+    const RayOverlap<Pack> found = ray_overlap(*task.pose, ray, p, place);
+    const StripOverlap<Pack>& o = found.strip;
+    // A wheel that looks away from the rail, or is hollow along x, has no overlap.
+    const Mask faces = (found.facing > 0.2) & (o.curvature > 0.01);
+    store(select(faces, o.depth, -1.0), overlaps.depth + first, count);
+    store(o.centre, overlaps.centre + first, count);
+    store(o.curvature, overlaps.curvature + first, count);
+    store(o.ny, overlaps.ny + first, count);
+    store(o.nz, overlaps.nz + first, count);
+    store(o.wy, overlaps.wy + first, count);
+    store(o.wz, overlaps.wz + first, count);
+    store(u, overlaps.u + first, count);
   }
 }
 

@@ -16,7 +16,7 @@ inline double section_strips_kernel(const SectionStripsTask& task) {
       Pack left, right, left_slope, right_slope;
     };
     const auto list = [&](std::int32_t q) {  // lanes behind the last: ones, that do not change
-      const std::int64_t at = q * task.room, slope = (q + 4) * task.room;
+      const std::int64_t at = q * task.stride, slope = (q + 4) * task.stride;
       return List{load(task.left + at, first, count, 1.0), load(task.right + at, first, count, 1.0),
                   load(task.left + slope, first, count, 0.0), load(task.right + slope, first, count, 0.0)};
     };
@@ -24,10 +24,12 @@ inline double section_strips_kernel(const SectionStripsTask& task) {
       const double* const w = task.weight[derivative];
       return w[0] * l.left + w[1] * l.right + w[2] * l.left_slope + w[3] * l.right_slope;
     };
+    // P(u, X), and the unit tangent and stretch from P'(u, X)
     const List y = list(0), z = list(1);
     const Pack dy = blend(list(2), 0), dz = blend(list(3), 0);
     const Pack length = root(dy * dy + dz * dz), per = 1.0 / length;
     const Pack ty = dy * per, tz = dz * per;
+    // fall along the normal (-tz, ty) per distance, and the most it may change within 20 mm
     const Pack slope = ty * blend(z, 1) - tz * blend(y, 1), bend = ty * blend(z, 2) - tz * blend(y, 2);
     const Pack steep = magnitude(slope) + task.within * magnitude(bend);
     store(blend(y, 0), task.y + first, count);
@@ -37,6 +39,7 @@ inline double section_strips_kernel(const SectionStripsTask& task) {
     store(length * load(task.step, first, count, 1.0), task.width + first, count);
     steepest = larger(steepest, steep);
   }
+  // the largest of all lanes; those behind the last strip are level and straight
   double each[lanes];
   store_pack(each, steepest);
   double most = 0.0;

@@ -118,12 +118,12 @@ struct NearLinesTask {
 struct SectionStripsTask {
   std::int32_t count;
   const double *left, *right;  ///< the sections' lists: y, z, dy/du, dz/du, and their slopes along the track
-  std::int64_t room;           ///< elements from one list to the next
-  const double (*weight)[4];  ///< of left, right, slope on the left, on the right: for values, then for first
+  std::int64_t stride;         ///< elements from one list to the next
+  const double (*weight)[4];  ///< on left, right, slope on the left, on the right: for values, then for first
                               ///< and second derivatives by the distance
-  const double* step;         ///< of u [m]
+  const double* step;         ///< range of u across each strip [m]
   double within;              ///< [m]
-  double *y, *z, *ty, *tz, *width;  ///< of RailStrips
+  double *y, *z, *ty, *tz, *width;  ///< as RailStrips
 };
 
 /// A wheel's outline, and the strips whose rays it may cross.
