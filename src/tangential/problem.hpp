@@ -50,7 +50,7 @@ struct TangentialFields {
   bool any() const { return traction_x || traction_y || slip_x || slip_y; }
 };
 
-/// Multiplies the slips of so many cells, as far as they are wanted.
+/// Multiplies the slips of the first `cells` cells, as far as they are wanted.
 inline void scale_slips(double factor, std::ptrdiff_t cells, const TangentialFields& fields) {
   double* const slips[] = {fields.slip_x, fields.slip_y};
   for (double* const slip : slips)

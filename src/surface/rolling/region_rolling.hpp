@@ -43,7 +43,7 @@ struct RegionRollingInput {
   double* hot = nullptr;  ///< with heat, result: coefficients of friction; may be strips.friction
 };
 
-/// Doubles of working memory for at most so many strips.
+/// Doubles of working memory for at most `most` strips.
 std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& method);
 
 /// The double ellipse of a load with these moments [m^2], [m^2], [m^3].

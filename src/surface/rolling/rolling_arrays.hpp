@@ -50,7 +50,7 @@ struct RollingArraysOf : RollingMeans {
 };
 using RollingArrays = RollingArraysOf<double>;
 
-/// Cuts the arrays of so many strips, or counts them.
+/// Cuts the arrays of `strips` strips, or counts them.
 template <class Number>
 RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
   RollingArraysOf<Number> a{};

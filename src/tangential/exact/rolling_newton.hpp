@@ -65,14 +65,14 @@ struct NewtonRow {
   std::size_t factors = 0;  ///< where its own begin
 };
 
-/// Doubles of `vectors` for so many cells with traction, of two unknowns each at most.
+/// Doubles of `vectors` for `cells` cells with traction, of two unknowns each at most.
 inline std::size_t newton_vectors(std::size_t cells, std::size_t max_products) {
   Arena arena;
   cut_gmres(arena, 2 * cells, max_products);
   return static_cast<std::size_t>(arena.doubles());
 }
 
-/// Floats of `factors` for a row of so many cells: a matrix, and a vector to work in.
+/// Floats of `factors` for a row of cells: a matrix, and a vector to work in.
 constexpr std::size_t newton_factors(std::size_t cells_of_row) {
   return 2 * cells_of_row * (2 * cells_of_row + 1);
 }

@@ -8,7 +8,7 @@
 ///     v, u, u_s                  t, u, slip_end              half lengths
 ///     (kappa, lambda), psi_k     kappa, lambda, psi          -
 ///     p / tau                    rho_x, rho_y                -
-///     sqrt(1 - t)                StickShape::s (t of theory.md is u_s / u)
+///     sqrt(1 - u_s / u)          StickShape::s               -
 ///     w                          wx, wy + spin x             -
 ///
 /// The first stick zone needs no march, but per cell the mean of a root: with t_s = u_s / u,
