@@ -70,6 +70,7 @@ bool carries_load(const Strips& strips) {
   if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&
         sum.normal_force > 0.0 && sum.area > 0.0))
     return false;
+  // One patch of finite width is enough: find_patches() drops the others.
   for (std::int32_t first = 0; first < strips.count; first = patch_end(strips, first)) {
     const StripTotals patch = totals(slice(strips, first, patch_end(strips, first)));
     if (patch.y_max - patch.y_min >= least_patch_width) return true;
@@ -91,6 +92,7 @@ constexpr double least_damping_factor = 1e-9;
 /// The problem of the contact's gap under `load`, by the model's options.
 NormalProblem normal_problem(const Contact& contact, const Load& load) {
   const ModelOptions& options = contact.model->options;
+  // An approach or a load, of the combined half-space of both bodies.
   NormalProblem problem;
   problem.gap = gap_rows(contact);
   problem.material = options.material;
@@ -150,6 +152,8 @@ Fault solve_normal(Contact& contact, const Load& load) {
     contact.normal.stiffness *= factor;
     contact.damping_factor = factor;
   }
+
+  // Runs of strips that share borders are patches, each rolled on its own.
   contact.strips = strips.count;
   contact.touching = strips.count > 0;
   keep_worst(fault, find_patches(contact));
