@@ -36,6 +36,7 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   const auto tilt = [&](double c) {
     return potential_at(of, c + amplitude) - potential_at(of, c - amplitude);
   };
+  // tilt of the potential between the motion's ends, V(c + a) - V(c - a) = integral of dr, over its middle c
   double largest = 0.0;
   for (std::uint32_t k = 0; k < of.count; ++k) largest = std::max(largest, std::abs(of.dr[k]));
   const double rounding = 1e-6 * largest * amplitude;  // where the points end with the motion
@@ -43,6 +44,7 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   bool found = false;
   double before = low, tilt_before = tilt(low);
   for (int i = 0; i <= stations; ++i) {
+    // a place where it rises through zero, or stays zero to rounding at the range's ends, refined by halving
     const double now = low + (high - low) * i / stations, tilt_now = tilt(now);
     const bool rises = tilt_before < 0.0 && tilt_now >= 0.0;
     const bool stands = std::abs(tilt_now) <= rounding && (i == 0 || i == stations);
@@ -61,21 +63,15 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   return found;
 }
 
-/// atan2 with own functions: of a point not at the origin, -pi .. pi.
-double angle_of(double x, double y) {
-  if (std::abs(y) > std::abs(x)) return std::copysign(0.5 * pi, y) - arctangent(x / y);
-  return x > 0.0 ? arctangent(y / x) : std::copysign(pi, y) + arctangent(y / x);
-}
-
 /// Distance rolled while y goes from one place of a piece to another `step` further, with the slopes y' = u0
 /// and u1 there and y'' = -f, which goes from f0 to f1 in a straight line: with w^2 = df/dy the pair (f / w,
 /// u) turns at the rate w; where f falls it moves along a hyperbola.
 double distance_over(double step, double f0, double f1, double u0, double u1) {
   const double stiffness = (f1 - f0) / step;
-  const double plain = 2.0 * step / (u0 + u1);  // of constant f
+  const double plain = 2.0 * step / (u0 + u1);  // under constant f
   if (stiffness * plain * plain > 1e-10) {
     const double w = std::sqrt(stiffness);
-    return (angle_of(u1, f1 / w) - angle_of(u0, f0 / w)) / w;
+    return (arctangent2(f1 / w, u1) - arctangent2(f0 / w, u0)) / w;
   }
   if (stiffness * plain * plain < -1e-10) {
     const double w = std::sqrt(-stiffness);
@@ -102,6 +98,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
                                 double radius) {
   double centre = 0.0;
   if (!find_centre(of, amplitude, centre)) return {};
+  // y'^2 / 2 = (V(end) - V(y)) / (e r0): slope of the motion at each point
   const double from = centre - amplitude, to = centre + amplitude, level = potential_at(of, to);
   const double scale = 1.0 / (contact_distance * radius);
   const auto slope = [&](double y) {
@@ -109,6 +106,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
   };
   double distance = 0.0, y0 = from, u0 = 0.0, f0 = scale * value_at(of, from);
   for (std::uint32_t k = piece_at(of, from); y0 < to && k + 1 < of.count; ++k) {
+    // distance over each piece between points, where y'' is linear in y
     const bool last = of.y[k + 1] >= to;
     const double y1 = last ? to : of.y[k + 1], f1 = scale * (last ? value_at(of, to) : of.dr[k + 1]);
     const double u1 = last ? 0.0 : slope(y1);
@@ -128,6 +126,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
     f0 = f1;
   }
   if (!(distance > 0.0) || !std::isfinite(distance)) return {};
+  // there and back; Klingel's formula, solved for tan gamma
   const double wavelength = 2.0 * distance;
   return {.conicity = 2.0 * pi * pi * contact_distance * radius / (wavelength * wavelength),
           .wavelength = wavelength,

@@ -200,8 +200,8 @@ Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count,
       const double x = w.pressure.centre[w.candidate[k]];
       w.along[k] = backwards ? -x : x;
     }
-    fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
-                           forces, heat, w.friction);
+    const RegionRollingInput patches{rolls, w.along, in.slope, in.slope_reduction, heat, w.friction};
+    fault = roll_by_region(patches, methods.region, w.region, w.fields, forces);
   } else {
     const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
     roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);
@@ -264,9 +264,9 @@ struct Loaded {
 Loaded take_loaded_strips(const WheelOnRail& in, const RelativeMotion& seen, WheelWork& w) {
   Loaded loaded;
   const Overlaps& o = w.overlaps;
-  const SurfacePressure& p = w.pressure;
+  const StripPressure& p = w.pressure;
   for (std::int32_t i = 0; i < o.count; ++i) {
-    if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+    if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     const std::int32_t j = o.strip[i];
     const double l = std::sqrt(p.length_squared[i]);
     double v[3];
@@ -280,7 +280,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const RelativeMotion& seen, Whe
       v[0] = along;
     }
     const double damped = damping_factor(approach_velocity, in.damping);
-    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
+    const double peak = damped * p.line_load[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
     const std::int32_t k = loaded.count++;
     w.candidate[k] = i;
@@ -409,22 +409,21 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelW
 }
 
 /// Pressures at the overlaps, by the model's method.
-Fault press(const SurfaceModel& model, WheelWork& w, SurfaceStart& start, const SurfaceNormalOptions& options,
+Fault press(const SurfaceModel& model, WheelWork& w, PressureStart& start, const PressureOptions& options,
             Wrench& out) {
   if (model.methods.planar.solve) {
-    const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
-                                                    *model.kernels, w.planar, w.pressure);
+    const PlanarResult planar = solve_planar_pressure(w.rail, w.overlaps, model.methods.planar,
+                                                      model.material, *model.kernels, w.planar, w.pressure);
     out.sweeps += planar.iterations;
     Fault fault = planar.fault;
     if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
   }
-  const SurfaceNormalResult normal =
-      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
-                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
-  out.sweeps += normal.sweeps;
+  const PressureResult normal =
+      solve_pressure(pressure_model(model), w.rail, w.overlaps, options, w.normal, start, w.pressure);
+  out.sweeps += normal.iterations;
   if (normal.converged) return {};
-  return Fault::iteration_cap("sweeps", {normal.sweeps});
+  return Fault::iteration_cap("sweeps", {normal.iterations});
 }
 
 /// All forces times a factor.
@@ -446,7 +445,7 @@ void scale(double factor, Wrench& out) {
 double margin_of(const SurfaceModel& model) { return model.methods.planar.solve ? planar_margin : 0.0; }
 
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,
-               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
+               PressureStart& start, const PressureOptions& options, Wrench& out) {
   const std::int32_t sweeps_before = out.sweeps;
   w.factor = 1.0;
   out = {};
@@ -488,7 +487,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
   return height;
 }
 
-Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                          Wrench& out) {
   constexpr double step = 2e-6;  // [m]
   const double asked = in.wheel.position[2], border = height_at_border(model, in, asked, w);
