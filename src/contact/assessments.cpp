@@ -75,6 +75,7 @@ void place_in_map(const ShakedownPoint& point, DamageNumbers& damage) {
 /// Damage of one patch or all; `into(patch, rolled)`: arrays for numbers over a patch's cells.
 template <class Into>
 DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& into) {
+  // Power and T-gamma are sums over the patches; indices are those of the worst cell and the worst patch.
   const ModelOptions& options = contact.model->options;
   const bool with_cells = gives_fields(contact);
   DamageNumbers damage;

@@ -179,6 +179,7 @@ Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, 
 
 /// The sections with their profiles, into memory of section_bytes().
 Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sections) {
+  // Sections are read from the caller's array once more: nothing of it is kept.
   const std::int32_t count = options.sections.count;
   sections = static_cast<RailSection*>(memory);
   // Behind the sections the nodes of all profiles, behind these the scratch.

@@ -112,6 +112,7 @@ NormalProblem normal_problem(const Contact& contact, const Load& load) {
 Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0)
     return Fault::sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
+  // The patch will belong to this load; strips of the host have none.
   back_to(contact, Stage::gap);
   contact.pressed = true;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
@@ -195,6 +196,7 @@ Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_forc
   contact.extent.normal_force = normal_force;
   contact.extent.peak_pressure = peak_pressure(sdec, normal_force);
   contact.extent.length = 2.0 * sdec.a;
+  // One patch, its contact point the origin, and its ellipse the one given.
   contact.patches = 1;
   contact.patch[0] = {};
   contact.patch[0].count = strips.count;

@@ -63,7 +63,7 @@ struct RolledRegion {
   }
 };
 
-/// Fills numbers over the cells and strips (region_numbers.cpp).
+/// Fills numbers over the cells and strips (assessments.cpp).
 CellDamage assess(const Contact& contact, const RolledRegion& rolled, const CellNumbers& into);
 
 /// Volume lost by a strip per width and distance rolled [m]; `largest` takes the depths of its cells [m/m].
