@@ -1,4 +1,4 @@
-/// What the library says about itself: version, how it was built, the statuses by name.
+/// Version of the library, how it was built, and the statuses by name.
 #include "abi/message.hpp"
 #include "base/instruction_set.hpp"
 #include "wrc/wrc.h"

@@ -10,8 +10,8 @@
 namespace wrc::abi {
 
 /// Runs one call on a contact: the host's floating-point environment set aside, the outcome kept for
-/// wrc_contact_last_error. `function`: its name, with which the sentence begins. `cleared` is what clearing
-/// the outputs came to: they are zeroed before the handle is looked at, so that a call without a contact
+/// wrc_contact_last_error. `function`: its name, with which the sentence begins. `cleared`: fault of clearing
+/// the outputs; they are zeroed before the handle is looked at, so that a call without a contact
 /// leaves no old numbers behind either.
 template <typename Work>
 std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
@@ -29,7 +29,7 @@ Element* element(Element* first, std::uint64_t offset) {
 }
 
 /// `one` for each contact, in order, with its input and its output; the gravest status. An array that is
-/// missing is a NULL in every call, so that what there is of outputs gets zeroed.
+/// missing is a NULL in every call, so that the outputs there are get zeroed.
 template <typename Input, typename Output, typename One>
 std::int32_t batch(wrc_contact* const* contacts, std::uint32_t count, const Input* inputs,
                    std::uint64_t input_stride, Output* outputs, std::uint64_t output_stride,

@@ -1,5 +1,5 @@
-/// What a member of one of the interface's structs may be. The tables themselves are made of the headers
-/// (abi/generated/members.hpp, by tools/interface).
+/// Descriptions of the members of the interface's structs: type, range, condition. The tables themselves are
+/// made of the headers (abi/generated/members.hpp, by tools/interface).
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct Enumeration {
 
 enum class Type : std::uint8_t { int32, uint32, uint64, real, pointer };
 
-/// What is asked of a member when its struct is read.
+/// Check of a member when its struct is read.
 enum class Rule : std::uint8_t {
   none,   ///< a result, or something that has no range
   range,  ///< low .. high; of a pointer: the numbers behind it
@@ -35,9 +35,9 @@ enum class Rule : std::uint8_t {
   zero  ///< kept for later
 };
 
-inline constexpr std::int32_t nowhere = -1;  ///< of an offset
+inline constexpr std::int32_t nowhere = -1;  ///< value of an offset: there is none
 
-/// What another member must be for one to be read.
+/// Condition on another member under which a member is read.
 enum class State : std::uint8_t {
   value,     ///< an int32 of that value
   null,      ///< a pointer that is NULL
@@ -49,7 +49,7 @@ struct Member {
   const char* name = nullptr;  ///< within its struct: "lateral", "velocity[1]", "track.gauge"
   std::size_t offset = 0;      ///< [bytes]
   Type type = Type::real;
-  std::int32_t elements = 1;  ///< of an array in the struct
+  std::int32_t elements = 1;  ///< length of an array in the struct
   Rule rule = Rule::none;
   bool required = false;                                  ///< a pointer that must not be NULL
   double low = 0.0, high = 0.0;                           ///< in `unit`, ends included
@@ -58,16 +58,16 @@ struct Member {
   const char* negative = nullptr;                         ///< likely causes
   const char *too_small = nullptr, *too_large = nullptr;  ///< likely causes
   const char* not_set = nullptr;                          ///< cause where 0 is the default and not allowed
-  const Enumeration* enumeration = nullptr;               ///< of Rule::one_of
-  std::int32_t asked = nowhere;                           ///< read where what lies at this offset ...
-  std::int32_t asked_for = 0;                             ///< ... is this int32, or ...
-  State state = State::value;         ///< ... is in this state; else not looked at, or it ...
-  const char* otherwise = nullptr;    ///< ... must be 0, for this reason
+  const Enumeration* enumeration = nullptr;               ///< values allowed by Rule::one_of
+  std::int32_t asked = nowhere;                           ///< offset of the member on which reading depends
+  std::int32_t asked_for = 0;                             ///< its value, of State::value
+  State state = State::value;                             ///< its state where this member is read
+  const char* otherwise = nullptr;    ///< reason why it must be 0 elsewhere; nullptr: it is not looked at
   std::int32_t counted_by = nowhere;  ///< offset of the uint32 that counts the numbers behind a pointer
   bool by_caller = false;             ///< read() leaves the check to whoever knows more
 };
 
-/// Name, first published size (what the oldest caller passes), defaults and members of a struct.
+/// Name, first published size (that of the oldest caller), defaults and members of a struct.
 template <typename Struct>
 struct Description;
 

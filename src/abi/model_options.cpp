@@ -21,7 +21,7 @@ Fault check_no_smoothing(const wrc_profile& profile, const char* name) {
                             "only points are smoothed; standard profiles are exact");
 }
 
-/// `name`: what messages call it.
+/// `name`: its name in messages.
 Fault read_profile(const wrc_profile& profile, const char* name, ProfileSource& source) {
   switch (profile.kind) {
     case WRC_PROFILE_S1002:
@@ -144,7 +144,7 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   return {};
 }
 
-/// Elastic constants of both bodies together, what couples them, and the smaller yield limit.
+/// Elastic constants of both bodies together, their coupling K, and the smaller yield limit.
 void read_materials(const wrc_config& config, ModelOptions& options) {
   const Material wheel{config.wheel_material.shear_modulus, config.wheel_material.poisson},
       rail{config.rail_material.shear_modulus, config.rail_material.poisson};

@@ -1,4 +1,4 @@
-/// The state of a contact for another process: a header that says what it is, then the bytes of
+/// The state of a contact for another process: a header that identifies it, then the bytes of
 /// wrc_contact_save() without addresses.
 #include <bit>
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace {
 struct PortableHeader {
   char mark[8];                 ///< "wrcstate"
   std::uint32_t byte_order;     ///< 0x01020304
-  std::uint32_t format;         ///< of this header and of what follows
-  std::uint32_t version;        ///< of the library: wrc_version()
+  std::uint32_t format;         ///< version of this header and of the bytes behind it
+  std::uint32_t version;        ///< library that wrote it: wrc_version()
   std::uint32_t side;           ///< enum wrc_side
   std::uint64_t bytes;          ///< header included
-  std::uint64_t configuration;  ///< fingerprint of what the model was made of
-  std::uint64_t layout;         ///< of the state: where its arrays lie
+  std::uint64_t configuration;  ///< fingerprint of the model
+  std::uint64_t layout;         ///< checksum of the offsets of its arrays
   std::uint64_t reserved;       ///< 0
-  std::uint64_t checksum;       ///< of the header before, and of the state
+  std::uint64_t checksum;       ///< over the header before, and the state
 };
 static_assert(sizeof(PortableHeader) == 64);
 

@@ -1,4 +1,4 @@
-/// Published methods by name: what a configuration is made of for each.
+/// Published methods by name, each with its members of the configuration.
 #include <algorithm>
 #include <cstring>
 #include <iterator>

@@ -47,10 +47,10 @@ Fault check_size(const Struct& theirs) {
   return {};
 }
 
-/// What a caller with a newer header set beyond the bytes known to this library. `size`: theirs.
+/// Refuses bytes that a caller with a newer header set beyond those known to this library. `size`: theirs.
 Fault check_tail(const void* theirs, std::size_t size, std::size_t ours, const char* name);
 
-/// Why `value` of that member is refused. `of`: what the caller knows the struct as.
+/// Why `value` of that member is refused. `of`: the caller's name of the struct.
 Fault refuse(const Member& member, const char* of, double value, std::int32_t index = -1);
 
 /// One number against a member's range. `high`: where less than the member's own is allowed.
@@ -139,7 +139,7 @@ bool conforms(const char* bytes, const char* of, Fault& fault) {
       if (!read) return true;
     for (std::int32_t k = 0; k < member.elements; ++k) {
       const auto value = load<Value>(bytes, member.offset + static_cast<std::size_t>(k) * sizeof(Value));
-      bool fine = value == Value{};  // of what is kept for later, or not read
+      bool fine = value == Value{};  // for members kept for later, or not read
       if constexpr (member.rule == Rule::range)
         fine = read ? within(member, static_cast<double>(value)) : fine;
       else if constexpr (member.rule == Rule::one_of)
@@ -175,7 +175,7 @@ double number_in(const Struct& of, const Member& member) {
 }
 
 /// Reads the caller's struct, of whatever version, over today's defaults, and checks each of its members by
-/// what the header says of it. `name`: what messages call it.
+/// its description. `name`: its name in messages.
 template <typename Struct>
 Fault read(const Struct* theirs, const char* name, Struct& ours) {
   ours = defaults<Struct>();
@@ -253,8 +253,8 @@ inline Fault first_of(std::initializer_list<Fault> faults) {
   return {};
 }
 
-/// One number against its range [low, high]; NaN and infinity are told apart from a range error. Of arguments
-/// and of ranges that other members set; a member's own is in its description.
+/// One number against its range [low, high]; NaN and infinity are told apart from a range error. For
+/// arguments and ranges that other members set; a member's own range is in its description.
 inline Fault check(double value, const char* field, const char* unit, double low, double high,
                    const char* too_low = nullptr, const char* too_high = nullptr) {
   if (!std::isfinite(value)) {

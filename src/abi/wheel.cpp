@@ -28,7 +28,7 @@ void rotation_of_axle(const double (&axle)[3], double (&rotation)[3][3]) {
 /// `r`: row by row, each number a cosine already.
 Fault check_rotation(const double (&r)[9]) {
   constexpr double tolerance = 1e-6;
-  double furthest = 0.0;  // of R R^T from 1
+  double furthest = 0.0;  // largest |R R^T - 1|
   for (int i = 0; i < 3; ++i) {
     for (int k = i; k < 3; ++k) {
       const double product = r[3 * i] * r[3 * k] + r[3 * i + 1] * r[3 * k + 1] + r[3 * i + 2] * r[3 * k + 2];
@@ -46,7 +46,7 @@ Fault check_rotation(const double (&r)[9]) {
         "determinant of input.wheel.rotation", {determinant, "", 1.0, 1.0},
         "this is a mirror image; a left wheel is not mirrored, the contact's side says which it is");
   }
-  constexpr double sine_most = 0.479425538604203;  // of 0.5 rad
+  constexpr double sine_most = 0.479425538604203;  // sin(0.5 rad)
   if (!(r[4] > 0.0) || std::abs(r[1]) > sine_most || std::abs(r[7]) > sine_most) {
     return Fault::range(
         "angle of the axle against the track's y axis: cosine", {r[4], ""},

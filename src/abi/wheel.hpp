@@ -6,7 +6,7 @@
 
 namespace wrc::abi {
 
-/// What the caller asks for, checked; `method`: the one that reads its friction. A flag where the rotation
+/// Reads and checks the caller's wheel; `method`: the one that reads its friction. A flag where the rotation
 /// may be a transpose: the least grave of a call's.
 Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostWheel& hosted);
 

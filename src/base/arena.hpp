@@ -1,5 +1,5 @@
 /// Arrays cut from one block of memory, one behind the other, each on a cache line. Without memory it counts
-/// what the same cuts would take, so that a size and its cut are one text.
+/// the bytes of the same cuts, so that a size and its cut are one text.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class Arena {
     for (T** array : arrays) *array = take<T>(count);
   }
 
-  /// What has been cut so far.
+  /// Bytes cut so far.
   std::int64_t bytes() const { return bytes_; }
   std::int64_t doubles() const { return bytes_ / static_cast<std::int64_t>(sizeof(double)); }
 

@@ -22,7 +22,7 @@ class Checksum {
     std::memcpy(&bits, &number, sizeof bits);
     add(bits);
   }
-  /// A multiple of eight bytes, and what is left as if followed by zeros.
+  /// Bytes in words of eight; the last word is filled up with zeros.
   void add(const void* bytes, std::size_t count) {
     const auto* at = static_cast<const unsigned char*>(bytes);
     for (; count > 0;) {

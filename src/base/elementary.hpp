@@ -58,7 +58,8 @@ inline SineCosine sine_cosine(double x) noexcept {
 
 /// atan(x) [rad], any x, to 2 ulp.
 inline double arctangent(double x) noexcept {
-  // atan(x) = pi/4 + atan((x - 1) / (x + 1)) = pi/2 - atan(1 / x): what is left is at most tan(pi/8).
+  // atan(x) = pi/4 + atan((x - 1) / (x + 1)) = pi/2 - atan(1 / x): the remaining argument is at most
+  // tan(pi/8).
   constexpr double eighth = 0.41421356237309504880;
   const double size = std::abs(x);
   double offset = 0.0, t = size;
@@ -83,8 +84,8 @@ inline double arctangent2(double y, double x) noexcept {
 
 /// asin(x) [rad], |x| <= 1, to 2.5 ulp.
 inline double arcsine(double x) noexcept {
-  // asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2)): what is left is at most 1/2. The terms of the series have the
-  // ratio (2n - 1)^2 / (2n (2n + 1)) x^2.
+  // asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2)): the remaining argument is at most 1/2. The terms of the
+  // series have the ratio (2n - 1)^2 / (2n (2n + 1)) x^2.
   const double size = std::abs(x);
   const double t = size > 0.5 ? std::sqrt(0.5 * (1.0 - size)) : size;
   const double t2 = t * t;

@@ -50,7 +50,7 @@ struct Fault {
   std::int32_t status = WRC_OK;  ///< a value of wrc_status: < 0 failed, > 0 usable but flagged
   std::int32_t index = -1;       ///< element of an array the fault is about, -1 if none
   const char* of = nullptr;      ///< the struct whose member `field` is, as the caller knows it
-  const char* field = nullptr;   ///< what is wrong, by the name the caller knows ("load.normal_force")
+  const char* field = nullptr;   ///< input at fault, by the name the caller knows ("load.normal_force")
   double value = 0.0;            ///< its value, in `unit`
   const char* unit = nullptr;    ///< nullptr: the fault is not about a number
   double low = 0.0, high = 0.0;  ///< allowed range, or the one allowed value; 0, 0: none to name

@@ -1,7 +1,7 @@
 #pragma once
 
 /// For functions of a march's inner loop, which must not be calls. In sanitized builds they may be: there the
-/// compiler's time is what one waits for (minutes for one unit otherwise).
+/// compiler takes minutes for one unit otherwise.
 #ifdef WRC_SANITIZED
 #define WRC_IN_LOOP inline
 #else

@@ -3,9 +3,9 @@
 
 namespace wrc {
 
-/// Ordered: each has what those before it have.
+/// Ordered: each includes those before it.
 enum class InstructionSet {
-  baseline,  ///< what every processor of the architecture has: SSE2 on x86-64, NEON on AArch64
+  baseline,  ///< present on every processor of the architecture: SSE2 on x86-64, NEON on AArch64
   avx2,      ///< x86-64 with AVX2
   avx512,    ///< x86-64 with AVX-512 F, DQ, VL
 };

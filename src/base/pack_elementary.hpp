@@ -32,7 +32,8 @@ inline Pack natural_log(Pack x) {
 
 /// atan(x) [rad], any x: error at most 1e-10.
 inline Pack arctangent(Pack x) {
-  // atan(x) = pi/4 + atan((x - 1) / (x + 1)) = pi/2 - atan(1 / x): what is left is at most tan(pi/8).
+  // atan(x) = pi/4 + atan((x - 1) / (x + 1)) = pi/2 - atan(1 / x): the remaining argument is at most
+  // tan(pi/8).
   const Pack size = magnitude(x), one = 1.0;
   const Mask large = size > Pack(2.41421356237309504880), middle = size > Pack(0.41421356237309504880);
   const Pack t = select(large, -one, select(middle, size - one, size)) /

@@ -1,4 +1,4 @@
-/// From the strips of a contact to the bins of its bodies.
+/// Damage along the line: from the strips of a contact to the bins of its bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int on_wheel = 0, on_rail = 1;
 
-/// Adds strips, patch by patch.
+/// Adds the damage of strips to the bins of both bodies, patch by patch.
 class Adder {
  public:
   Adder(const Contact& contact, const Accumulation& accumulation, double speed, double way,
@@ -28,13 +28,14 @@ class Adder {
               .wheel_diameter = 2.0 * contact.model->options.wheelset.nominal_radius},
         patch_{.duration = accumulation.duration, .distance = distance_} {}
 
-  /// What the strips that follow share; `speed`: that slips refer to.
+  /// Begins a patch: `speed` that slips refer to [m/s], and its frictional power [W].
   void begin_patch(double speed, double power) {
     patch_.speed = speed;
     patch_.power = power;
   }
 
   void take(const DamagingStrip& strip) {
+    // One contribution per strip, shared out over the bins that its width and its path cover.
     const Contribution c = contribution_of(strip, patch_, laws_);
     for (const int body : {on_wheel, on_rail})
       if (wanted_[body]) bins_[body].take(c, strip.place[body], strip.width);
@@ -44,6 +45,7 @@ class Adder {
   }
 
   Fault finish() {
+    // Both are finished whichever overflows first.
     const bool wheel_fits = bins_[on_wheel].finish(), rail_fits = bins_[on_rail].finish();
     return wheel_fits && rail_fits ? Fault{} : Fault::sum_overflow("accumulation");
   }
@@ -62,6 +64,8 @@ class Adder {
 constexpr std::int32_t chunk = 8;  ///< whose sums stay in registers
 void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int32_t strips,
                std::int32_t count, double (&sum)[chunk]) {
+  // Row by row, as cells are stored; a full chunk has a loop of constant length, whose sums stay in
+  // registers.
   double x[chunk] = {}, y[chunk] = {};
   const auto add_rows = [&](auto of_them) {
     for (std::int32_t i = 0; i < cells; ++i) {
@@ -89,6 +93,8 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
                            "bins lie on profiles: the stages must begin with wrc_planar_geometry");
   if (fault.status != WRC_OK) return fault;
   if (contact.reached < Stage::damage) assess_damage(contact);
+
+  // Places of strips by arc length on the right-hand profiles; the left contact plane runs against them.
   const Model& model = *contact.model;
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
   PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},
@@ -98,6 +104,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
   const std::int32_t cells = model.options.sizes.cells;
   Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.direction, wheel, rail, totals);
   for (std::int32_t p = 0; p < contact.patches; ++p) {
+    // Views of the strips that rolled, and of their cells.
     const Patch& patch = contact.patch[p];
     const std::int32_t first = patch.region_first, count = patch.region_count;
     const auto strips = [&](Array which) { return array(contact, which) + first; };
@@ -109,17 +116,21 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
                  *peak = strips(Array::region_peak), *power = strips(Array::strip_power),
                  *friction = strips(Array::strip_friction);
     const double *tx = fields(Array::traction_x), *ty = fields(Array::traction_y);
+    // Power of the patch [W] from that of its strips per width.
     double whole_power = 0.0;
     for (std::int32_t j = 0; j < count; ++j) whole_power += power[j] * width[j];
     adder.begin_patch(contact.rolling.speed, whole_power);
     double traction[chunk];
     std::int32_t summed =
-        0;  // the first of the strips that `traction` is of: whole chunks, where there is one
+        0;  // first strip of the chunk in `traction`; the last chunk is whole, too, if it can be
     for (std::int32_t j = 0; j < count; ++j) {
+      // Resultant tractions of the next chunk of strips, summed over their cells [Pa].
       if (j % chunk == 0) {
         summed = std::max(std::min(j, count - chunk), 0);
         sum_cells(tx + summed, ty + summed, cells, count, std::min(chunk, count), traction);
       }
+      // Sliding speed: V times the rigid slip at the strip's centre, and the mean square of spin along its
+      // length, (phi L)^2 / 3.
       const double sx = creepage.longitudinal - creepage.spin * y[j];
       const double sy = creepage.lateral + creepage.spin * centre[j], turning = creepage.spin * half[j];
       adder.take({.place = {plane[on_wheel].arc(outward * y[j]), plane[on_rail].arc(outward * y[j])},
@@ -146,7 +157,9 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
   const Wrench& wrench = contact.wheel.wrench;
   Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);
-  std::int32_t region = -1, end = 0;  // of the region, in strips of the rail
+  // Strips come in the order of the rail; a region begins where the one before ends. Beyond the deepest
+  // overlap that is solved, forces and power are `factor` times those solved.
+  std::int32_t region = -1, end = 0;  // end of the region, in strips of the rail
   std::int32_t wheel_piece = 0, rail_piece = 0;
   for (std::int32_t k = 0; k < count; ++k) {
     const auto j = static_cast<std::int32_t>(kept.strip[k]);

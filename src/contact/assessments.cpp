@@ -75,6 +75,7 @@ void place_in_map(const ShakedownPoint& point, DamageNumbers& damage) {
 /// Damage of one patch or all; `into(patch, rolled)`: arrays for numbers over a patch's cells.
 template <class Into>
 DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& into) {
+  // Power and T-gamma are sums over the patches; indices are those of the worst cell and the worst patch.
   const ModelOptions& options = contact.model->options;
   const bool with_cells = gives_fields(contact);
   DamageNumbers damage;
@@ -111,6 +112,7 @@ DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& int
 
 /// Damage of a wheel's region: resultants of its strips in the plane of contact, then its cells.
 DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
+  // T-gamma and the point of the shakedown map take the strips' resultants, not the cells.
   const WheelSums sums = wheel_sums(contact, index);
   DamageNumbers damage;
   damage.power = contact.wheel.wrench.region[index].power;
@@ -141,6 +143,7 @@ double work_in(const TangentialFields& fields, std::int32_t at) {
 /// Largest wear rates over the cells of one region; `per_width`: volume by Sheffield's law, one number per
 /// strip [m^3/m per m].
 void add_wear(const RolledRegion& rolled, const WearLaws& laws, double* per_width, WearNumbers& wear) {
+  // Depth rate [m/m] by Sheffield's law, depth velocities [m/s] by the two others; the largest cell counts.
   const TangentialFields& fields = rolled.fields;
   const auto most = [](double& largest, double value) { largest = std::max(largest, value); };
   for (std::int32_t j = 0; j < rolled.strips.count; ++j) {
@@ -298,6 +301,7 @@ Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, We
   wear = {};
   const Fault fault = region_tractions_needed(contact, index, no_wear);
   if (fault.status != WRC_OK) return fault;
+  // Resultants of the region, or of all patches.
   const TangentialForces forces = contact.newest == Solution::wheel ? wheel_sums(contact, index).forces
                                   : index == all_regions            ? contact.forces
                                                                     : contact.patch[index].forces;
@@ -310,6 +314,7 @@ Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, We
 
 Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
                          TemperatureNumbers& temperature) {
+  // The rise of each cell goes to the work space of its power; sums run over all regions asked for.
   temperature = {};
   const Fault fault = region_tractions_needed(contact, index, no_power);
   if (fault.status != WRC_OK) return fault;

@@ -19,7 +19,7 @@ namespace wrc {
 /// the sentence), or there is no contact.
 Fault tractions_needed(const Contact& contact, const char* why_not);
 
-/// Of all patches fatigue is that of the patch nearest to damage. Without tractions the numbers over cells
+/// With all_regions, fatigue is that of the patch nearest to damage. Without tractions the numbers over cells
 /// are 0.
 Fault region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
 
@@ -34,7 +34,7 @@ Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, We
 
 /// Temperatures in one contact.
 struct TemperatureNumbers {
-  double at_entry = 0.0;  ///< of both surfaces at first touch [degC]
+  double at_entry = 0.0;  ///< temperature of both surfaces at first touch [degC]
   double rise = 0.0, x = 0.0,
          y = 0.0;          ///< largest rise over at_entry, and its place as fields x and strip_y [K], [m]
   double mean_rise = 0.0;  ///< over the area [K]

@@ -39,7 +39,7 @@ struct PressedWheel {
 /// point that merely moves takes its patch along.
 void carry_start_over_jump(Contact& contact, const ContactPoint& before) {
   if (contact.start_strips == 0) return;
-  constexpr double jump = 0.25;  // of the patch's width
+  constexpr double jump = 0.25;  // over the patch's width
   const ContactPoint& now = contact.point;
   // Movement of the origin along y of the present contact plane [m].
   const double moved = now.cosine * (now.y - before.y) + now.sine * (now.z - before.z);
@@ -118,6 +118,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
 }
 
 Fault take_gap(Contact& contact, const GapGrid& grid) {
+  // A failure leaves the contact without a gap.
   back_to(contact, Stage::none);
   contact.posed = false;
   contact.gap_rows = 0;

@@ -10,6 +10,7 @@ std::size_t doubles(std::int64_t bytes) {
 
 /// Elements of an array.
 std::size_t length(Array which, const ArraySizes& sizes) {
+  // Memory of the methods, in bytes; then arrays over cells, rows of the gap, and strips.
   const auto strips = static_cast<std::size_t>(sizes.strips);
   if (which == Array::normal_workspace) return doubles(sizes.normal_workspace_bytes);
   if (which == Array::tangential_workspace) return doubles(sizes.tangential_workspace_bytes);
@@ -32,6 +33,8 @@ static_assert(static_cast<std::size_t>(Array::surface_workspace) + 1 == array_co
               "it lies behind all others");
 
 ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes) {
+  // Each array begins on a cache line; the work space, which is no part of the state, comes last and is not
+  // counted.
   ArrayLayout layout;
   std::size_t at = rounded_up(header_bytes);
   for (std::size_t i = 0; i < array_count; ++i) {

@@ -1,4 +1,4 @@
-/// Where the arrays of a contact lie inside its block of memory.
+/// Places of a contact's arrays inside its block of memory.
 ///
 /// A contact is one relocatable block: a header of plain values, then arrays at offsets that the model fixes.
 /// No pointer into the block is stored in it, so that saving and restoring a contact is a copy of bytes.
@@ -59,8 +59,8 @@ struct ArraySizes {
 
 struct ArrayLayout {
   std::array<std::size_t, array_count> offset{};  ///< bytes from the start of the contact block
-  std::size_t bytes = 0;                          ///< of the state: what is saved and restored
-  std::size_t behind = 0;                         ///< of the work space behind it
+  std::size_t bytes = 0;                          ///< bytes of the state, which is saved and restored
+  std::size_t behind = 0;                         ///< bytes of the work space behind it
 };
 
 /// Lays the arrays out behind a header of `header_bytes`, each on a cache line.

@@ -23,8 +23,9 @@ namespace wrc {
 namespace {
 
 /// The strip half-space solver with its scratch memory, from its last solution where the model asks for that;
-/// beyond what the gap carries it is continued as the other methods are.
+/// beyond the gap it is continued as the other methods are.
 Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
+  // Scratch, and the last solution: place, width, squared half length and shift of each strip.
   const ModelOptions& options = contact.model->options;
   NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace_bytes};
   StripHalfspaceStart start{options.sizes.strips,
@@ -37,13 +38,16 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
     return solve_strip_halfspace(posed, {.max_sweeps = options.max_sweeps}, *contact.model->influence,
                                  workspace, start, strips, contact.normal);
   };
+
+  // Within the gap the solver as it is; `beyond` where its approach would pass the deepest row.
   bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
   Fault fault;
   if (!beyond) {
     fault = solve(problem);
     beyond = fault.status == WRC_ERROR_LOAD || (!fault.failed() && contact.normal.approach > problem.deepest);
-    if (beyond) start.count = 0;  // what is beyond the gap is no start
+    if (beyond) start.count = 0;  // a solution beyond the gap is no start
   }
+  // Beyond it: the solution at the gap's end, continued with its stiffness.
   if (beyond) {
     NormalProblem end = problem;
     end.prescribed = Prescribed::approach;
@@ -136,6 +140,7 @@ struct Sentence {
   char text[256] = {};
 };
 
+/// Lists the methods whose rows read an option, at compile time.
 constexpr Sentence sentence_about(Option option) {
   Sentence sentence;
   std::size_t length = 0;
@@ -179,9 +184,13 @@ SurfaceMethods surface_methods(const ModelOptions& options) {
   const NormalMethod& normal = *options.normal_method;
   const TangentialMethod& tangential = *options.tangential_method;
   SurfaceMethods methods;
+  // The planar method, if there is one, is laid over the rail's strips; otherwise the surface has its own
+  // solver.
   methods.planar = {normal.planar, options.sizes.strips, options.max_iterations, options.load_tolerance};
   methods.strips = tangential.strips;
   methods.parabolic = options.traction_bound == TractionBound::parabolic;
+  // Strip FASTSIM rolls strips one by one whatever the options; the others do in their strip forms only, and
+  // otherwise roll whole regions.
   if (tangential.over_strips && tangential.strips == SurfaceRollingMethod::strip_fastsim) return methods;
   const PatchModel& shape = options.patch_model;
   methods.by_region = !(tangential.over_strips && shape.of_sdec && !shape.on_ellipse &&
@@ -191,6 +200,7 @@ SurfaceMethods surface_methods(const ModelOptions& options) {
                     .model = shape,
                     .bound = options.traction_bound,
                     .form = options.flexibility};
+  // A region has no more strips than may overlap at once.
   if (tangential.workspace)
     methods.region.workspace_bytes = tangential.workspace(most_overlapping_strips, options.surface_cells);
   return methods;

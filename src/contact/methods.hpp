@@ -1,5 +1,6 @@
-/// The methods a model can be made of: one row each, in the order of the enumerations in wrc_methods.h. What
-/// a method needs, reads and gives stands in its row; nothing else in the library asks which method it is.
+/// The methods a model can be made of: one row each, in the order of the enumerations in wrc_methods.h. A row
+/// says which options and memory a method needs and which results it gives; nothing else in the library asks
+/// which method it is.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,7 @@ struct Enumerator {
 };
 
 struct NormalMethod {
-  Enumerator is;  ///< of enum wrc_normal_method
+  Enumerator is;  ///< value of enum wrc_normal_method
   OptionSet reads{};
   /// The whole method; on a rail's surface it is applied patch by patch.
   Fault (*planar)(const NormalProblem& problem, Strips& strips, NormalSolution& solution) = nullptr;
@@ -59,7 +60,7 @@ struct NormalMethod {
 };
 
 struct TangentialMethod {
-  Enumerator is;  ///< of enum wrc_tangential_method
+  Enumerator is;  ///< value of enum wrc_tangential_method
   OptionSet reads{};
   bool gives_tractions = false;    ///< and the slip of every cell; otherwise forces only
   bool gives_derivatives = false;  ///< otherwise differences stand in
@@ -83,7 +84,7 @@ const char* readers_of(Option option);
 
 struct ModelOptions;
 
-/// What a wheel on a rail is solved with by a model of these options. Tables are the caller's to add.
+/// Methods for a wheel on a rail in a model of these options. The caller adds tables.
 SurfaceMethods surface_methods(const ModelOptions& options);
 
 }  // namespace wrc

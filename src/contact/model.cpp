@@ -56,11 +56,14 @@ ProfileMemory cut(double*& arrays, std::int32_t nodes) {
 /// Points of the caller, smoothed if wanted.
 Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch, const ProfileMemory& memory,
                   Profile& profile, double& deviation) {
+  // Points without smoothing must increase strictly; noise of a measurement is allowed where it is smoothed
+  // away.
   if (!(source.smoothing > 0.0))
     return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
   RETURN_IF_FAILED(check_points(body, source.count, source.y, source.z, profile_noise_most));
   const SmoothedPoints smooth =
       smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
+  // Smoothing moves points in both directions: the curve must still be a height over y.
   for (std::int32_t i = 1; i < source.count; ++i) {
     if (!(smooth.y[i] > smooth.y[i - 1]))
       return Fault::profile({"profile.smoothing", i}, {source.smoothing, "m"},
@@ -88,12 +91,12 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
   return Fault::internal();
 }
 
-/// The influence tables of the strip half-space solver, for the models that use it.
+/// Bytes of the influence tables, of models with the strip half-space solver.
 std::size_t influence_bytes(const ModelOptions& options) {
   return options.normal_method->half_space ? sizeof(InfluenceTables) : 0;
 }
 
-/// The table of forces, for the models that use one; a multiple of what doubles are aligned to.
+/// Bytes of the force table, of models that use one; a multiple of the alignment of double.
 std::size_t table_bytes(const ModelOptions& options) {
   return sizeof(float) * force_table_size(options.force_table_axes);
 }
@@ -105,9 +108,9 @@ RailSectionSource section(const ModelOptions& options, std::int32_t k) {
   return options.sections.read(options.sections.given, k);
 }
 
-/// Memory for the sections' profiles, with what is needed to load them; a multiple of what doubles are
-/// aligned to.
+/// Bytes of the sections, their profiles and the scratch to load them; a multiple of the alignment of double.
 std::size_t section_bytes(const ModelOptions& options) {
+  // Profiles of all sections are kept, scratch is that of the longest.
   std::size_t profiles = 0, scratch = 0;
   for (std::int32_t k = 0; k < options.sections.count; ++k) {
     const ProfileSource source = section(options, k).profile;
@@ -120,6 +123,7 @@ std::size_t section_bytes(const ModelOptions& options) {
 
 std::size_t surface_bytes(const ModelOptions& options) {
   if (!has_surface(options)) return 0;
+  // Scratch of the surface model is that of the longest section.
   std::int32_t longest = 0;
   for (std::int32_t k = 0; k < options.sections.count; ++k)
     longest = std::max(longest, node_count(section(options, k).profile));
@@ -127,7 +131,7 @@ std::size_t surface_bytes(const ModelOptions& options) {
                              longest, options.radius);
 }
 
-/// Sizes of what contacts carry for the methods and the surface.
+/// Bytes that contacts carry for the methods and the surface.
 void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (const auto workspace = options.normal_method->workspace)
     sizes.normal_workspace_bytes = workspace(options.sizes.strips);
@@ -135,6 +139,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
     sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
   if (options.non_steady)
     sizes.rolling_memory_bytes = static_cast<std::int64_t>(strip_memory_bytes(options.sizes.strips));
+  // On the surface: state is saved with the contact, work space lies behind it.
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface_state_bytes();
   sizes.surface_workspace_bytes = surface_workspace_bytes(
@@ -144,6 +149,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.
 Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& table) {
+  // Coefficients in the file are for one Poisson ratio; the table is adapted to the model's.
   auto* coefficients = static_cast<float*>(memory);
   RETURN_IF_FAILED(read_force_table(options.force_table, options.force_table_axes, coefficients));
   table.axes = options.force_table_axes;
@@ -153,10 +159,11 @@ Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& ta
 }
 
 /// Reads a profile and places it on both sides by `place` (profile, side, memory). Takes its memory from
-/// `arrays`; what lies behind is scratch.
+/// `arrays`; memory behind it is scratch.
 template <class Place>
 Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, Profile& given,
                 double& deviation, Place&& place) {
+  // Nodes as placed on the right and on the left, then as given.
   ProfileMemory placed[2];
   for (ProfileMemory& each : placed) each = cut(arrays, node_count(source));
   const ProfileMemory own = cut(arrays, node_count(source));
@@ -164,7 +171,7 @@ Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, 
   for (const Side side : {Side::right, Side::left}) {
     if (!fault.failed()) fault = place(given, side, placed[static_cast<int>(side)]);
   }
-  // Under the name the caller knows the profile by.
+  // The fault goes under the caller's name of the profile.
   if (fault.failed() && fault.field == nullptr)
     fault.field = body == ProfileBody::wheel ? "config.wheel" : "config.rail";
   return fault;
@@ -172,8 +179,10 @@ Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, 
 
 /// The sections with their profiles, into memory of section_bytes().
 Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sections) {
+  // Sections are read from the caller's array once more: nothing of it is kept.
   const std::int32_t count = options.sections.count;
   sections = static_cast<RailSection*>(memory);
+  // Behind the sections the nodes of all profiles, behind these the scratch.
   auto* arrays = reinterpret_cast<double*>(sections + count);
   double* scratch = arrays;
   for (std::int32_t k = 0; k < count; ++k) scratch += doubles(section(options, k).profile);
@@ -194,6 +203,7 @@ Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sec
 /// Has a wheel the back of its flange, which a check rail touches? Its outline rises behind the tip.
 Fault check_flange_back(const Profile& wheel) {
   constexpr double least_rise = 2e-3;  // [m]
+  // Tip: lowest point of the flange, which lies at y < 0 (largest z); its back ends at the first node.
   std::int32_t tip = 0;
   for (std::int32_t i = 1; i < wheel.count && wheel.y[i] < 0.0; ++i)
     if (wheel.z[i] > wheel.z[tip]) tip = i;
@@ -206,6 +216,7 @@ Fault check_flange_back(const Profile& wheel) {
 /// Both bodies on both sides, and the surface if the model has one, from `arrays` on.
 Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, void* section_memory,
                   Model& model) {
+  // Profiles placed in track axes, right and left, for the planar stages.
   Profile wheel, rail;
   Fault fault = take_body(options.wheel, ProfileBody::wheel, arrays, wheel, model.wheel_deviation,
                           [&](const Profile& profile, Side side, const ProfileMemory& memory) {
@@ -219,6 +230,8 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                       return place_rail(profile, options.track, side, memory, placed);
                     });
   if (fault.failed()) return fault;
+
+  // Right-hand outlines by arc length and everything that the surface solver tabulates.
   if (!has_surface(options)) return {};
   if (options.check_rail) fault = check_flange_back(wheel);
   if (fault.failed()) return fault;
@@ -246,13 +259,14 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                               .grid = &model.surface_grid,
                               .methods = methods},
                              surface, model.surface);
-  // planar stages do without what has no surface
+  // Planar methods need no surface: that a profile cannot be cut into strips is found when a wheel is solved.
   return options.normal_method->half_space ? fault : Fault{};
 }
 
-/// Of the numbers of the configuration, of the profiles as they were placed and of the force table: what the
-/// results of a contact depend on, whatever process or instruction set it is in.
+/// Checksum of all that results depend on, in any process and instruction set: numbers of the configuration,
+/// profiles as placed, outlines of the sections, radius of the wheel round its axle, force table.
 std::uint64_t fingerprint(const Model& model) {
+  // The right-hand bodies stand for both sides, which are mirror images.
   Checksum sum;
   sum.add(model.options.numbers);
   if (model.has_geometry) {
@@ -265,6 +279,7 @@ std::uint64_t fingerprint(const Model& model) {
       }
     }
   }
+  // Eight lists of outline per section, and the wheel's radius row by row.
   if (model.surface) {
     const VaryingRail& rail = model.surface->varying;
     for (std::int32_t f = 0; f < rail.faces; ++f) {
@@ -288,7 +303,7 @@ std::uint64_t fingerprint(const Model& model) {
 }  // namespace
 
 std::size_t model_bytes(const ModelOptions& options) {
-  // Besides the placed profiles, room for those given and for scratch while they are read.
+  // Three copies of each profile: right, left, and as given; scratch while they are read.
   const std::size_t profiles = doubles(options.wheel) + doubles(options.rail);
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
   return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
@@ -298,6 +313,7 @@ std::size_t model_bytes(const ModelOptions& options) {
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
+  // Options without the caller's pointers.
   auto* model = new (memory) Model;
   model->options = options;
   model->options.wheel = {};
@@ -305,11 +321,14 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.sections = {};
   model->options.radius = {};
   model->options.force_table = nullptr;
+
+  // Layout of the contacts, and tables by the materials.
   take_sizes(options, model->options.sizes);
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->linear_theory = SdecTable(options.material.poisson);
   model->kernels = &kernels_for(options.instruction_set);
 
+  // Blocks behind the model, in the order of model_bytes().
   auto* behind = reinterpret_cast<char*>(model + 1);
   if (influence_bytes(options) > 0) {
     auto* influence = new (behind) InfluenceTables;
@@ -324,12 +343,15 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   if (table_bytes(options) > 0) {
     RETURN_IF_FAILED(take_force_table(options, behind, model->force_table));
   }
+
+  // Grids of cells along a strip, of both kinds of contact.
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
   arrays += march_grid_size(options.sizes.cells);
   model->surface_grid = make_march_grid(options.surface_cells, arrays, *model->kernels);
   arrays += march_grid_size(options.surface_cells);
 
+  // Bodies, and the arc lengths of the right-hand ones, by which damage is binned.
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
   if (model->has_geometry) {
     double* const arc = arrays;

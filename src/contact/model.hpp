@@ -27,7 +27,7 @@ namespace wrc {
 struct NormalMethod;
 struct TangentialMethod;
 
-/// Where a profile comes from: a standard shape or points of the caller.
+/// Source of a profile: a standard shape or points of the caller.
 struct ProfileSource {
   enum class Kind { none, points, s1002, rail_60e1, rail_uic60_benchmark } kind = Kind::none;
   std::int32_t count = 0;
@@ -54,7 +54,7 @@ struct ModelOptions {
   const NormalMethod* normal_method = nullptr;  ///< a row of methods.hpp
   SecondCriterion regularisation = SecondCriterion::width;
   const TangentialMethod* tangential_method = nullptr;  ///< see normal_method
-  PatchModel patch_model;                               ///< as it is where the method does not read it
+  PatchModel patch_model;                               ///< ignored by methods that do not read it
   TractionBound traction_bound = TractionBound::parabolic;
   FlexibilityForm flexibility = FlexibilityForm::separate;
   InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
@@ -63,25 +63,25 @@ struct ModelOptions {
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool non_steady = false;        ///< contacts remember their tractions
-  bool warm_start = false;        ///< of the strip half-space solver
+  bool warm_start = false;        ///< does the strip half-space solver begin with the last solution?
   Material material;              ///< combined
   double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]
   double load_tolerance = 0.0;    ///< relative
   double gap_limit = 0.0;         ///< [m]
-  double roller_curvature = 0.0;  ///< of a rail that is a roller, at its profile's origin [1/m]
+  double roller_curvature = 0.0;  ///< curvature of a rail that is a roller, at its profile's origin [1/m]
   std::uint64_t numbers = 0;      ///< checksum of all numbers of the configuration that results depend on
   double shear_yield = 0.0;       ///< k [Pa]
   Effusivities effusivities;
   double wheel_poisson = 0.0,
-         rail_poisson = 0.0;  ///< of each body by itself; `material` has both combined [-]
+         rail_poisson = 0.0;  ///< Poisson ratio of each body by itself; `material` has both combined [-]
   TrackDimensions track;
   WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
-  RailSectionSources sections;  ///< of a check rail, too
+  RailSectionSources sections;  ///< cross sections, those of a check rail, too
   bool check_rail = false;
   RadiusTable radius;
   const char* force_table = nullptr;  ///< file, for the methods that read it
-  ForceTableAxes force_table_axes;    ///< of that file; no nodes: no table
+  ForceTableAxes force_table_axes;    ///< axes of that file; no nodes: no table
 };
 
 /// Wheel and rail of one side, as placed.
@@ -102,11 +102,11 @@ struct Model {
   SdecTable linear_theory;                     ///< for the bodies' Poisson ratio
   MarchGrid march_grid;                        ///< along each strip of a contact plane
   MarchGrid surface_grid;                      ///< along each strip of a wheel on a rail
-  const Kernels* kernels = nullptr;            ///< of the instruction set; everything else has this pointer
-  ForceTable force_table;                      ///< with Option::force_table
-  const SurfaceModel* surface = nullptr;       ///< with profiles
-  ArrayLayout layout;                          ///< of every contact of this model
-  std::uint64_t configuration = 0;             ///< equal in models that give equal results
+  const Kernels* kernels = nullptr;  ///< kernels of the instruction set; everything else has this pointer
+  ForceTable force_table;            ///< with Option::force_table
+  const SurfaceModel* surface = nullptr;  ///< with profiles
+  ArrayLayout layout;                     ///< places of arrays in every contact of this model
+  std::uint64_t configuration = 0;        ///< equal in models that give equal results
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).

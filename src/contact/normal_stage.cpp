@@ -70,6 +70,7 @@ bool carries_load(const Strips& strips) {
   if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&
         sum.normal_force > 0.0 && sum.area > 0.0))
     return false;
+  // One patch of finite width is enough: find_patches() drops the others.
   for (std::int32_t first = 0; first < strips.count; first = patch_end(strips, first)) {
     const StripTotals patch = totals(slice(strips, first, patch_end(strips, first)));
     if (patch.y_max - patch.y_min >= least_patch_width) return true;
@@ -91,6 +92,7 @@ constexpr double least_damping_factor = 1e-9;
 /// The problem of the contact's gap under `load`, by the model's options.
 NormalProblem normal_problem(const Contact& contact, const Load& load) {
   const ModelOptions& options = contact.model->options;
+  // An approach or a load, of the combined half-space of both bodies.
   NormalProblem problem;
   problem.gap = gap_rows(contact);
   problem.material = options.material;
@@ -110,6 +112,7 @@ NormalProblem normal_problem(const Contact& contact, const Load& load) {
 Fault solve_normal(Contact& contact, const Load& load) {
   if (contact.gap_rows == 0)
     return Fault::sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
+  // The patch will belong to this load; strips of the host have none.
   back_to(contact, Stage::gap);
   contact.pressed = true;
   if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
@@ -150,6 +153,8 @@ Fault solve_normal(Contact& contact, const Load& load) {
     contact.normal.stiffness *= factor;
     contact.damping_factor = factor;
   }
+
+  // Runs of strips that share borders are patches, each rolled on its own.
   contact.strips = strips.count;
   contact.touching = strips.count > 0;
   keep_worst(fault, find_patches(contact));
@@ -191,6 +196,7 @@ Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_forc
   contact.extent.normal_force = normal_force;
   contact.extent.peak_pressure = peak_pressure(sdec, normal_force);
   contact.extent.length = 2.0 * sdec.a;
+  // One patch, its contact point the origin, and its ellipse the one given.
   contact.patches = 1;
   contact.patch[0] = {};
   contact.patch[0].count = strips.count;

@@ -1,5 +1,5 @@
-/// The contact plane of the stages over one body's profile: which point of the profile lies over one of the
-/// plane.
+/// The contact plane of the stages over one body's profile: finds the point of the profile over a point of
+/// the plane.
 #pragma once
 
 #include <algorithm>
@@ -26,6 +26,8 @@ class PlaneOver {
   /// y of the profile's point over `y` of the contact plane, to some nanometres. Strips come side by side:
   /// each is looked for from the one before.
   double find(double y) {
+    // Newton's method for the profile's y `at_`: the residual is y - cos (at - y0) - sin (z(at) - z0), its
+    // derivative cos + sin dz/dy.
     constexpr int most_steps = 8;
     constexpr double close = 5e-6;  // [m]: the next step would be some nanometres
     at_ += (y - y_) / run_;
@@ -50,6 +52,8 @@ class PlaneOver {
     find(y);
     // From the strip before by the trapezoidal rule with its end correction: a tenth of the integral's cost.
     constexpr double beside = 0.6e-3;  // [m]
+    // ds/dy = sqrt(1 + z'^2) and its derivative z' z'' / sqrt(1 + z'^2), z' brought along by the last Newton
+    // step.
     const double slope = point_.slope + point_.second * move_, stretch = std::sqrt(1.0 + slope * slope);
     const double bend = slope * point_.second / stretch, step = at_ - last_;
     arc_ = std::abs(step) < beside ? arc_ + step * (0.5 * (stretch + stretch_) + step / 12.0 * (bend_ - bend))
@@ -65,8 +69,8 @@ class PlaneOver {
   double y0_, z0_ = 0.0, cosine_ = 1.0, sine_ = 0.0, at_;
   ProfilePoint point_;                                           // before the last step
   double move_ = 0.0;                                            // that step
-  double last_ = -1.0, arc_ = 0.0, stretch_ = 1.0, bend_ = 0.0;  // of the strip before; none so far
-  double y_ = 0.0, run_ = 1.0;                                   // of the strip before
+  double last_ = -1.0, arc_ = 0.0, stretch_ = 1.0, bend_ = 0.0;  // strip before; none so far
+  double y_ = 0.0, run_ = 1.0;                                   // strip before
   std::int32_t piece_;
 };
 

@@ -18,10 +18,12 @@ double along_arc(const Contact& contact) { return contact.side == Side::right ? 
 double place_of_longest(const Strips& strips) {
   const auto longest = static_cast<std::int32_t>(
       std::max_element(strips.half_length, strips.half_length + strips.count) - strips.half_length);
+  // At an end of the region there is no neighbour to fit with.
   const double here = strips.y[longest];
   if (longest == 0 || longest == strips.count - 1) return here;
   const auto square = [&](std::int32_t k) { return strips.half_length[k] * strips.half_length[k]; };
   const double left = strips.y[longest - 1] - here, right = strips.y[longest + 1] - here;
+  // L^2 over y about `here`: slopes of its two chords, and the parabola through all three points.
   const double to_left = (square(longest - 1) - square(longest)) / left,
                to_right = (square(longest + 1) - square(longest)) / right;
   const double bent = (to_right - to_left) / (right - left);  // half the second derivative
@@ -32,6 +34,7 @@ double place_of_longest(const Strips& strips) {
 
 /// Extent of a wheel's strips.
 StripTotals extent_of(const Strips& strips) {
+  // Each strip has a semi-ellipse of pressure: load (pi / 2) width L p0 [N].
   StripTotals extent;
   double front = 0.0, rear = 0.0;
   for (std::int32_t k = 0; k < strips.count; ++k) {
@@ -52,6 +55,7 @@ StripTotals extent_of(const Strips& strips) {
 
 /// Share of the area whose cells do not slip.
 double adhesion_of(const RolledRegion& rolled) {
+  // A cell adheres where its slip is exactly 0; cells of one strip have one area [m^2].
   const std::int32_t strips = rolled.strips.count;
   double sticks = 0.0, area = 0.0;
   for (std::int32_t j = 0; j < strips; ++j) {
@@ -64,8 +68,9 @@ double adhesion_of(const RolledRegion& rolled) {
   return area > 0.0 ? sticks / area : 0.0;
 }
 
-/// Which of the rail's faces a region is on.
+/// Index of the rail's face that a region is on.
 std::int32_t face_of(const Contact& contact, const SurfaceRegion& region) {
+  // Strips are numbered face by face.
   const VaryingRail& rail = contact.model->surface->varying;
   std::int32_t face = 0;
   while (face + 1 < rail.faces && region.first >= rail.face[face + 1].first) ++face;
@@ -79,11 +84,14 @@ void turn_normal(double sine, double cosine, double (&normal)[3]) {
   normal[2] = cosine;
 }
 
+/// A region of the last solve_wheel().
 Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& result) {
   const Model& model = *contact.model;
   const SurfaceRegion& region = contact.wheel.wrench.region[index];
   const WheelSums sums = wheel_sums(contact, index);
   const RolledRegion rolled(contact, region);
+
+  // Place: point of the resultant and normal there, in track axes; the same point on both profiles.
   result.placed = result.rolled = true;
   result.strips = rolled.strips.count;
   result.face = face_of(contact, region);
@@ -93,6 +101,8 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
   result.angle = region.angle;
   result.place = contact.wheel.place[index];
   result.rolling_radius = model.options.wheelset.nominal_radius + result.place.z_wheel;
+
+  // Resultants in track axes, and sums of the strips' own in the plane of contact.
   std::copy_n(region.force, 3, result.force);
   std::copy_n(region.moment, 3, result.moment);
   result.extent = sums.extent;
@@ -103,6 +113,8 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
   result.creepage = sums.creepage;
   result.rolling_speed = rolled.direction * rolled.speed;
   result.power = region.power;
+
+  // Equivalent double ellipse about the longest strip.
   result.ellipse.joint = place_of_longest(rolled.strips);
   result.ellipse.normal_force = sums.extent.normal_force;
   return regularise(sums.extent, result.ellipse.joint, model.options.regularisation, result.ellipse.sdec);
@@ -111,6 +123,7 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
 /// The place of a patch: its joint in the contact plane, and over that on both profiles.
 void place_patch(const Contact& contact, const Patch& patch, RegionResult& result) {
   const Model& model = *contact.model;
+  // The joint lies in the contact plane, y_contact from the contact point.
   const ContactPoint& origin = contact.point;
   const auto [sine, cosine] = sine_cosine(origin.angle);
   result.placed = true;
@@ -119,6 +132,7 @@ void place_patch(const Contact& contact, const Patch& patch, RegionResult& resul
   result.point[2] = origin.z + sine * patch.y_contact;
   turn_normal(sine, cosine, result.normal);
   result.angle = origin.angle;
+  // Profiles are kept for the right-hand side: y of a left contact plane counts against theirs.
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
   const double y = along_arc(contact) * patch.y_contact;
   PlaneOver on_wheel(model.arc[0], right.wheel.origin_y + origin.y_wheel);
@@ -132,6 +146,8 @@ void place_patch(const Contact& contact, const Patch& patch, RegionResult& resul
 
 /// Force on the wheel and its moment about the joint, from the contact axes to track axes.
 void turn_forces(Contact& contact, const Patch& patch, RegionResult& result) {
+  // Moment about the joint in contact axes [N m]: pressure p at (x, y) gives -y p about x and x p about y;
+  // that of the tractions comes from the origin of the frame to the joint.
   const Strips strips = patch_strips(contact, patch);
   double about[3] = {0.0, 0.0, patch.forces.mz + patch.y_contact * patch.forces.fx};
   for (std::int32_t j = 0; j < strips.count; ++j) {
@@ -140,6 +156,7 @@ void turn_forces(Contact& contact, const Patch& patch, RegionResult& result) {
     about[1] += strips.centre[j] * load;
   }
   const double force[3] = {patch.forces.fx, patch.forces.fy, -patch.extent.normal_force};
+  // Contact axes are track axes turned about x by the contact angle.
   const double sine = -result.normal[1], cosine = result.normal[2];
   const auto turn = [&](const double(&of_contact)[3], double(&of_track)[3]) {
     of_track[0] = of_contact[0];
@@ -150,7 +167,9 @@ void turn_forces(Contact& contact, const Patch& patch, RegionResult& result) {
   turn(about, result.moment);
 }
 
+/// A patch of the stages, as far as they have gone.
 void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
+  // Known since the normal stage; place and track axes need a pose, tractions the tangential stage.
   result.strips = patch.count;
   result.extent = patch.extent;
   result.ellipse = {patch.sdec, patch.y_contact, patch.extent.normal_force};
@@ -205,7 +224,7 @@ WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   const Strips& strips = rolled.strips;
   WheelSums sums;
   sums.extent = extent_of(strips);
-  // The region's point on the surface laid flat.
+  // Point of the region on the surface laid flat: load-weighted mean of the strips' centres (x, s) [m].
   double x = 0.0, s = 0.0;
   for (std::int32_t k = 0; k < strips.count; ++k) {
     const double share =
@@ -213,6 +232,8 @@ WheelSums wheel_sums(Contact& contact, std::int32_t index) {
     x += share * strips.centre[k];
     s += share * strips.y[k];
   }
+
+  // Forces of the strips, and their moment about that point; on the left the arc runs against y.
   TangentialForces& forces = sums.forces;
   for (std::int32_t k = 0; k < strips.count; ++k) {
     const double fx = kept.factor * kept.fx[first + k], fy = kept.factor * kept.fy[first + k];

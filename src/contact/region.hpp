@@ -1,11 +1,10 @@
-/// What is asked of a contact's newest solution by the index of a region, of the stages' patches and of the
-/// regions of a wheel on a rail alike: where it is, what it carries, what it does to the bodies, and fields
-/// over its strips and cells.
+/// Results of a contact's newest solution by the index of a region, a patch of the stages or a region of a
+/// wheel on a rail: its place, its load and forces, and fields over its strips and cells.
 ///
 /// Nothing in the contact changes but its work space. Regions are counted from 0, by increasing y, or from
-/// the gauge side of a rail. Faults: WRC_ERROR_SEQUENCE without a solution, or where what is asked for has
-/// not been solved; WRC_ERROR_RANGE where there is no such region; WRC_ERROR_UNSUPPORTED where a method gives
-/// no tractions.
+/// the gauge side of a rail. Faults: WRC_ERROR_SEQUENCE without a solution, or before the stage whose result
+/// it is; WRC_ERROR_RANGE where there is no such region; WRC_ERROR_UNSUPPORTED where a method gives no
+/// tractions.
 #pragma once
 
 #include <cstdint>
@@ -39,25 +38,25 @@ struct RegionEllipse {
 };
 
 /// A region. Contact axes: x forward, y to the right in the contact plane, z into the rail; a wheel's strips
-/// are laid flat along the rail's arc, and what acts along that counts along y.
+/// are laid flat along the rail's arc, and forces along that count along y.
 struct RegionResult {
   bool placed = false;                 ///< is the place known? Of the stages with a pose and the normal stage
   bool rolled = false;                 ///< are the tangential forces known?
   bool adhesion_known = false;         ///< is the adhesion fraction known?
   std::int32_t strips = 0, cells = 0;  ///< cells along each strip
-  std::int32_t face = 0;               ///< of the rail's surfaces, by their numbers
+  std::int32_t face = 0;               ///< number of the rail's surface
 
-  // Where it is; of the stages with a pose.
+  // Place; of the stages with a pose.
   /// In track axes, x from the reference point [m]: a wheel's centre of pressure, a patch's joint in the
   /// contact plane.
   double point[3] = {};
   double normal[3] = {};                 ///< into the rail, of unit length, track axes
   double angle = 0.0;                    ///< about x from the track's z to the normal [rad]
   RegionPlace place;                     ///< on both bodies' profiles
-  double rolling_radius = 0.0;           ///< of the wheel there [m]
+  double rolling_radius = 0.0;           ///< radius of the wheel there [m]
   double force[3] = {}, moment[3] = {};  ///< on the wheel, moment about `point`, track axes [N], [N m]
 
-  // What it carries.
+  // Load and forces.
   StripTotals extent;  ///< its strips'; y as RegionEllipse::joint
   RegionEllipse ellipse;
   double normal_force = 0.0;  ///< resultant of the pressure [N]
@@ -65,21 +64,21 @@ struct RegionResult {
   /// the origin of the contact frame.
   TangentialForces tangential;
   Creepage creepage;           ///< means over a wheel's load; of a patch those at the origin of the frame
-  double rolling_speed = 0.0;  ///< what creepages are over, < 0 backwards [m/s]
+  double rolling_speed = 0.0;  ///< speed that creepages are divided by, < 0 backwards [m/s]
   double power = 0.0;          ///< frictional [W]
 };
 
 /// WRC_FLAG_TABLE_RANGE where the ellipse's shape number was cut.
 Fault find_region(Contact& contact, std::int32_t index, RegionResult& region);
 
-/// What a field has values over.
+/// Elements that a field has values over.
 enum class FieldOver { cells, strips, gap_rows };
 
-/// What a field needs: strips of any solution; strips that rolled; tractions in their cells; strips of a
-/// wheel; rows of the stages' gap.
+/// Result that a field needs: strips of any solution; strips that rolled; tractions in their cells; strips of
+/// a wheel; rows of the stages' gap.
 enum class FieldNeeds { strips, rolling, tractions, wheel, gap };
 
-/// Every field: name, what it has values over, what it needs.
+/// Every field: name, elements it has values over, result it needs.
 #define WRC_FIELDS(FIELD)                   \
   FIELD(x, cells, strips)                   \
   FIELD(pressure, cells, strips)            \
@@ -119,7 +118,7 @@ struct FieldSize {
   std::int32_t cells = 1;  ///< along each
 };
 
-/// Of rows of the gap the index does not matter.
+/// Size of a field; for rows of the gap the index does not matter.
 Fault region_field_size(const Contact& contact, std::int32_t index, FieldId field, FieldSize& size);
 
 /// Writes rows * cells values. `wear`: the law that strip_wear follows.

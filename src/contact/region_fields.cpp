@@ -22,7 +22,7 @@ static_assert(std::size(rows_of_fields) == static_cast<std::size_t>(FieldId::cou
 
 const Row& row_of(FieldId field) { return rows_of_fields[static_cast<std::size_t>(field)]; }
 
-/// Has the newest solution what a field needs?
+/// Refuses a field whose result the newest solution does not have.
 Fault check_needs(const Contact& contact, FieldNeeds needs) {
   const bool wheel = contact.newest == Solution::wheel;
   switch (needs) {
@@ -45,7 +45,7 @@ Fault check_needs(const Contact& contact, FieldNeeds needs) {
              : Fault::unsupported("field", "whole patches rolled: their strips have no tractions");
 }
 
-/// Which of a row of fields one is; `first`: the first of them.
+/// Position of a field in a run of fields that begins with `first`.
 std::int32_t number_from(FieldId first, FieldId field) {
   return static_cast<std::int32_t>(field) - static_cast<std::int32_t>(first);
 }
@@ -58,6 +58,7 @@ void copy_gap(const Contact& contact, FieldId field, double* values) {
 
 /// The array a field over cells lies in, element (cell i, strip j) at i * strips + j.
 const double* cells_of(const Contact& contact, const RolledRegion& rolled, FieldId field) {
+  // Tractions and slips are there already; power, fatigue and temperature are made in work space.
   const TangentialFields& fields = rolled.fields;
   if (field <= FieldId::slip_y) {
     const double* const each[] = {fields.traction_x, fields.traction_y, fields.slip_x, fields.slip_y};
@@ -74,12 +75,14 @@ const double* cells_of(const Contact& contact, const RolledRegion& rolled, Field
 
 void write_cells(const Contact& contact, const RolledRegion& rolled, FieldId field, double* values) {
   const std::int32_t strips = rolled.strips.count, cells = rolled.cells();
+  // Inside a field is stored cell by cell (march order), outside strip by strip.
   const auto write = [&](auto&& value) {
     for (std::int32_t j = 0; j < strips; ++j)
       for (std::int32_t i = 0; i < cells; ++i) values[j * cells + i] = value(i, j);
   };
   if (field == FieldId::x) return write([&](auto i, auto j) { return rolled.x(i, j); });
   if (field == FieldId::pressure) return write([&](auto i, auto j) { return rolled.pressure(i, j); });
+  // Fields in arrays, element (cell i, strip j) at i * strips + j.
   const double* const of_cells = cells_of(contact, rolled, field);
   write([&](auto i, auto j) { return of_cells[i * strips + j]; });
 }
@@ -87,6 +90,7 @@ void write_cells(const Contact& contact, const RolledRegion& rolled, FieldId fie
 /// The array a field over strips lies in.
 const double* strips_of(const Contact& contact, const RolledRegion& rolled, FieldId field,
                         const SheffieldWearLaw& wear) {
+  // Geometry and pressure, then places on the rail's profile, then results of rolling.
   const Strips& strips = rolled.strips;
   if (field <= FieldId::strip_peak) {
     const double* const each[] = {strips.y, strips.width, strips.centre, strips.half_length, strips.peak};
@@ -97,6 +101,7 @@ const double* strips_of(const Contact& contact, const RolledRegion& rolled, Fiel
     return each[number_from(FieldId::strip_profile_y, field)];
   }
   if (field == FieldId::strip_friction) return rolled.friction;
+  // Power per width [W/m], or volume worn per width and distance rolled [m].
   double largest = 0.0;
   if (field == FieldId::strip_power) {
     assess(contact, rolled, rolled.work);
@@ -116,6 +121,7 @@ void write_region(const Contact& contact, const RolledRegion& rolled, FieldId fi
 }  // namespace
 
 Fault region_field_size(const Contact& contact, std::int32_t index, FieldId field, FieldSize& size) {
+  // The gap belongs to the stages, not to a region: it is there before any patch.
   size = {};
   const Row& row = row_of(field);
   if (row.over == FieldOver::gap_rows) {
@@ -127,6 +133,7 @@ Fault region_field_size(const Contact& contact, std::int32_t index, FieldId fiel
   Fault fault = check_region(contact, index, false);
   if (fault.status == WRC_OK) fault = check_needs(contact, row.needs);
   if (fault.status != WRC_OK) return fault;
+  // Strips in contact: a wheel's are those kept, a patch's those pressed.
   size.rows = contact.newest == Solution::wheel
                   ? strip_run(wheel_strips(contact), contact.wheel.wrench.region[index]).count
                   : contact.patch[index].count;
@@ -139,6 +146,7 @@ Fault region_field(Contact& contact, std::int32_t index, FieldId field, const Sh
   FieldSize size;
   const Fault fault = region_field_size(contact, index, field, size);
   if (fault.status != WRC_OK) return fault;
+  // Tractions of a wheel's region take a march: it is done where the field needs them only.
   if (row_of(field).over == FieldOver::gap_rows) {
     copy_gap(contact, field, values);
   } else if (contact.newest == Solution::wheel) {

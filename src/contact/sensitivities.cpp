@@ -22,7 +22,7 @@ void scale(Friction& friction, Contact& contact, double factor) {
   for (std::int32_t k = 0; k < friction.law.zones.count; ++k) contact.zone_coefficient[k] *= factor;
 }
 
-/// Of a contact that remembers there are no derivatives.
+/// Refuses contacts that remember their tractions: their derivatives would be those of a history.
 Fault check_steady(const Contact& contact) {
   if (!contact.model->options.non_steady) return {};
   return Fault::unsupported("config.planar.non_steady",
@@ -33,6 +33,7 @@ Fault check_steady(const Contact& contact) {
 /// saturate friction by linear theory (C about 4) where these are larger. Load and friction act through
 /// their product, so that one difference serves both.
 Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivities) {
+  // Size of the creepages [-]: the largest component, spin times c = sqrt(a b), or mu N / (C G c^2).
   constexpr double relative_step = 1e-3, linear_coefficient = 4.0;
   const Patch& main = contact.patch[contact.main_patch];
   const double c2 = main.sdec.a * main.sdec.b, c = std::sqrt(c2);
@@ -42,8 +43,11 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
   const double size =
       std::max({std::abs(creep.longitudinal), std::abs(creep.lateral), std::abs(creep.spin) * c, saturating});
   const double h = relative_step * size;
-  // What the caller's coefficient scales is the whole law; zones have their mean for it.
+  // mu by which the derivative counts: the caller's coefficient, which scales the whole law, or the mean of
+  // zones.
   const double coefficient = contact.law.law.zones.count > 0 ? contact.friction : contact.law.law.coefficient;
+
+  // Inputs: longitudinal, lateral, spin, and mu N by a common factor.
   Fault fault;
   for (int input = 0; input < 4; ++input) {
     const double step = input == 2 ? h / c : input == 3 ? relative_step : h;
@@ -62,6 +66,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
       ends[end][1] = copy.forces.fy;
       ends[end][2] = copy.forces.mz;
     }
+    // dF/dnu; of the factor k on mu N: dF/dN = (dF/dk) / N and dF/dmu = (dF/dk) / mu.
     for (int r = 0; r < 3; ++r) {
       const double slope = (ends[1][r] - ends[0][r]) / (2.0 * step);
       if (input < 3) {

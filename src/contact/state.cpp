@@ -41,6 +41,7 @@ Contact& make_contact(const Model& model, Side side, void* memory) {
 }
 
 void back_to(Contact& contact, Stage stage) {
+  // `posed`, the pose and the gap stay: callers of the geometry stage clear them.
   contact.reached = stage;
   contact.newest = Solution::stages;
   contact.touching = false;
@@ -77,6 +78,7 @@ Strips patch_strips(Contact& contact, const Patch& patch) {
 }
 
 Strips region_strips(Contact& contact, const Patch& patch) {
+  // Strips that rolled: their own arrays, as an equivalent ellipse may stand for the patch.
   const Strips all = strips_at(contact, Array::region_y, contact.model->options.sizes.strips);
   return slice(all, patch.region_first, patch.region_first + patch.region_count);
 }

@@ -89,7 +89,7 @@ inline constexpr std::int32_t zone_capacity = 64;
 /// Members are ordered, and those of its members chosen, so that there is no padding: see below.
 struct Contact {
   const Model* model = nullptr;
-  Fault last;  ///< of the last call
+  Fault last;  ///< fault of the last call
 
   Stage reached = Stage::none;
   Solution newest = Solution::none;
@@ -105,19 +105,19 @@ struct Contact {
   std::int32_t main_patch = 0;  ///< index of the patch with the largest load
   Side side = Side::right;      ///< side of the wheelset
 
-  Pose pose;  ///< of the last geometry stage
+  Pose pose;  ///< pose of the last geometry stage
   ContactPoint point;
   NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one [-]
-  StripTotals extent;           ///< of all patches together
+  StripTotals extent;           ///< sums over all patches
   Patch patch[patch_capacity];
   Creepage creepage;
   double friction = 0.0;  ///< mean over the load; each strip's is in Array::strip_friction [-]
-  Friction law;           ///< of the last tangential stage; its zones are the two arrays below
+  Friction law;           ///< friction of the last tangential stage; its zones are the two arrays below
   double zone_y[zone_capacity] = {}, zone_coefficient[zone_capacity] = {};  ///< [m], [-]
   Rolling rolling;
   double rolled = 0.0;      ///< distance since the last tangential stage, of a model that remembers [m]
-  TangentialForces forces;  ///< of all patches together
+  TangentialForces forces;  ///< sums over all patches
   DamageNumbers damage;
   HostWrench wheel;
 };

@@ -209,6 +209,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
 /// last.
 Fault roll_both_directions(Contact& contact, Patch& patch, const Friction& friction,
                            TangentialSensitivities* sensitivities) {
+  // The reverse direction first: its fields are overwritten.
   const Rolling& rolling = contact.rolling;
   TangentialSensitivities others;
   Fault fault = roll(contact, patch, friction, -rolling.direction, sensitivities ? &others : nullptr);
@@ -231,6 +232,7 @@ Fault roll_both_directions(Contact& contact, Patch& patch, const Friction& frict
 
 /// Adds up the patches; the share that sticks is weighted by area.
 TangentialForces sum_of_patches(const Contact& contact) {
+  // Forces add; moments are about one origin; the adhering area over the whole area [-].
   TangentialForces sum;
   double area = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {

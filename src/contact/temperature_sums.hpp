@@ -1,4 +1,4 @@
-/// Temperatures over the cells of one patch or several, and what is made of them.
+/// Temperatures over the cells of one patch or several: largest and mean rise, heat into both bodies.
 #pragma once
 
 #include "contact/assessments.hpp"
@@ -20,12 +20,15 @@ class TemperatureSums {
     const auto area_of = [&](std::int32_t j) {
       return 2.0 * region.half_length[j] / cells_ * region.width[j];
     };
+    // Frictional power -V s . p of all cells [W].
     for (std::int32_t j = 0; j < region.count; ++j)
       for (std::int32_t i = 0; i < cells_; ++i) {
         const std::int32_t at = i * region.count + j;
         power_ -= speed_ * area_of(j) *
                   (fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at]);
       }
+    // Rise of the surface temperature in each cell [K]: its mean over the area, and the largest with its
+    // place.
     flash_rise(region, fields, cells_, speed_, bodies_, weights_, rise);
     for (std::int32_t j = 0; j < region.count; ++j) {
       for (std::int32_t i = 0; i < cells_; ++i) {
@@ -37,12 +40,14 @@ class TemperatureSums {
         numbers_.x = x_of(i, j);
         numbers_.y = region.y[j];
       }
+      // Heat from the rail into the wheel because one is warmer, without friction [W].
       into_wheel_ +=
           region.width[j] * heat_by_touching(bodies_, difference_, speed_, 2.0 * region.half_length[j]);
     }
   }
 
   TemperatureNumbers numbers() const {
+    // Frictional heat is shared by the effusivities; heat by touching goes from one body to the other.
     TemperatureNumbers all = numbers_;
     all.mean_rise = area_ > 0.0 ? warmth_ / area_ : 0.0;
     all.wheel_heat = bodies_.wheel / bodies_.sum() * power_ + into_wheel_;

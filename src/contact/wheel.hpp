@@ -13,14 +13,14 @@ struct HostWheel {
   bool of_wheelset = true;  ///< the reference point is the middle of the axle; otherwise that of the wheel
   double y = 0.0, z = 0.0;  ///< displacement of the reference point [m]
   double rotation[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * body, without pitch
-  double velocity[3] = {};                                    ///< of the reference point [m/s]
+  double velocity[3] = {};                                    ///< velocity of the reference point [m/s]
   double angular_velocity[3] = {};                            ///< [rad/s]
   /// Columns along which the host gives the angular velocity: axes of the track or of the body, or x, the
   /// axle and the rolled z, about which roll, the wheel and yaw turn.
   double axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   double turning_with_body[3] = {};  ///< its part along columns that turn with roll and yaw [rad/s]
-  double frame_speed = 0.0;          ///< of the frame that velocities are given in, along its own x [m/s]
-  double frame_turning[3] = {};      ///< of that frame, about its own axes [rad/s]
+  double frame_speed = 0.0;      ///< speed of the frame that velocities are given in, along its own x [m/s]
+  double frame_turning[3] = {};  ///< its angular velocity about its own axes [rad/s]
   RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
@@ -28,7 +28,7 @@ struct HostWheel {
   bool frictionless = true;
   Friction friction;      ///< zones over the rail's y, in the caller's arrays
   double damping = 0.0;   ///< alpha of normal/damping.hpp [s/m]
-  double distance = 0.0;  ///< of the reference point along the track, or from above a roller's axle [m]
+  double distance = 0.0;  ///< reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;     ///< about the axle [rad]
 };
 
@@ -59,7 +59,7 @@ enum HostInput : std::int32_t {
 /// Derivatives of a wrench: rows force x, y, z, moment x, y, z, on the wheel about its reference point.
 struct HostJacobian {
   double wrench[6][hosted_inputs] = {};
-  double z[hosted_inputs] = {};  ///< of the displacement z, given or found
+  double z[hosted_inputs] = {};  ///< displacement z, given or found
 };
 
 /// A hosted wheel as the right-hand one of src/surface, with the numbers that lead back.

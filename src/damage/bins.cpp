@@ -8,7 +8,7 @@
 namespace wrc {
 namespace {
 
-/// Share of an interval, and the number of what it lies on; -1: beside.
+/// Share of an interval, and the index of the bin it lies on; -1: beside all.
 struct Share {
   std::int64_t index;
   double part;

@@ -1,5 +1,5 @@
-/// Bins along the line: what strips of contact do to a body, collected over the arc length of its profile and
-/// over the distance along the track. Sums do not depend on the order of what is added (exact_sum.hpp).
+/// Bins along the line: damage by the strips of contact, collected over the arc length of its profile and
+/// over the distance along the track. Sums do not depend on the order of additions (exact_sum.hpp).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace wrc {
 
-/// What bins collect as sums: enum wrc_damage_quantity.
+/// Quantities that bins collect as sums: enum wrc_damage_quantity.
 enum DamageSum : std::int32_t {
   sum_work,
   sum_wear_t_gamma,
@@ -45,7 +45,7 @@ struct Axis {
   std::int64_t count = 1;
 };
 
-/// rows * bins of a row + 1, row by row; the last has what lies beside all others.
+/// rows * bins of a row + 1, row by row; the last collects places beside all others.
 struct DamageBins {
   Axis across, along;
   DamageBin* first = nullptr;
@@ -76,7 +76,7 @@ struct DamageLaws {
   double wheel_diameter = 0.0;  ///< [m]
 };
 
-/// What all strips of a patch share.
+/// Numbers that all strips of a patch share.
 struct DamagingPatch {
   double duration = 0.0;  ///< [s]
   double distance = 0.0;  ///< rolled in that time [m]
@@ -84,7 +84,7 @@ struct DamagingPatch {
   double power = 0.0;     ///< frictional, of all its strips [W]
 };
 
-/// What a strip adds to one body.
+/// Damage that a strip adds to one body.
 struct Contribution {
   double sum[damage_sums] = {};
   double pressure = 0.0, traction = 0.0;  ///< largest [Pa]
@@ -106,7 +106,7 @@ class BinAdder {
   BinAdder(const DamageBins& bins, double from, double to) : bins_(bins), from_(from), to_(to) {}
   /// By increasing place it is fastest; any order will do.
   void take(const Contribution& contribution, double place, double width);
-  /// Adds what is left. False: a range was passed.
+  /// Adds the shares still pending. False: a range was passed.
   bool finish();
 
  private:

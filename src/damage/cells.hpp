@@ -1,4 +1,4 @@
-/// What friction does to the surface, cell by cell (Liu, Bruni 2024): power density, eq. 10,
+/// Damage of the surface by friction, cell by cell (Liu, Bruni 2024): power density, eq. 10,
 ///
 ///     P_f = -V (s_x p_x + s_y p_y)  [W/m^2],   V the rolling speed,
 ///

@@ -1,4 +1,4 @@
-/// Sums that do not depend on the order of what is added: whole numbers of 128 bits.
+/// Sums that do not depend on the order of additions: whole numbers of 128 bits.
 #pragma once
 
 #include <cmath>

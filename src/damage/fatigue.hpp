@@ -9,7 +9,7 @@
 
 namespace wrc {
 
-/// What an index is where next to nothing presses, or where there are no tractions: finite, and below any
+/// Index where next to nothing presses, or where there are no tractions: finite, and below any
 /// index of a contact.
 inline constexpr double no_fatigue_index = -1e30;
 

@@ -22,8 +22,8 @@ struct CellStressOf {
 inline constexpr double stress_scale = 0.15915494309189533577;
 
 /// One corner's share of a cell's stresses, X, Y from the corner to the point. Derivatives of F and F1 under
-/// a unit load, named after what they differentiate by (`of_` those of F1), are by their antiderivatives over
-/// x and y. With r^2 = X^2 + Y^2 + z^2, over both indefinite integrals,
+/// a unit load, named after the variables they differentiate by (`of_` those of F1), are by their
+/// antiderivatives over x and y. With r^2 = X^2 + Y^2 + z^2, over both indefinite integrals,
 ///     F_xy -> ln(r + z), F_xz -> ln(Y + r), F_zz -> -atan(XY / (z r)),
 ///     F_xx -> atan(Y / X) - atan(z Y / (X r)), F1_xxy -> -X / (r + z),
 /// and all others follow by differentiation, exchange of x and y, and F being harmonic.
@@ -67,8 +67,8 @@ inline CellStressOf<Number> corner_stress_of(double nu, Number X, Number Y, Numb
            scale * (-z * xyz)}};
 }
 
-/// Of forces at a point. It follows from the derivatives of ln(r + z) there; in this form nothing cancels
-/// right below it.
+/// Stress by forces at a point. It follows from the derivatives of ln(r + z) there; in this form nothing
+/// cancels right below it.
 template <class Number>
 inline StressOf<Number> point_force_stress_of(double nu, Number x, Number y, Number z, Number normal,
                                               Number along, Number across) {
@@ -78,7 +78,7 @@ inline StressOf<Number> point_force_stress_of(double nu, Number x, Number y, Num
   const Number u = both * rz, u2 = u * u, u3 = u2 * u;  // 1 / r
   const Number w = both * r, w2 = w * w;                // 1 / (r + z)
   const Number x2 = x * x, y2 = y * y;
-  // What does not depend on nu is radial: -3 (force . r) r r / r^5.
+  // The part independent of nu is radial: -3 (force . r) r r / r^5.
   const Number radial = Number(-3.0) * (normal * z + along * x + across * y) * u3 * u2;
   // k-terms: A of 1 / r^3, B of 1 / (r (r + z)^2), C of the products of three coordinates.
   const Number a = k * u3, b = k * u * w2, c = k * u2 * w2 * (u + w + w), b3 = Number(3.0) * b;

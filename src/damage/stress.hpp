@@ -1,4 +1,4 @@
-/// Stress at a point of a body, and what of it damages: the numbers that a search for the largest compares.
+/// Stress at a point of a body, and its invariants, which a search for the largest compares.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline StressNumbers numbers_of(const Stress& s) {
   const double triple = std::clamp(4.0 * third / radius / radius / radius, -1.0, 1.0);
   const double angle = (0.5 * pi - arcsine(triple)) / 3.0;
   const double first = radius * sine_cosine(angle).cosine;
-  const double last = radius * sine_cosine(pi / 3.0 - angle).cosine;  // of s3 = mean - last
+  const double last = radius * sine_cosine(pi / 3.0 - angle).cosine;  // s3 = mean - last
   numbers.shear = 0.5 * (first + last);
   numbers.tension = mean + first;
   return numbers;

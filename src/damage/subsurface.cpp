@@ -41,13 +41,13 @@ struct LoadLanes::Corners {
 struct LoadLanes::Shares {
   const double* pressure;  ///< over the peak
   double peak;
-  const double *traction_x, *traction_y;  ///< of the strip's first cell
+  const double *traction_x, *traction_y;  ///< at the strip's first cell
   std::int32_t strips, own_cells;
   double sign;
   bool slips = false;     ///< behind adhesion that begins at the leading edge
   std::int32_t last = 0;  ///< cell that adheres
   double border = 0.0;    ///< where adhesion ends, in cells behind that one's middle
-  double bound = 0.0;     ///< share of what slips; that of the second cell behind the last
+  double bound = 0.0;     ///< share where it slips: that of the second cell behind the last
   double lacks = 0.0;     ///< 1 - share / bound in the last cell
 
   Shares(const Strips& region, const double* pressure_, const TangentialFields& fields, std::int32_t cells_,
@@ -192,8 +192,8 @@ void LoadLanes::add_patch(const Strips& region, const double* pressure, const Ta
     if (!(area > 0.0)) continue;
     lane_[lanes_] = {moment / area, width, centre / area, way * area / width, peak / area};
     deep_from_ = std::max(deep_from_, deep_steps * std::max(pi / deep * (area / width), width));
-    // Of the one or two strips in the middle: adhesion ends elsewhere in those beside them, and a mean over
-    // all would have no peak there.
+    // Shares are those of the one or two strips in the middle: adhesion ends elsewhere in those beside them,
+    // and a mean over all would have no peak there.
     const std::int32_t middle = first + (end - first - 1) / 2, other = first + (end - first) / 2;
     const Shares one(region, pressure, fields, own_cells, middle, sign);
     const Shares two(region, pressure, fields, own_cells, other, sign);
@@ -224,7 +224,7 @@ void LoadLanes::add_points(const Lane& lane, const Rule& rule, std::int32_t coun
 
 void LoadLanes::add_cells(std::int32_t which, std::int32_t first, std::int32_t last, double x, double y,
                           Corners& corners) const {
-  // A border has what the loads of its two cells differ by.
+  // A border has the difference of the loads of its two cells.
   constexpr double least = 1e-9;  // [m]: nearer to a corner stresses are infinite
   const auto away = [](double from) { return std::abs(from) < least ? std::copysign(least, from) : from; };
   const Lane& lane = lane_[which];

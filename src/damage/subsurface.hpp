@@ -2,10 +2,10 @@
 ///
 /// Neighbouring strips become one lane with their load and area. A lane has `cells` cells that are the
 /// shorter the nearer to its ends, borders at centre + half length cos(pi k / cells): pressure ends like a
-/// root there, and so do the tractions of what slides; cells of one length would end in steps, beside which
-/// tension is much too small. Where adhesion ends there is a border, too, for stresses peak there. A cell's
-/// pressure is the mean of the semi-ellipse over it, its tractions the share of the pressure that they are
-/// there in the lane's middle strip. A stress is a sum over loads: near cells as rectangles, exact at the
+/// root there, and so do the tractions of cells that slide; cells of one length would end in steps, beside
+/// which tension is much too small. Where adhesion ends there is a border, too, for stresses peak there. A
+/// cell's pressure is the mean of the semi-ellipse over it, its tractions the share of the pressure that they
+/// are there in the lane's middle strip. A stress is a sum over loads: near cells as rectangles, exact at the
 /// surface too, the others of a lane as forces at points of Gauss and Chebyshev's rule; from some depth on
 /// fewer of these, whose error falls exponentially with the depth over their distances
 /// (damage/load_stress.hpp). It is looked for at the middles of cells, and at the mirror images of some
@@ -21,11 +21,11 @@
 
 namespace wrc {
 
-/// What acts on the body, from all patches of a contact.
+/// Loads on the body, from all patches of a contact.
 class LoadLanes {
  public:
   static constexpr std::int32_t most_lanes = 36, cells = 48;
-  static constexpr std::int32_t wanted_lanes = 20;  ///< of all strips together; every patch has one at least
+  static constexpr std::int32_t wanted_lanes = 20;  ///< for all strips together; every patch has one at least
   static constexpr std::int32_t beyond = 7;         ///< cells looked at behind each end of a lane
   /// So many cells on both sides of an end are not looked at, half a hundredth of the lane's length: at the
   /// edge stresses change within less than an edge is known to.
@@ -67,11 +67,11 @@ class LoadLanes {
   static void fill(std::int32_t count, Rule& rule);
   /// Has adhesion end at a border of a lane's cells, `place` in half lengths.
   void move_border(Lane& lane, double place) const;
-  /// Of a cell [half lengths].
+  /// Middle of a cell [half lengths].
   double middle_of(const Lane& lane, std::int32_t cell) const;
-  /// Of a cell's middle, or behind an end.
+  /// x of a cell's middle, or of its mirror image behind an end [m].
   double x_of(const Lane& lane, std::int32_t cell) const;
-  /// What a target sees of a lane's points.
+  /// Adds the stresses at a target by a lane's points.
   void add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
                   const double* across, double x, double y, double z, double spared_length,
                   simd::StressParts& sum) const;

@@ -45,7 +45,7 @@ struct ArchardWearLaw {
   double mild_high_speed = 0.0;   ///< k above v2 (1e-4 to 10e-4) [-]
   double seizure = 0.0;           ///< k where pressure exceeds seizure_pressure H (300e-4 to 400e-4) [-]
   double v1 = 0.0, v2 = 0.0;      ///< [m/s]
-  double seizure_pressure = 0.0;  ///< of the hardness [-]
+  double seizure_pressure = 0.0;  ///< pressure of seizure over the hardness [-]
 };
 
 /// The map's k [-] at a pressure [Pa] and a sliding velocity [m/s].
@@ -62,7 +62,7 @@ struct PowerWearLaw {
   double coefficient = 0.0;  ///< k [kg/J]
   double exponent = 1.0;     ///< [-]
   double reference = 1.0;    ///< [W/m^2]
-  double density = 1.0;      ///< of the worn material [kg/m^3]
+  double density = 1.0;      ///< density of the worn material [kg/m^3]
 };
 
 /// Depth lost by a point of the surface per second in contact [m/s]; power_density [W/m^2].

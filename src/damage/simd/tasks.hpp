@@ -1,4 +1,5 @@
-/// What crosses between the damage stage and the kernels of an instruction set: plain data, no constructors.
+/// Arguments that cross between the damage stage and the kernels of an instruction set: plain data, no
+/// constructors.
 #pragma once
 
 #include <cstdint>
@@ -40,19 +41,19 @@ struct StressParts {
 /// Forces at points along x, as seen from a point; arrays have a multiple of stress_parts elements.
 struct PointLoads {
   double poisson;
-  double x, y, z;      ///< of the point seen from the loads' centre, y and z the same for all loads [m]
+  double x, y, z;      ///< point seen from the loads' centre, y and z the same for all loads [m]
   double half_length;  ///< with the sign of the way [m]
   double scale;        ///< [N]
   std::int32_t count;
-  const double* place;   ///< of each load, in half lengths
+  const double* place;   ///< place of each load, in half lengths
   const double* weight;  ///< its normal force over the scale
   const double* along;   ///< its tangential ones over the normal one
   const double* across;
   double spared;  ///< loads less than this from the point along x are left out; 0: none [m]
 };
 
-/// Corners of loaded cells, count a multiple of stress_parts: place seen from them, and what is added of the
-/// stresses of pressure and tractions [Pa].
+/// Corners of loaded cells, count a multiple of stress_parts: place seen from them, and the change there of
+/// pressure and tractions [Pa].
 struct CornerLoads {
   double poisson;
   double z;
