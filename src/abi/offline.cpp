@@ -22,7 +22,7 @@
 #include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
 #include "surface/surface_model.hpp"
-#include "surface/wrench/wrench_at_height.hpp"
+#include "surface/wrench/wheel_overlaps.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies that have rolled so far, and what they are.
@@ -397,13 +397,14 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
     return {};
   }
   Arena count;
-  cut_strips(count, most_strips_of_a_rail);
+  cut_rail_strips(count, most_strips_of_a_rail);
   std::vector<double> memory(static_cast<std::size_t>(count.doubles()));
   Arena arena(memory.data());
   PlacedRail rail;
-  const Fault outside = place_rail(surface, problem.distance, cut_strips(arena, most_strips_of_a_rail), rail);
+  const Fault outside =
+      place_rail(surface, problem.distance, cut_rail_strips(arena, most_strips_of_a_rail), rail);
   const RailStrips strips =
-      strips_before(surface, see(surface, problem, problem.wheel.position[2]).pose, rail);
+      strips_before(surface, motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
   const bool same_everywhere = has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
     const FaceStrips& range = strips.range[r];
@@ -482,7 +483,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   wrench.area = found.area;
   wrench.peak_pressure = found.peak_pressure;
   wrench.power = found.power;
-  wrench.sweeps = found.turns + found.heights;
+  wrench.iterations = found.turns + found.heights;
   // Regions are runs of rows; the normal force is the sum of their resultants.
   double along = 0.0, across = 0.0, end = -1.0;
   int face = 0;
@@ -501,7 +502,7 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   }
   wrench.normal_force += std::sqrt(along * along + across * across);
   const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
-  hand_back(model, placed, result);
+  hand_back_wrench(model, placed, result);
   ours = wrench_of(result);
   ours.region_count = regions;
   if (!hosted.load_prescribed) ours.z = hosted.z;

@@ -191,7 +191,7 @@ wrc_wrench wrench_of(const HostWrench& hosted) {
   const Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
   ours.region_count = wrench.regions;
-  ours.iterations = wrench.sweeps;
+  ours.iterations = wrench.iterations;
   for (int i = 0; i < 3; ++i) {
     ours.force[i] = wrench.force[i];
     ours.moment[i] = wrench.moment[i];

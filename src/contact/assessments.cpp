@@ -224,7 +224,7 @@ struct StressTask {
   /// strips_of_all: number of strips of all regions that are added.
   void add(const RolledRegion& rolled, std::int32_t strips_of_all, LoadLanes& loads) const {
     loads.add_patch(rolled.strips, rolled.grid->middles.pressure, rolled.fields, rolled.cells(),
-                    strips_of_all, rolled.way, in_rail ? -1.0 : 1.0);  // tractions act on the wheel
+                    strips_of_all, rolled.direction, in_rail ? -1.0 : 1.0);  // tractions act on the wheel
   }
 };
 
@@ -315,7 +315,7 @@ Fault region_temperature(Contact& contact, std::int32_t index, const BulkTempera
   if (fault.status != WRC_OK) return fault;
   const bool wheel = contact.newest == Solution::wheel;
   TemperatureSums sums =
-      temperature_sums(contact, bulk, wheel ? kept_strips(contact).speed : contact.rolling.speed);
+      temperature_sums(contact, bulk, wheel ? wheel_strips(contact).speed : contact.rolling.speed);
   for_regions(contact, index,
               [&](RolledRegion& rolled) { add_temperature(rolled, rolled.work.power_density, sums); });
   temperature = sums.numbers();

@@ -101,7 +101,7 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
   result.adhesion_known = rolled.fields.any();
   if (result.adhesion_known) result.tangential.adhesion_fraction = adhesion_of(rolled);
   result.creepage = sums.creepage;
-  result.rolling_speed = rolled.way * rolled.speed;
+  result.rolling_speed = rolled.direction * rolled.speed;
   result.power = region.power;
   result.ellipse.joint = place_of_longest(rolled.strips);
   result.ellipse.normal_force = sums.extent.normal_force;
@@ -173,7 +173,7 @@ std::int32_t region_count(const Contact& contact) {
 }
 
 bool has_tractions(const Contact& contact) {
-  return contact.newest == Solution::wheel ? kept_strips(contact).by_region == 0.0 : gives_fields(contact);
+  return contact.newest == Solution::wheel ? wheel_strips(contact).by_region == 0.0 : gives_fields(contact);
 }
 
 std::int32_t cells_of_newest(const Contact& contact) {
@@ -199,8 +199,8 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   const SurfaceRegion& region = contact.wheel.wrench.region[index];
-  const StripResults& kept = kept_strips(contact);
-  const std::int32_t first = kept_run(kept, region).first;
+  const StripResults& kept = wheel_strips(contact);
+  const std::int32_t first = strip_run(kept, region).first;
   const RolledRegion rolled(contact, region, false);
   const Strips& strips = rolled.strips;
   WheelSums sums;

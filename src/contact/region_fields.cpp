@@ -128,7 +128,7 @@ Fault region_field_size(const Contact& contact, std::int32_t index, FieldId fiel
   if (fault.status == WRC_OK) fault = check_needs(contact, row.needs);
   if (fault.status != WRC_OK) return fault;
   size.rows = contact.newest == Solution::wheel
-                  ? kept_run(kept_strips(contact), contact.wheel.wrench.region[index]).count
+                  ? strip_run(wheel_strips(contact), contact.wheel.wrench.region[index]).count
                   : contact.patch[index].count;
   if (row.over == FieldOver::cells) size.cells = cells_of_newest(contact);
   return {};

@@ -2,16 +2,17 @@
 
 namespace wrc {
 
-StripResults& kept_strips(Contact& contact) {
+StripResults& wheel_strips(Contact& contact) {
   return reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
-const StripResults& kept_strips(const Contact& contact) {
+const StripResults& wheel_strips(const Contact& contact) {
   return reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
 
-KeptRun kept_run(const StripResults& kept, const SurfaceRegion& region) {
+StripRun strip_run(const StripResults& kept, const SurfaceRegion& region) {
   const auto all = static_cast<std::int32_t>(kept.count);
-  KeptRun run;
+  StripRun run;
+  // strips of results increase by number, and a region is a run of them
   while (run.first < all && kept.strip[run.first] < region.first) ++run.first;
   while (run.first + run.count < all && kept.strip[run.first + run.count] < region.first + region.count)
     ++run.count;
@@ -22,11 +23,13 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
     : strips(patch_strips(contact, patch)),
       grid(&contact.model->march_grid),
       speed(contact.rolling.speed),
-      way(contact.reached >= Stage::tangential ? contact.rolling.direction : 1.0) {
+      direction(contact.reached >= Stage::tangential ? contact.rolling.direction : 1.0) {
+  // pressed alone, or rolled by a method without tractions: strips and no cells
   if (contact.reached < Stage::tangential || !gives_fields(contact)) return;
   strips = region_strips(contact, patch);
   fields = cell_fields(contact, patch);
   friction = array(contact, Array::strip_friction) + patch.region_first;
+  // the work space of the contact: two numbers per cell, one per strip
   const std::int32_t all = strips.count * cells();
   work.power_density = work_space(contact);
   work.fatigue_index = work.power_density + all;
@@ -35,8 +38,8 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
 
 RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells)
     : grid(&contact.model->surface_grid) {
-  StripResults& kept = kept_strips(contact);
-  const auto [first, count] = kept_run(kept, region);
+  StripResults& kept = wheel_strips(contact);
+  const auto [first, count] = strip_run(kept, region);
   strips = {count,
             count,
             kept.place + first,
@@ -49,9 +52,12 @@ RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool w
   profile_z = kept.z + first;
   angle = kept.angle + first;
   speed = kept.speed;
-  way = kept.backwards > 0.0 ? -1.0 : 1.0;
+  direction = kept.backwards > 0.0 ? -1.0 : 1.0;
   if (!with_cells || kept.by_region > 0.0) return;
-  const StripFields rolled = roll_kept(*contact.model->surface, kept, first, count, work_space(contact));
+  const StripFields rolled =
+      fields_of_strips(*contact.model->surface, kept, first, count, work_space(contact));
+
+  // beyond the deepest overlap solved tractions grow as the load does; slips stay
   for (double* const a : {rolled.traction_x, rolled.traction_y})
     for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.factor;
   fields = {rolled.traction_x, rolled.traction_y, rolled.slip_x, rolled.slip_y};

@@ -1,6 +1,6 @@
-/// A region of a solution as it rolled, one of the stages' patches or of a wheel's regions: its strips and
-/// what acts over their cells. Fields, damage, wear, temperatures and stresses are made of this, whichever
-/// solution it is of.
+/// A region of a solution as it rolled, one of the stages' patches or of a wheel's regions: its strips, and
+/// tractions and slips over their cells. Fields, damage, wear, temperatures and stresses follow from this,
+/// whichever solution it is of.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 namespace wrc {
 
 /// The strips in contact of the last solve_wheel().
-StripResults& kept_strips(Contact& contact);
-const StripResults& kept_strips(const Contact& contact);
+StripResults& wheel_strips(Contact& contact);
+const StripResults& wheel_strips(const Contact& contact);
 
-/// Some of them.
-struct KeptRun {
+/// Strips of a region among them.
+struct StripRun {
   std::int32_t first = 0, count = 0;
 };
-KeptRun kept_run(const StripResults& kept, const SurfaceRegion& region);
+StripRun strip_run(const StripResults& kept, const SurfaceRegion& region);
 
 /// Where numbers over the cells of a region go, and one per strip.
 struct CellNumbers {
@@ -30,9 +30,9 @@ struct CellNumbers {
 };
 
 struct RolledRegion {
-  /// Of a patch that has been pressed; its cells where it has rolled, by a method that gives tractions.
+  /// A patch that has been pressed; its cells where it has rolled, by a method that gives tractions.
   RolledRegion(Contact& contact, const Patch& patch);
-  /// Of a wheel's region; its cells where they are wanted and its strips rolled on their own: then they take
+  /// A wheel's region; its cells where they are wanted and its strips rolled on their own: then they take
   /// a march, and lie in the contact's work space.
   RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells = true);
 
@@ -42,9 +42,9 @@ struct RolledRegion {
   const MarchGrid* grid = nullptr;   ///< their cells
   TangentialFields fields;           ///< without cells none
   const double* friction = nullptr;  ///< coefficient of each strip; nullptr: has not rolled [-]
-  double speed = 0.0;                ///< what slips are over [m/s]
-  double way = 1.0;                  ///< 1: rolls along x; -1: against it
-  /// Of a wheel's strips: where they are on the rail's profile [m], and their angles there [rad].
+  double speed = 0.0;                ///< divisor of the slips [m/s]
+  double direction = 1.0;            ///< 1: rolls along x; -1: against it
+  /// A wheel's strips alone: places on the rail's profile [m], and angles there [rad].
   const double *profile_y = nullptr, *profile_z = nullptr, *angle = nullptr;
   /// Work space. It may be that of the slips: a cell is read before it is written.
   CellNumbers work;
@@ -52,7 +52,7 @@ struct RolledRegion {
   std::int32_t cells() const { return grid->cells; }
   /// Place [m] and pressure [Pa] of the middle of a cell.
   double x(std::int32_t cell, std::int32_t strip) const {
-    return strips.centre[strip] + way * strips.half_length[strip] * grid->middles.place[cell];
+    return strips.centre[strip] + direction * strips.half_length[strip] * grid->middles.place[cell];
   }
   double pressure(std::int32_t cell, std::int32_t strip) const {
     return strips.peak[strip] * grid->middles.pressure[cell];

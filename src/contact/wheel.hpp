@@ -76,12 +76,13 @@ struct PlacedWheel {
 Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& placed);
 
 /// Takes a wrench of `placed.problem` to the host's side and reference point and adds the rail's moment.
-void hand_back(const Model& model, const PlacedWheel& placed, HostWrench& result);
+void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench& result);
 
-/// Takes derivatives by motions in the rail's frame to those by the host's inputs (wheel_slopes.cpp). The
-/// height in `placed.problem` is that of the solution.
-void hand_back(const Model& model, const HostWheel& hosted, const PlacedWheel& placed,
-               const RailFrameJacobian& found, const RailFrameJacobian& by_track, HostJacobian& slopes);
+/// Takes derivatives by motions in the rail's frame to those by the host's inputs (wheel_jacobian.cpp).
+/// `height`: of the right-hand wheel in the solution [m].
+void hand_back_jacobian(const Model& model, const HostWheel& hosted, const PlacedWheel& placed, double height,
+                        const RailFrameJacobian& found, const RailFrameJacobian& by_track,
+                        HostJacobian& jacobian);
 
 /// Solves for the wrench, kept in the contact. `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes = nullptr);

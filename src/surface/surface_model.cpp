@@ -19,7 +19,7 @@ struct ModelArrays {
   void* model;
   CurveArrays wheel, rail;
   KnotArrays knots;
-  StripArrays strips;
+  RailStripArrays strips;
   double *y, *z;              ///< points of a profile while it is read
   VaryingRailArrays varying;  ///< with sections
   OutOfRoundArrays radius;    ///< if the wheel is not round
@@ -32,7 +32,7 @@ ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
   a.wheel = cut_curve(arena, sizes.wheel_nodes);
   a.rail = cut_curve(arena, sizes.rail_nodes);
   a.knots = cut_knots(arena, most_curve_pieces(sizes.wheel_nodes));
-  a.strips = cut_strips(arena, most_strips_of_a_rail);
+  a.strips = cut_rail_strips(arena, most_strips_of_a_rail);
   arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), {&a.y, &a.z});
   if (sizes.sections > 0)
     a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);
@@ -69,8 +69,6 @@ std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_node
   cut(count, {wheel_nodes, rail_nodes, sections, section_nodes}, radius);
   return static_cast<std::size_t>(count.bytes());
 }
-
-std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
 
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& made) {
   Sizes sizes{bodies.wheel.count, bodies.rail.count, bodies.sections, 0};

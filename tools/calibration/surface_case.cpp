@@ -15,7 +15,7 @@
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "random.hpp"
-#include "surface/surface_model.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc::calibration {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/arena.hpp"
 #include "base/elementary.hpp"
 #include "base/golden_section.hpp"
 #include "base/number.hpp"
-#include "surface/wrench/wrench_at_height.hpp"
+#include "surface/wrench/first_touch.hpp"
+#include "surface/wrench/strip_friction.hpp"
 
 namespace wrc {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
 constexpr std::int32_t most_load_steps = 30;
 
-/// In Hertz's contact in proportion to the approach.
+/// Load to the power 2/3: in Hertz's contact in proportion to the approach.
 double straightened(double load) { return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0; }
 
 /// Search of the height for a load: by secants of the load's power 2/3, which is nearly straight, between a
@@ -24,38 +24,42 @@ class HeightSearch {
  public:
   explicit HeightSearch(double load) : load_(load), target_(straightened(load)) {}
 
-  /// Notes that `height` carries `load`, which is known to the part `doubt` of the one asked for.
+  /// Notes that `height` carries `load`; `doubt`: error of `load` relative to the load asked for.
   void take(double height, double load, double doubt) {
     const Place earlier = last_;
     last_ = {height, straightened(load) - target_, doubt};
     if (magnitude(load - load_) > doubt * load_) (last_.value < 0.0 ? low_ : high_) = last_;
     if (!earlier.known() || height == earlier.height) return;
+    // a slope from two loads counts where their difference stands out of their errors
     const double risen = last_.value - earlier.value, known_to = (doubt + earlier.doubt) * target_;
     const double secant = risen / (height - earlier.height);
     if (magnitude(risen) > known_to && secant > 0.0) slope_ = secant;
     slow_ = magnitude(last_.value) > 0.5 * magnitude(earlier.value) ? slow_ + 1 : 0;
   }
 
-  /// Nothing is left between the heights.
+  /// The heights of too little and too much load coincide.
   bool exhausted() const {
     return low_.known() && high_.known() && std::abs(high_.height - low_.height) < 1e-16;
   }
 
-  /// Where to look after the last height, in the search's step `step`, counted from 0. `stiffness`: about how
-  /// fast the load grows with the height, read where that was not seen yet [N/m]; 0: not known.
+  /// The height after the last one, in the search's step `step`, counted from 0. `stiffness`: estimated
+  /// growth of the load with the height, read before there are two loads [N/m]; 0: not known.
   double next(std::int32_t step, double stiffness) const {
+    // secant, or f' = 2/3 F^(-1/3) dF/dh; at most `far`, which doubles from step to step
     const double slope = slope_ > 0.0 ? slope_ : stiffness / (1.5 * root(target_));
     const double far = 60e-6 * static_cast<double>(1 << std::min(step, 10));
     const double asked_for = slope > 0.0 ? -last_.value / slope : last_.value < 0.0 ? far : -far;
     const double height = last_.height + smaller(larger(asked_for, -far), far);
     if (!(low_.known() && high_.known())) return height;
+    // between both: halving where the secant leaves the interval or brings little
     const double low = smaller(low_.height, high_.height), high = larger(low_.height, high_.height);
     const bool slow = slow_ > 1 && magnitude(last_.value) > worth_halving * target_;
     return slow || !(height > low && height < high) ? 0.5 * (low + high) : height;
   }
 
  private:
-  static constexpr double worth_halving = 1e-5;  ///< of the straightened load: slower than that is rounding
+  static constexpr double worth_halving =
+      1e-5;  ///< part of the straightened load: slower than that is rounding
 
   struct Place {
     double height = 0.0, value = 0.0;  ///< [m], of the straightened load less the target
@@ -63,20 +67,21 @@ class HeightSearch {
     bool known() const { return doubt >= 0.0; }
   };
 
-  double load_, target_;
-  double slope_ = 0.0;  ///< of the straightened load
-  Place low_, high_;    ///< too little and too much beyond doubt
+  double load_, target_;  ///< asked for [N], and straightened
+  double slope_ = 0.0;    ///< derivative of the straightened load by the height
+  Place low_, high_;      ///< too little and too much beyond doubt
   Place last_;
   std::int32_t slow_ = 0;  ///< steps in a row that brought little
 };
 
-/// How far the wheel is below first touch, as the overlaps of the last solve have it [m].
-double approach_of(const WheelWork& w) {
-  const Overlaps& o = w.overlaps;
+/// Approach of the overlaps of the last solve: their largest depth, vertically [m].
+double approach_of(const WheelSolution& s) {
+  const Overlaps& o = s.overlaps;
+  constexpr double least_down = 0.1;
   double most = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) {
-    const double down = w.seen.cosine * o.nz[i] + w.seen.sine * o.ny[i];
-    if (down > 0.1) most = larger(most, o.depth[i] / down);
+    const double down = downwards(s.motion, o.ny[i], o.nz[i]);
+    if (down > least_down) most = larger(most, o.depth[i] / down);
   }
   return most;
 }
@@ -87,18 +92,27 @@ struct Lengths {
   std::int32_t count = 0;
   std::int32_t strip[most_overlapping_strips];
   double squared[most_overlapping_strips];
+
+  void keep(double at, const WheelSolution& s) {
+    height = at;
+    count = s.overlaps.count;
+    std::copy_n(s.overlaps.strip, count, strip);
+    std::copy_n(s.pressure.length_squared, count, squared);
+  }
 };
 
-/// Moves the start of a solve at `height` to where the lengths of the last one, at `last`, lead: along the
-/// line through those of the one before.
-void lead_on(const Lengths& before, double last, double height, const WheelWork& w, PressureStart& start) {
-  const Overlaps& o = w.overlaps;
-  const double* const squared = w.pressure.length_squared;
+/// Predicts the squared lengths at `height` for the start of its solve: along the line through those at
+/// `last`, of the solution, and those `before`.
+void predict_lengths(const Lengths& before, double last, double height, const WheelSolution& s,
+                     PressureStart& start) {
+  const Overlaps& o = s.overlaps;
+  const double* const squared = s.pressure.length_squared;
   start.extrapolated = start.set && before.count > 0 && before.height != last;
   if (!start.extrapolated) return;
   const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
   for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
+    // strips of both, each by increasing number; those that were not in contact twice stay as they are
     while (b < before.count && before.strip[b] < j) ++b;
     if (b == before.count) break;
     if (before.strip[b] != j || !(squared[i] > 0.0) || !(before.squared[b] > 0.0)) continue;
@@ -106,15 +120,14 @@ void lead_on(const Lengths& before, double last, double height, const WheelWork&
   }
 }
 
-/// The wrench at the height that carries the load given, searched from `height`, which becomes it. `search`:
-/// between what it knows. `found`: it is that height already, as far as is known.
+/// The wrench at the height that carries the load given, searched from `height`, between those that `search`
+/// knows. `found`: it is that height already, as far as is known.
 ///
 /// Heights on the way are solved only so far as their loads are of use: those are known about as well as the
 /// lengths of the strips are.
-Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, bool found,
-                    WheelWork& w, PressureStart& start, double& height, Wrench& out) {
+Fault search_height(const HeightSolver& solver, HeightSearch search, bool found, double height) {
   constexpr double coarse = 2e-3;  // where nothing is known yet
-  const double asked = in.vertical_load;
+  const double asked = solver.problem.in.vertical_load;
   const PressureOptions exact;
   PressureOptions options;
   if (!found) options.tolerance = coarse;
@@ -122,9 +135,10 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
   double miss_before = 0.5;
   Fault fault;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    const Fault here = solve_at(model, in, height, false, w, start, options, out);
-    const double load = -out.force[2], miss = smaller(magnitude(load - asked) / asked, 1.0);
+    const Fault here = solve_at_height(solver, height, options);
+    const double load = -solver.out.force[2], miss = smaller(magnitude(load - asked) / asked, 1.0);
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
+    // a load met at a coarse tolerance is solved once more at the same height
     if (miss <= load_tolerance) {
       if (options.tolerance <= exact.tolerance) return fault;
       options = exact;
@@ -132,13 +146,13 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
     }
     search.take(height, load, options.tolerance);
     if (search.exhausted()) break;
-    const double last = height, approach = approach_of(w);
+
+    // Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach
+    const double last = height, approach = approach_of(solver.solution);
     height = search.next(step, approach > 0.0 ? 1.5 * load / approach : 0.0);
-    lead_on(before, last, height, w, start);
-    before.height = last;
-    before.count = w.overlaps.count;
-    std::copy_n(w.overlaps.strip, before.count, before.strip);
-    std::copy_n(w.pressure.length_squared, before.count, before.squared);
+    predict_lengths(before, last, height, solver.solution, solver.start);
+    before.keep(last, solver.solution);
+
     // a secant leaves about this of the last two; and the one after that should be as good
     const double expected = 0.2 * miss * miss_before;
     options.tolerance = larger(smaller(0.2 * miss * expected, coarse), exact.tolerance);
@@ -149,146 +163,157 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
   return fault;
 }
 
-/// Could friction take more from the vertical force of a strip than its pressure gives it? Of the strips that
-/// press at that height, and of those that would a fifth of a millimetre further. What the last solve left in
-/// `w` stays, but for the scratch of rolling.
-bool friction_outweighs_slope(const SurfaceModel& model, const WheelOnRail& in, double height, WheelWork& w) {
-  constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of what holds the balance
-  const RelativeMotion seen = see(model, in, height);
-  Arena rolling(w.rolling);
-  const Overlaps o = overlap_surfaces(model, w.rail, seen.pose, in.angle, beyond, w.scratch,
-                                      cut_overlaps(rolling, w.overlaps.capacity, varies(model)));
+/// Can friction exceed the vertical share of the normal force on any strip that presses at that height, or
+/// would a fifth of a millimetre further?
+bool friction_outweighs_slope(const WheelProblem& problem, double height, Arena scratch) {
+  constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of the balance
+  const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
+  WheelOverlaps o = cut_overlaps(scratch, work_sizes(problem.model));
+  find_wheel_overlaps(problem, motion, beyond, o);
   bool outweighs = false;
   for (std::int32_t i = 0; i < o.count && !outweighs; ++i) {
-    const double friction = in.law ? friction_at_rest(model, in, w.rail, o, i).value : in.friction;
-    const double down = seen.cosine * o.nz[i] + seen.sine * o.ny[i];
-    const double aside = seen.cosine * o.ny[i] - seen.sine * o.nz[i];
+    const double friction = problem.in.law ? friction_at_rest(problem, o, i).value : problem.in.friction;
+    // vertical: N (down - mu aside) at the worst direction of friction
+    const double down = downwards(motion, o.ny[i], o.nz[i]);
+    const double aside = motion.cosine * o.ny[i] - motion.sine * o.nz[i];
     outweighs = friction * magnitude(aside) > safe * down;
   }
   return outweighs;
 }
 
-/// What the vertical force does as a wheel is lowered from first touch on.
-struct WayDown {
+/// Samples of the vertical force as a wheel is lowered from first touch on.
+struct Descent {
   static constexpr std::int32_t most = 13;
   std::int32_t count = 0;
   double height[most] = {}, load[most] = {};  ///< [m], [N]; the first is first touch
   std::int32_t reaches = 0;                   ///< the first that carries the load; 0: none
-  std::int32_t summit = 0;                    ///< where it is largest before it falls
+  std::int32_t summit = 0;                    ///< where it is largest before it falls; 0: it does not fall
   bool falls = false;                         ///< before the load is reached: behind the summit
   bool falls_again = false;                   ///< below the load, after it was reached
 };
 
-/// Loads on the way down tell falls of 1e-3 of the load asked for.
-constexpr double way_tolerance = 1e-4;
+/// Tolerance of the samples, which tell falls of 1e-3 of the load asked for.
+constexpr double descent_tolerance = 1e-4;
 
-/// Looks at heights each twice as far below first touch as the one before, down to the deepest overlap that
+/// Samples heights each twice as far below first touch as the one before, down to the deepest overlap that
 /// is solved, or until many times the load presses.
-WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
-                  Wrench& out) {
+Descent sample_descent(const HeightSolver& solver) {
   constexpr double first_step = 4e-6;  // [m]
-  constexpr double counts = 1e-3;      // of the load: what a fall is told from rounding by
+  constexpr double counts = 1e-3;      // part of the load: smaller falls are rounding
   constexpr double enough = 20.0;      // loads: where a wheel is wedged rather than carried
-  const double asked = in.vertical_load;
-  WayDown way;
-  way.height[way.count++] = first_touch(model, in, w);
-  const double touch = way.height[0];
-  const double deepest = first_step * static_cast<double>(1 << (WayDown::most - 2));
-  const double border = height_at_border(model, in, touch + deepest, w);
+  // heights double their distance from first touch, so that both stiff and soft faces get several
+  const WheelProblem& problem = solver.problem;
+  const double asked = problem.in.vertical_load;
+  const auto step_of = [](std::int32_t k) { return first_step * static_cast<double>(1 << (k - 1)); };
+  Descent d;
+  const double touch = first_touch(problem, solver.scratch);
+  d.height[d.count++] = touch;
+  const double border = height_at_border(problem, touch + step_of(Descent::most - 1), solver.solution.motion,
+                                         solver.solution.overlaps);
+  PressureOptions options;
+  options.tolerance = descent_tolerance;
   std::int32_t highest = 0;
   double pressed = 0.0;  // [N]
-  for (std::int32_t k = 1; k < WayDown::most && !way.falls_again; ++k) {
-    const double height = smaller(touch + first_step * static_cast<double>(1 << (k - 1)), border);
-    if (!(height > way.height[k - 1]) || pressed > enough * asked) break;
-    PressureOptions options;
-    options.tolerance = way_tolerance;
-    solve_at(model, in, height, false, w, start, options, out);
-    const double load = -out.force[2];
-    pressed = out.normal_force;
-    way.height[k] = height;
-    way.load[k] = load;
-    way.count = k + 1;
-    if (way.reaches > 0) {
-      way.falls_again = load < asked;
+  for (std::int32_t k = 1; k < Descent::most && !d.falls_again; ++k) {
+    const double height = smaller(touch + step_of(k), border);
+    if (!(height > d.height[k - 1]) || pressed > enough * asked) break;
+    solve_at_height(solver, height, options);
+    const double load = -solver.out.force[2];
+    pressed = solver.out.normal_force;
+    d.height[k] = height;
+    d.load[k] = load;
+    d.count = k + 1;
+
+    // before the load is reached: reached, or a first fall; after: a fall below it
+    if (d.reaches > 0) {
+      d.falls_again = load < asked;
     } else if (load >= asked) {
-      way.reaches = k;
-    } else if (way.summit == 0 && load < way.load[highest] - counts * asked) {
-      way.falls = true;
-      way.summit = highest;
+      d.reaches = k;
+    } else if (d.summit == 0 && load < d.load[highest] - counts * asked) {
+      d.falls = true;
+      d.summit = highest;
     }
-    if (load > way.load[highest]) highest = k;
+    if (load > d.load[highest]) highest = k;
   }
-  return way;
+  return d;
 }
 
 /// The wrench where the vertical force is largest between two heights.
-Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double low, double high, WheelWork& w,
-                      PressureStart& start, double& height, Wrench& out) {
+Fault solve_at_summit(const HeightSolver& solver, double low, double high) {
   constexpr int steps = 20;
   const auto load_at = [&](double at) {
-    solve_at(model, in, at, false, w, start, {}, out);
-    return -out.force[2];
+    solve_at_height(solver, at, {});
+    return -solver.out.force[2];
   };
   narrow_to_largest(low, high, steps, load_at);
-  height = 0.5 * (low + high);
-  return solve_at(model, in, height, false, w, start, {}, out);
+  return solve_at_height(solver, 0.5 * (low + high), {});
+}
+
+Fault climbing(double load, const char* cause, const Fault& beside) {
+  Fault fault = Fault::climbing("input.vertical_load", {load, "N"}, cause);
+  keep_worst(fault, beside);
+  return fault;
+}
+
+/// The wrench on the branch that begins at first touch, by samples of the descent. `searched`: a height that
+/// carries the load, found by a search that knew nothing of branches; `found`: its fault.
+Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double searched,
+                            const Fault& found) {
+  const double asked = solver.problem.in.vertical_load;
+  const bool capped = found.has(WRC_FLAG_ITERATION_CAP);
+  // the height that carries the load between two that carry less and more: the one searched, where it lies
+  // there
+  const auto between = [&](double low, double load_at_low, double high, double load_at_high) {
+    HeightSearch search(asked);
+    search.take(low, load_at_low, descent_tolerance);
+    search.take(high, load_at_high, descent_tolerance);
+    const bool known = !capped && searched > low && searched <= high;
+    return search_height(solver, search, known, known ? searched : search.next(0, 0.0));
+  };
+
+  // a summit between samples may carry the load that none of them does
+  if (d.summit > 0) {
+    const std::int32_t k = d.summit;
+    const Fault fault = solve_at_summit(solver, d.height[k - 1], d.height[k + 1]);
+    const double height = solver.out.height, most_carried = -solver.out.force[2];
+    if (most_carried >= asked)
+      return climbing(asked, "the highest of the heights that do is returned",
+                      between(d.height[k - 1], d.load[k - 1], height, most_carried));
+    if (d.reaches == 0)
+      return climbing(asked, "none does; returned is where the force first ceases to grow on the way down",
+                      fault);
+  }
+  if (d.reaches > 0) {
+    const std::int32_t k = d.reaches;
+    const Fault fault = between(d.height[k - 1], d.load[k - 1], d.height[k], d.load[k]);
+    if (d.falls)
+      return climbing(asked, "one does, but the force fell on the way down to it: it began on another branch",
+                      fault);
+    return d.falls_again ? climbing(asked, "the highest of the heights that do is returned", fault) : fault;
+  }
+  if (d.falls) {
+    solve_at_height(solver, d.height[0], {});
+    return climbing(asked, "none does; returned is first touch: from there on the force does not grow", {});
+  }
+  const Fault fault = solve_at_height(solver, searched, {});
+  return found.status == WRC_OK ? fault : found;
 }
 
 }  // namespace
 
 double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }
 
-Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
-                       double& height, Wrench& out) {
-  const double asked = in.vertical_load;
-  const Fault found = search_height(model, in, HeightSearch(asked), false, w, start, height, out);
-  if (!(in.friction > 0.0)) return found;
-  const bool capped = found.has(WRC_FLAG_ITERATION_CAP);
-  const double searched = out.height;
-  if (!friction_outweighs_slope(model, in, capped ? first_touch(model, in, w) : searched, w)) {
-    if (capped) find(model, in, w.seen, margin_of(model), w);  // derivatives are made of where rays end
-    return found;
-  }
+Fault solve_given_load(const HeightSolver& solver, double guess) {
+  const WheelProblem& problem = solver.problem;
+  const Fault found = search_height(solver, HeightSearch(problem.in.vertical_load), false, guess);
+  if (!(problem.in.friction > 0.0)) return found;
 
-  const WayDown way = look_down(model, in, w, start, out);
-  const auto climbing = [&](const char* cause, const Fault& beside) {
-    Fault fault = Fault::climbing("input.vertical_load", {asked, "N"}, cause);
-    keep_worst(fault, beside);
-    return fault;
-  };
-  const auto between = [&](double low, double load_at_low, double high, double load_at_high) {
-    HeightSearch search(asked);
-    search.take(low, load_at_low, way_tolerance);
-    search.take(high, load_at_high, way_tolerance);
-    const bool known = !capped && searched > low && searched <= high;
-    height = known ? searched : search.next(0, 0.0);
-    return search_height(model, in, search, known, w, start, height, out);
-  };
-  if (way.summit > 0) {
-    const std::int32_t k = way.summit;
-    const Fault fault =
-        solve_at_summit(model, in, way.height[k - 1], way.height[k + 1], w, start, height, out);
-    const double most_carried = -out.force[2];
-    if (most_carried >= asked)
-      return climbing("the highest of the heights that do is returned",
-                      between(way.height[k - 1], way.load[k - 1], height, most_carried));
-    if (way.reaches == 0)
-      return climbing("none does; returned is where the force first ceases to grow on the way down", fault);
-  }
-  if (way.reaches > 0) {
-    const std::int32_t k = way.reaches;
-    const Fault fault = between(way.height[k - 1], way.load[k - 1], way.height[k], way.load[k]);
-    if (way.falls)
-      return climbing("one does, but the force fell on the way down to it: it began on another branch",
-                      fault);
-    return way.falls_again ? climbing("the highest of the heights that do is returned", fault) : fault;
-  }
-  if (way.falls) {
-    solve_at(model, in, height = way.height[0], false, w, start, {}, out);
-    return climbing("none does; returned is first touch: from there on the force does not grow", {});
-  }
-  const Fault fault = solve_at(model, in, height = searched, false, w, start, {}, out);
-  return found.status == WRC_OK ? fault : found;
+  // One branch alone, unless friction can hold the wheel up against a face: without a height to judge that
+  // at, at first touch.
+  const double searched = solver.out.height;
+  const double judged = found.has(WRC_FLAG_ITERATION_CAP) ? first_touch(problem, solver.scratch) : searched;
+  if (!friction_outweighs_slope(problem, judged, solver.scratch)) return found;
+  return solve_on_first_branch(solver, sample_descent(solver), searched, found);
 }
 
 }  // namespace wrc

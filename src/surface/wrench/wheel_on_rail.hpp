@@ -7,7 +7,7 @@
 /// once.
 ///
 /// Bodies here are those of a right-hand wheel on a right-hand rail; a left-hand contact is the mirror image,
-/// made by the caller of this room: y, roll, yaw, their rates and M_x, M_z change sign.
+/// made by the caller of this module: y, roll, yaw, their rates and M_x, M_z change sign.
 ///
 /// Track axes: x rolling direction, y to the right, z down, origin on the track's centre line level with the
 /// tops of the undisplaced rails.
@@ -16,53 +16,40 @@
 #include <cstdint>
 
 #include "base/fault.hpp"
+#include "surface/surface_model.hpp"
+#include "surface/wrench/relative_motion.hpp"
+#include "surface/wrench/strip_results.hpp"
+#include "surface/wrench/wrench_jacobian.hpp"
 #include "tangential/friction/friction.hpp"
 #include "tangential/rolling_contact.hpp"
 
 namespace wrc {
 
-/// A wheel as a rigid body. The reference point is where the plane of the tape circle meets the axle.
-struct WheelMotion {
-  double position[3] =
-      {};  ///< of the reference point, track axes [m]; x from where the rail's place is given
-  double rotation[3][3] = {
-      {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< track = rotation * wheel axes; y along the axle
-  double velocity[3] = {};               ///< of the reference point against the ground, track axes [m/s]
-  double angular_velocity[3] = {};       ///< track axes, the turning about the axle included [rad/s]
-};
-
-/// A rail: displacement of the origin of its profile, at x = 0, from its place in the model, and rotation
-/// about that origin: by roll about its own direction, which the slopes give (rail_direction.hpp).
-struct RailMotion {
-  double y = 0.0, z = 0.0, roll = 0.0;                             ///< [m], [rad]
-  double slope_y = 0.0, slope_z = 0.0;                             ///< of its place along the track [-]
-  double velocity_y = 0.0, velocity_z = 0.0, velocity_roll = 0.0;  ///< [m/s], [rad/s]
-  double turning = 0.0;  ///< of a roller about its axle, right-hand rule about its y [rad/s]
-};
-
-/// What is solved.
+/// The problem: bodies as placed, friction and load.
 struct WheelOnRail {
   WheelMotion wheel;
   RailMotion rail;
-  bool load_prescribed = false;  ///< then position[2] is a result, and `vertical_load` is given
-  double vertical_load = 0.0;    ///< the whole vertical force on the wheel, upwards positive [N]
-  double friction = 0.3;         ///< coefficient; 0: frictionless
+  bool load_prescribed =
+      false;  ///< then `vertical_load` is given, and position[2] is read as a first guess alone
+  double vertical_load = 0.0;  ///< the whole vertical force on the wheel, upwards positive [N]
+  double friction = 0.3;       ///< coefficient; 0: frictionless
   const FrictionLaw* law =
       nullptr;                  ///< in place of the coefficient: over a profile's y and the sliding speed
-  bool zones_on_wheel = false;  ///< its zones lie on the wheel's profile, not on the rail's
+  bool zones_on_wheel = false;  ///< the law's zones lie on the wheel's profile, not on the rail's
   double distance =
-      0.0;             ///< of the wheel's reference point along the track, or from above a roller's axle [m]
-  double angle = 0.0;  ///< of the wheel about its axle, right-hand rule [rad]
-  double slope_reduction = 1.0;  ///< of the creep curve by a layer between the bodies, 0..1
-  SlopeFall slope;               ///< what it does as slip grows
-  double damping = 0.0;          ///< Hunt and Crossley [s/m]
+      0.0;  ///< place of the wheel's reference point along the track, or from above a roller's axle [m]
+  double angle = 0.0;  ///< turn of the wheel about its axle, right-hand rule [rad]
+  double slope_reduction =
+      1.0;               ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
+  SlopeFall slope;       ///< its fall as slip grows
+  double damping = 0.0;  ///< Hunt and Crossley [s/m]
 };
 
 /// A run of strips in contact.
 struct SurfaceRegion {
   std::int32_t first = 0, count = 0;  ///< strips of the rail
   double point[3] = {};               ///< load-weighted mean of its strips' pressure centres, track axes [m]
-  double angle = 0.0;          ///< of its resultant normal force, about x from track z to the normal [rad]
+  double angle = 0.0;          ///< direction of its resultant normal force, about x from track z on [rad]
   double normal_force = 0.0;   ///< resultant of the pressure [N]
   double force[3] = {};        ///< on the wheel, track axes [N]
   double moment[3] = {};       ///< about `point`, on the wheel, track axes [N m]
@@ -88,8 +75,38 @@ struct Wrench {
   /// is that or more; 0 in contact, and inside the rail [m].
   double clearance = 0.0;
   std::int32_t regions = 0;
-  std::int32_t sweeps = 0;  ///< of the normal problem, all of the call
+  std::int32_t iterations = 0;  ///< number in the normal problem, all solves of the call
   SurfaceRegion region[most_surface_regions];
 };
+
+/// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.
+struct SurfaceState {
+  double set = 0.0;     ///< 1: the rest holds a solution
+  double height = 0.0;  ///< position[2] of the wheel [m]
+  double length_squared[most_strips_of_a_rail] = {};
+  double shift[most_strips_of_a_rail] = {};
+  double depth[most_strips_of_a_rail] = {};  ///< overlaps [m]
+  StripResults kept;
+};
+
+std::int64_t surface_state_bytes();
+/// Memory of a solve, and of fields over so many cells along a strip.
+std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
+                                     std::int32_t cells, bool varying);
+
+/// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
+/// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
+/// `jacobian`, if given: the wrench with its derivatives, of methods that are differentiable(); at the border
+/// where the overlap is deeper than the deepest solved. `by_track`: those by distance and angle in place of
+/// its first two (wrench_jacobian.hpp).
+Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
+                          void* workspace, Wrench& wrench, RailFrameJacobian* jacobian = nullptr,
+                          RailFrameJacobian* by_track = nullptr) noexcept;
+
+/// Tractions and slips over the cells of `count` strips of `results` from `first` on, which are one region or
+/// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, those of its
+/// own direction of rolling. Not of patches that rolled as wholes.
+StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, std::int32_t first,
+                             std::int32_t count, void* workspace) noexcept;
 
 }  // namespace wrc

@@ -1,0 +1,104 @@
+#include "surface/wrench/first_touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number.hpp"
+
+namespace wrc {
+namespace {
+
+/// The distance that the wheel falls until it touches the nearest strip [m], by the strips' tangents; at most
+/// farthest_touch. Strips count whose mean normal points down by more than `least_down`.
+double fall_to_strips(const WheelProblem& problem, const RelativeMotion& motion, double least_down,
+                      WheelOverlaps& o) {
+  // The few strips near the wheel are enough if one touches soon: others' depths are at least a third of
+  // their overlaps, as their normals are less than 80 degrees off the wheel's.
+  constexpr double near = 1.5e-3;  // [m]
+  double fall = farthest_touch;
+  for (const double margin : {near, farthest_touch}) {
+    find_wheel_overlaps(problem, motion, margin, o);
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      const double down = downwards(motion, o.ny[i], o.nz[i]);
+      if (down > least_down) fall = std::min(fall, -o.depth[i] / down);
+    }
+    if (fall < margin / 3.0) break;
+  }
+  return fall;
+}
+
+/// The distance from the lowest point of the wheel's outline down to the highest of the rail [m].
+double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion,
+                       const OverlapScratch& outline) {
+  double lowest = -1e300, top = 1e300;
+  for (std::int32_t k = 0; k < problem.model.wheel.knots; ++k)
+    if (outline.seen[k] > 0.0) lowest = larger(lowest, outline.z[k]);
+  const RailStrips& rail = problem.rail;
+  for (std::int32_t r = 0; r < rail.ranges; ++r) top = smaller(top, rail.range[r].top);
+  return (top - lowest) / motion.cosine;
+}
+
+}  // namespace
+
+double clearance(const WheelProblem& problem, Arena scratch) {
+  constexpr int most_steps = 12;
+  constexpr double close = 1e-10;     // [m]
+  constexpr double least_down = 0.1;  // steeper than any flange
+  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  double lowered = 0.0;
+  for (int n = 0; n < most_steps; ++n) {
+    const double height = problem.in.wheel.position[2] + lowered;
+    const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
+    const double fall = fall_to_strips(problem, motion, least_down, overlaps);
+    // Newton's method: the tangent of the nearest strip, which may be another at the next height
+    lowered += fall;
+    if (!(lowered > 0.0) || lowered >= farthest_touch || std::abs(fall) < close) break;
+  }
+  return smaller(larger(lowered, 0.0), farthest_touch);
+}
+
+double first_touch(const WheelProblem& problem, Arena scratch) {
+  constexpr int most_steps = 16;
+  constexpr double close = 1e-7;  // [m]
+  constexpr double least_down = 0.2;
+  constexpr double deep =
+      0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
+  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  double height = problem.in.wheel.position[2];
+  bool above = false;
+  for (int n = 0; n < most_steps; ++n) {
+    const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
+    double fall = fall_to_strips(problem, motion, least_down, overlaps);
+    // a guess deep inside the rail starts again from above all of it, once
+    if (!above && fall < -deep) {
+      above = true;
+      fall = smaller(fall, fall_from_above(problem, motion, overlaps.outline));
+    }
+    height += fall;
+    if (std::abs(fall) < close) break;
+  }
+  return height;
+}
+
+double height_at_border(const WheelProblem& problem, double height, RelativeMotion& motion,
+                        WheelOverlaps& overlaps) {
+  constexpr int most_steps = 12;
+  constexpr double close = 1e-12, least_down = 0.1;  // [m], [-]
+  const WheelOverlaps& o = overlaps;
+  for (int n = 0; n < most_steps; ++n) {
+    motion = motion_at_height(problem.model, problem.in, height);
+    find_wheel_overlaps(problem, motion, candidate_margin(problem.model), overlaps);
+    // raise the wheel until the strip that is furthest beyond the border lies on it
+    double rise = 0.0;
+    for (std::int32_t i = 0; i < o.count; ++i) {
+      if (!(o.depth[i] > deepest_overlap)) continue;
+      const double down = larger(downwards(motion, o.ny[i], o.nz[i]), least_down);
+      rise = larger(rise, (o.depth[i] - deepest_overlap) / down);
+    }
+    height -= rise;
+    if (rise < close) break;
+  }
+  return height;
+}
+
+}  // namespace wrc

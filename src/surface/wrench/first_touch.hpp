@@ -1,0 +1,21 @@
+/// Heights that follow from the overlaps alone: first touch, clearance, and the border of deep overlaps.
+#pragma once
+
+#include "surface/wrench/wheel_overlaps.hpp"
+
+namespace wrc {
+
+/// The height [m] at which the wheel first touches: lowered from the one given, or from above the rail where
+/// a face is overlapped there already, until it does.
+double first_touch(const WheelProblem& problem, Arena scratch);
+
+/// By how much a wheel that is apart must be lowered until the first strip of the rail overlaps it [m], 0 to
+/// farthest_touch, which stands for anything beyond: Newton's method on the nearest strip.
+double clearance(const WheelProblem& problem, Arena scratch);
+
+/// The greatest height, no greater than `height`, at which no overlap is deeper than `deepest_overlap` [m].
+/// Leaves the motion and the overlaps at `height` where it is the one.
+double height_at_border(const WheelProblem& problem, double height, RelativeMotion& motion,
+                        WheelOverlaps& overlaps);
+
+}  // namespace wrc

@@ -1,0 +1,116 @@
+#include "surface/wrench/strip_rolling.hpp"
+
+#include <algorithm>
+
+#include "surface/wrench/strip_friction.hpp"
+
+namespace wrc {
+namespace {
+
+/// Tractions by the model's method; `heat`: of methods that roll by region, to which the strips' friction is
+/// cold, and hot afterwards.
+Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
+                    bool backwards, const RollingScratch& scratch, const TangentialFields& fields,
+                    SurfaceRollingForces forces, HeatedFriction* heat) {
+  const SurfaceMethods& methods = model.methods;
+  const std::int32_t count = strips.count;
+  auto rolls = rolling_input<double>(model, in, strips);
+  rolls.peak = strips.solved_peak;
+  rolls.method = methods.strips;
+  rolls.parabolic = methods.parabolic;
+
+  // Backwards is forwards seen in a mirror across the axle: x, and with it slip along x and spin, change
+  // sign, and so do their forces.
+  if (backwards) {
+    std::copy_n(strips.slip_x, count, scratch.slip_x);
+    std::copy_n(strips.spin, count, scratch.spin);
+    reverse(count, scratch.slip_x);
+    reverse(count, scratch.spin);
+    rolls.slip_x = scratch.slip_x;
+    rolls.spin = scratch.spin;
+  }
+
+  // patch by patch, or strip by strip: FaStrip alone computes through fields
+  Fault fault;
+  if (rolls_by_region(model, in)) {
+    for (std::int32_t k = 0; k < count; ++k) scratch.x[k] = backwards ? -strips.x[k] : strips.x[k];
+    const RegionRollingInput patches{rolls, scratch.x, in.slope, in.slope_reduction, heat, strips.friction};
+    fault = roll_by_region(patches, methods.region, scratch.region, scratch.fields, forces);
+  } else {
+    const bool needs_fields = methods.strips == SurfaceRollingMethod::fastrip;
+    roll_on_surface(rolls, scratch.rolling, needs_fields ? scratch.fields : fields, forces);
+  }
+  if (backwards) {
+    reverse(count, forces.fx);
+    reverse(count, forces.mz);
+  }
+  return fault;
+}
+
+}  // namespace
+
+bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
+  return model.methods.region.solve && (model.methods.by_region || in.slope.falls());
+}
+
+Fault solve_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
+                      bool backwards, const RollingScratch& scratch, const TangentialFields& fields,
+                      const SurfaceRollingForces& forces) {
+  return solve_one_way(model, in, strips, backwards, scratch, fields, forces, nullptr);
+}
+
+Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
+                             bool backwards, double speed, const RollingScratch& scratch,
+                             const SurfaceRollingForces& forces, int more) {
+  HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
+  const double* const cold = scratch.cold_friction;
+  if (rolls_by_region(model, in)) {  // the method itself iterates, patch by patch
+    std::copy_n(cold, strips.count, strips.friction);
+    return solve_one_way(model, in, strips, backwards, scratch, {}, forces, &heat);
+  }
+  Strips lengths;
+  lengths.count = strips.count;
+  lengths.half_length = strips.half_length;
+
+  // fixed point: mu = share * mu_cold gives tractions and slips, their heat the next share
+  Fault fault;
+  const auto solve = [&] {
+    for (std::int32_t k = 0; k < strips.count; ++k) strips.friction[k] = cold[k] * scratch.heat_share[k];
+    keep_worst(fault, solve_tractions(model, in, strips, backwards, scratch, scratch.fields, forces));
+  };
+  const Fault unsettled =
+      solve_heated(heat, lengths, scratch.fields, scratch.fields.slip_x, scratch.heat_share, solve, more);
+  keep_worst(fault, unsettled);
+  return fault;
+}
+
+Fault roll_strips(const WheelProblem& problem, const WheelOverlaps& overlaps, const ContactStrips& strips,
+                  bool backwards, double speed, double reverse_share, Arena arena) {
+  const SurfaceModel& model = problem.model;
+  const WheelOnRail& in = problem.in;
+  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  if (in.law) set_cold_friction(problem, overlaps, speed, strips);
+  const bool heated = in.law && in.law->heated();
+  if (heated) std::copy_n(strips.friction, strips.count, scratch.cold_friction);
+  const auto solve = [&](bool way_back, const SurfaceRollingForces& forces) {
+    return heated ? solve_heated_tractions(model, in, strips, way_back, speed, scratch, forces)
+                  : solve_tractions(model, in, strips, way_back, scratch, {}, forces);
+  };
+
+  // The reverse direction comes first: its own direction then leaves the strips their hot friction.
+  const SurfaceRollingForces other{scratch.other_fx, scratch.other_fy, scratch.other_mz};
+  Fault others, fault;
+  if (reverse_share > 0.0) others = solve(!backwards, other);
+  keep_worst(fault, solve(backwards, {strips.fx, strips.fy, strips.mz}));
+  keep_worst(fault, others);
+
+  // F = F_own + share (F_other - F_own): through standstill forces change over without a jump
+  for (std::int32_t k = 0; k < strips.count && reverse_share > 0.0; ++k) {
+    strips.fx[k] += reverse_share * (other.fx[k] - strips.fx[k]);
+    strips.fy[k] += reverse_share * (other.fy[k] - strips.fy[k]);
+    strips.mz[k] += reverse_share * (other.mz[k] - strips.mz[k]);
+  }
+  return fault;
+}
+
+}  // namespace wrc

@@ -1,0 +1,72 @@
+#include "surface/wrench/wheel_solution.hpp"
+
+#include <algorithm>
+
+#include "surface/pressure/planar_pressure.hpp"
+#include "surface/rolling/region_rolling.hpp"
+#include "surface/simd/tasks.hpp"
+#include "surface/wrench/wrench_jacobian.hpp"
+
+namespace wrc {
+namespace {
+
+constexpr std::int32_t most = most_overlapping_strips;
+
+}  // namespace
+
+WorkSizes work_sizes(const SurfaceModel& model) {
+  return {model.wheel.curve.pieces, model.grid->cells, varies(model), model.methods};
+}
+
+WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes) {
+  WheelOverlaps o;
+  static_cast<Overlaps&>(o) = cut_overlaps(arena, most, sizes.varying);
+  o.outline = cut_overlap_scratch(arena, sizes.wheel_pieces, most_strips_of_a_rail);
+  return o;
+}
+
+WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results) {
+  WheelSolution s;
+  s.overlaps = cut_overlaps(arena, sizes);
+  StripPressure& p = s.pressure;
+  arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+  static_cast<StripArrays&>(s.strips) = StripArrays(results, 0);
+  s.strips.candidate = arena.take<std::int32_t>(most);
+  s.strips.x = arena.take(most);
+  return s;
+}
+
+RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
+  RollingScratch r;
+  // fields: of methods that need them, of friction over temperature, and results of fields_of_strips()
+  const std::int64_t cells = static_cast<std::int64_t>(most) * sizes.cells;
+  arena.each(cells, {&r.fields.traction_x, &r.fields.traction_y, &r.fields.slip_x, &r.fields.slip_y});
+  r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
+  arena.each(most,
+             {&r.slip_x, &r.spin, &r.other_fx, &r.other_fy, &r.other_mz, &r.cold_friction, &r.heat_share});
+  r.x = r.region = nullptr;
+  if (sizes.methods.region.solve) {
+    r.x = arena.take(most);
+    r.region = arena.take(region_rolling_doubles(most, sizes.methods.region));
+  }
+  return r;
+}
+
+std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
+  // behind the results of a solve ...
+  Arena results;
+  if (sizes.varying) cut_rail_strips(results, most_strips_of_a_rail);
+  StripResults none;
+  cut_solution(results, sizes, none);
+
+  // ... the stages' scratch, all from the same mark on
+  Arena overlaps = results, pressure = results, rolling = results, jacobian = results;
+  cut_overlaps(overlaps, sizes);
+  pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)
+                                           : pressure_doubles(most));
+  cut_rolling(rolling, sizes);
+  count_wrench_jacobian(jacobian, sizes);
+  return std::max({overlaps.bytes(), pressure.bytes(), rolling.bytes(), jacobian.bytes()});
+}
+
+}  // namespace wrc

@@ -1,0 +1,74 @@
+/// A wheel on a rail on its way to the wrench: the problem, and the results of the stages at one height.
+///
+/// Memory: one block, of which the rail's strips and the stages' results come first; the rest is scratch,
+/// handed to each stage as an Arena by value, so that a stage cuts where the one before has.
+#pragma once
+
+#include <cstdint>
+
+#include "base/arena.hpp"
+#include "surface/geometry/overlap.hpp"
+#include "surface/pressure/pressure.hpp"
+#include "surface/rolling/surface_rolling.hpp"
+#include "surface/surface_model.hpp"
+#include "surface/wrench/strip_results.hpp"
+#include "surface/wrench/wheel_on_rail.hpp"
+
+namespace wrc {
+
+/// Numbers that the size of the memory follows from.
+struct WorkSizes {
+  std::int32_t wheel_pieces, cells;
+  bool varying;  ///< the rail or the wheel is not the same everywhere
+  const SurfaceMethods& methods;
+};
+WorkSizes work_sizes(const SurfaceModel& model);
+
+struct WheelProblem {
+  const SurfaceModel& model;
+  const WheelOnRail& in;
+  PlacedRail rail;  ///< where the wheel is
+};
+
+/// Overlaps at a height, and the outline that they were found by.
+struct WheelOverlaps : Overlaps {
+  OverlapScratch outline;
+};
+
+/// The strips in contact, by increasing arc length.
+struct ContactStrips : StripArrays {
+  std::int32_t count = 0;
+  std::int32_t* candidate = nullptr;  ///< number among the overlaps
+  double* x = nullptr;                ///< x of the pressure, from the wheel's reference point, rail axes [m]
+};
+
+/// Results of the stages at one height, which belong together: find_wheel_overlaps(), the normal problem, and
+/// the strips in contact with their tractions.
+struct WheelSolution {
+  RelativeMotion motion;
+  WheelOverlaps overlaps;
+  StripPressure pressure;
+  ContactStrips strips;
+  StripResultsHead sums;  ///< count apart
+};
+
+/// Scratch of the tangential problem.
+struct RollingScratch {
+  TangentialFields fields;                 ///< over the cells
+  double* rolling;                         ///< surface_rolling_workspace()
+  double *slip_x, *spin;                   ///< mirrored, of rolling backwards
+  double *other_fx, *other_fy, *other_mz;  ///< forces of rolling the other way
+  double *cold_friction,
+      *heat_share;     ///< shares of friction over temperature (tangential/friction/heated_friction.hpp)
+  double *x, *region;  ///< methods that roll whole patches: x along the direction of rolling [m]
+};
+
+WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes);
+/// The columns of its strips are those of `results`.
+WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results);
+RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
+
+/// A stage of which only the size is asked: bytes of the largest of all of a solve.
+std::int64_t wheel_work_bytes(const WorkSizes& sizes);
+
+}  // namespace wrc
