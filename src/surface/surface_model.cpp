@@ -19,7 +19,7 @@ struct ModelArrays {
   void* model;
   CurveArrays wheel, rail;
   KnotArrays knots;
-  RailStripArrays strips;
+  StripArrays strips;
   double *y, *z;              ///< points of a profile while it is read
   VaryingRailArrays varying;  ///< with sections
   OutOfRoundArrays radius;    ///< if the wheel is not round
@@ -32,7 +32,7 @@ ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
   a.wheel = cut_curve(arena, sizes.wheel_nodes);
   a.rail = cut_curve(arena, sizes.rail_nodes);
   a.knots = cut_knots(arena, most_curve_pieces(sizes.wheel_nodes));
-  a.strips = cut_rail_strips(arena, most_strips_of_a_rail);
+  a.strips = cut_strips(arena, most_strips_of_a_rail);
   arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), {&a.y, &a.z});
   if (sizes.sections > 0)
     a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);

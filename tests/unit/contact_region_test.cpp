@@ -11,6 +11,7 @@
 #include "abi/wear.hpp"
 #include "contact/assessments.hpp"
 #include "contact/stages.hpp"
+#include "contact/wheel.hpp"
 #include "test_config.hpp"
 
 namespace wrc {

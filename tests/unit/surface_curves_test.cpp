@@ -141,7 +141,7 @@ struct CutRail {
 
   CutRail(const Curve& curve, std::int32_t most, const StripWidths& widths = {}) {
     strips = cut_rail(curve, widths, most,
-                      cut_into(memory, [&](Arena& arena) { return cut_rail_strips(arena, most); }));
+                      cut_into(memory, [&](Arena& arena) { return cut_strips(arena, most); }));
   }
 };
 

@@ -42,9 +42,8 @@ struct Bodies {
                      .failed());
     surfaces.wheel = make_wheel_curve(
         on_wheel, cut_into(knot_memory, [&](Arena& arena) { return cut_knots(arena, on_wheel.pieces); }));
-    surfaces.rail =
-        cut_rail(surfaces.rail_curve, {}, 256,
-                 cut_into(strip_memory, [](Arena& arena) { return cut_rail_strips(arena, 256); }));
+    surfaces.rail = cut_rail(surfaces.rail_curve, {}, 256,
+                             cut_into(strip_memory, [](Arena& arena) { return cut_strips(arena, 256); }));
     surfaces.wheel_radius = radius;
     surfaces.kernels = &kernels_for(InstructionSet::baseline);
     memory = cut_into(overlap_memory, [&](Arena& arena) { return cut_overlaps(arena, capacity, true); });

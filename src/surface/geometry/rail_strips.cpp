@@ -60,14 +60,13 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
   return range;
 }
 
-RailStripArrays cut_rail_strips(Arena& arena, std::int32_t most) {
-  RailStripArrays a;
+StripArrays cut_strips(Arena& arena, std::int32_t most) {
+  StripArrays a;
   arena.each(most, {&a.s, &a.width, &a.y, &a.z, &a.ty, &a.tz, &a.angle});
   return a;
 }
 
-RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,
-                    const RailStripArrays& a) {
+RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, const StripArrays& a) {
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   const std::int32_t n = cut_length(
       begin, end, [&](double at) { return wanted_width(rail, widths, at); }, most, a.s, a.width);

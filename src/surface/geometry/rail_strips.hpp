@@ -90,13 +90,13 @@ double strip_angle(const RailStrips& strips, std::int32_t strip);
 FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
 
 /// Arrays of the strips of a rail.
-struct RailStripArrays {
+struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz, *angle;
 };
-RailStripArrays cut_rail_strips(Arena& arena, std::int32_t most);
+StripArrays cut_strips(Arena& arena, std::int32_t most);
 
 /// The whole curve, cut into at most `most` strips, in arrays for as many.
 RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,
-                    const RailStripArrays& arrays);
+                    const StripArrays& arrays);
 
 }  // namespace wrc

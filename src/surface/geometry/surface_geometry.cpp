@@ -4,7 +4,7 @@
 
 namespace wrc {
 
-Fault place_rail(const SurfaceGeometry& surfaces, double distance, const RailStripArrays& arrays,
+Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripArrays& arrays,
                  PlacedRail& rail) {
   const VaryingRail& varying = surfaces.varying;
   if (varying.faces == 0) {

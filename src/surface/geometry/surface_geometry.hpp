@@ -28,7 +28,7 @@ inline bool varies(const SurfaceGeometry& surfaces) {
 
 /// The rail where the wheel is, in `arrays` if it varies: at `distance` [m] or, flagged, at the nearest
 /// section; the side of a check rail that guides.
-Fault place_rail(const SurfaceGeometry& surfaces, double distance, const RailStripArrays& arrays,
+Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripArrays& arrays,
                  PlacedRail& rail);
 
 /// The rail's strips without those of faces behind the flange that look away from the wheel.

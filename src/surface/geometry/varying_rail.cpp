@@ -345,7 +345,7 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 }
 
 PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        const RailStripArrays& a) {
+                        const StripArrays& a) {
   PlacedRail placed{{rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}}, distance, 0.0, {}};
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];

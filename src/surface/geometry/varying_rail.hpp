@@ -91,7 +91,7 @@ struct PlacedRail : RailStrips {
 
 /// The rail at a distance: strips of the faces that are there.
 PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        const RailStripArrays& arrays);
+                        const StripArrays& arrays);
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).

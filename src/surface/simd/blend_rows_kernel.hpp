@@ -10,7 +10,6 @@ namespace {
 /// The next `vectors` vectors of the sum, in the order of the rows.
 template <int vectors>
 void blend_columns(const BlendRowsTask& task, std::int64_t first) {
-  // share after share onto the same sums: the order of the rows does not depend on the set
   Native sum[vectors];
   for (int k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
   for (std::int32_t i = 0; i < task.count; ++i) {
@@ -23,7 +22,7 @@ void blend_columns(const BlendRowsTask& task, std::int64_t first) {
 
 /// Kernels::blend_rows.
 inline void blend_rows_kernel(const BlendRowsTask& task) {
-  // four vectors at a time keep their sums in registers while all rows pass
+  // Four vectors at a time stay in registers over all rows, then one at a time.
   constexpr int vectors = 4;
   std::int64_t first = 0;
   for (; first + vectors * native_lanes <= task.columns; first += vectors * native_lanes)

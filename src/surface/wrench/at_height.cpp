@@ -64,7 +64,7 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
 /// Flags of a solution that reaches beyond the profiles or the deepest overlap, or is of more strips than
 /// fit.
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
-  const WheelOverlaps& o = s.overlaps;
+  const Overlaps& o = s.overlaps;
   if (o.full)
     return Fault::more_patches("strips that overlap",
                                {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},

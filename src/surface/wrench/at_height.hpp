@@ -1,7 +1,7 @@
 /// The wrench of a wheel at a height: overlaps, pressures, slips, tractions, sums.
 #pragma once
 
-#include "surface/wrench/wheel_overlaps.hpp"
+#include "surface/wrench/wheel_solution.hpp"
 
 namespace wrc {
 

@@ -44,7 +44,7 @@ double clearance(const WheelProblem& problem, Arena scratch) {
   constexpr int most_steps = 12;
   constexpr double close = 1e-10;     // [m]
   constexpr double least_down = 0.1;  // steeper than any flange
-  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   double lowered = 0.0;
   for (int n = 0; n < most_steps; ++n) {
     const double height = problem.in.wheel.position[2] + lowered;
@@ -63,7 +63,7 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
   constexpr double least_down = 0.2;
   constexpr double deep =
       0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
-  WheelOverlaps overlaps = cut_overlaps(scratch, work_sizes(problem.model));
+  WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   double height = problem.in.wheel.position[2];
   bool above = false;
   for (int n = 0; n < most_steps; ++n) {

@@ -1,9 +1,12 @@
 /// Heights that follow from the overlaps alone: first touch, clearance, and the border of deep overlaps.
 #pragma once
 
-#include "surface/wrench/wheel_overlaps.hpp"
+#include "surface/wrench/wheel_solution.hpp"
 
 namespace wrc {
+
+/// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
+inline constexpr double deepest_overlap = 2e-3;
 
 /// The height [m] at which the wheel first touches: lowered from the one given, or from above the rail where
 /// a face is overlapped there already, until it does.

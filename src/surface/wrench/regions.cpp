@@ -9,7 +9,7 @@
 
 namespace wrc {
 
-double strip_power(const StripArrays& strips, std::int32_t k, double speed) {
+double strip_power(const ContactArrays& strips, std::int32_t k, double speed) {
   return -speed *
          (strips.fx[k] * strips.slip_x[k] + strips.fy[k] * strips.slip_y[k] + strips.mz[k] * strips.spin[k]);
 }

@@ -36,7 +36,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& ove
   return {mean, ((last - first) * 0.5 + (0.5 * (first + last) - mean) * half_by_y) / half};
 }
 
-double strip_speed_factor(const FrictionLaw& law, const StripArrays& strips, std::int32_t k, double speed) {
+double strip_speed_factor(const FrictionLaw& law, const ContactArrays& strips, std::int32_t k, double speed) {
   // the mean of |(xi_x, xi_y + phi x)|^2 over -l <= x <= l is xi_x^2 + xi_y^2 + (phi l)^2 / 3
   const double turning = strips.spin[k] * strips.half_length[k];
   const double slip2 =

@@ -14,7 +14,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& ove
 
 /// The law's factor of the sliding speed of the k-th strip in contact: the root mean square of its rigid slip
 /// times `speed`, the divisor of slips [m/s] (tangential/friction/friction.hpp).
-double strip_speed_factor(const FrictionLaw& law, const StripArrays& strips, std::int32_t k, double speed);
+double strip_speed_factor(const FrictionLaw& law, const ContactArrays& strips, std::int32_t k, double speed);
 
 /// Fills the coefficients of cold strips: over their widths, at their sliding speeds.
 void set_cold_friction(const WheelProblem& problem, const Overlaps& overlaps, double speed,

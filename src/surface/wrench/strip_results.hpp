@@ -55,9 +55,9 @@ struct StripResultsHead {
 struct StripResults : StripResultsHead, StripColumns<double[most_overlapping_strips]> {};
 
 /// The same columns from one strip on.
-struct StripArrays : StripColumns<double*> {
-  StripArrays() = default;
-  StripArrays(StripResults& results, std::int32_t first) {
+struct ContactArrays : StripColumns<double*> {
+  ContactArrays() = default;
+  ContactArrays(StripResults& results, std::int32_t first) {
     const auto from = results.columns();
     const auto to = columns();
     for (std::size_t c = 0; c < from.size(); ++c) *to[c] = *from[c] + first;

@@ -84,7 +84,7 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
   return fault;
 }
 
-Fault roll_strips(const WheelProblem& problem, const WheelOverlaps& overlaps, const ContactStrips& strips,
+Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
                   bool backwards, double speed, double reverse_share, Arena arena) {
   const SurfaceModel& model = problem.model;
   const WheelOnRail& in = problem.in;

@@ -50,7 +50,7 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
 
 /// Forces of the strips with slips over `speed`: those of their own direction of rolling, and near standstill
 /// of both, blended by `reverse_share`.
-Fault roll_strips(const WheelProblem& problem, const WheelOverlaps& overlaps, const ContactStrips& strips,
+Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
                   bool backwards, double speed, double reverse_share, Arena arena);
 
 }  // namespace wrc

@@ -71,11 +71,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   // results of the stages first; the rest of the workspace is scratch
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
-  const RailStripArrays strips =
-      sizes.varying ? cut_rail_strips(arena, most_strips_of_a_rail) : RailStripArrays{};
+  StripArrays sections{};
+  if (sizes.varying) sections = cut_strips(arena, most_strips_of_a_rail);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
-  const Fault outside = place_rail(model, in.distance, strips, problem.rail);
+  const Fault outside = place_rail(model, in.distance, sections, problem.rail);
 
   // from the last solution where it holds one: a load is searched from its height, else below first touch
   warm = warm && state.set > 0.0;
@@ -113,7 +113,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
   const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
   const TangentialFields& f = scratch.fields;
   ContactStrips strips;
-  static_cast<StripArrays&>(strips) = StripArrays(results, first);
+  static_cast<ContactArrays&>(strips) = ContactArrays(results, first);
   strips.count = count;
 
   // near standstill, where forces of both directions are blended, fields are those of the own direction

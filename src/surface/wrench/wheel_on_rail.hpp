@@ -45,6 +45,13 @@ struct WheelOnRail {
   double damping = 0.0;  ///< Hunt and Crossley [s/m]
 };
 
+/// The motion with the wheel's reference point at this height [m].
+inline RelativeMotion motion_at_height(const SurfaceModel& model, const WheelOnRail& in, double height) {
+  WheelMotion wheel = in.wheel;
+  wheel.position[2] = height;
+  return relative_motion(model, wheel, in.rail, in.distance);
+}
+
 /// A run of strips in contact.
 struct SurfaceRegion {
   std::int32_t first = 0, count = 0;  ///< strips of the rail

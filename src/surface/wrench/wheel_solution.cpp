@@ -18,19 +18,17 @@ WorkSizes work_sizes(const SurfaceModel& model) {
   return {model.wheel.curve.pieces, model.grid->cells, varies(model), model.methods};
 }
 
-WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes) {
-  WheelOverlaps o;
-  static_cast<Overlaps&>(o) = cut_overlaps(arena, most, sizes.varying);
-  o.outline = cut_overlap_scratch(arena, sizes.wheel_pieces, most_strips_of_a_rail);
-  return o;
+WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
+  return {cut_overlaps(arena, most, sizes.varying),
+          cut_overlap_scratch(arena, sizes.wheel_pieces, most_strips_of_a_rail)};
 }
 
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results) {
   WheelSolution s;
-  s.overlaps = cut_overlaps(arena, sizes);
+  s.overlaps = cut_wheel_overlaps(arena, sizes);
   StripPressure& p = s.pressure;
   arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
-  static_cast<StripArrays&>(s.strips) = StripArrays(results, 0);
+  static_cast<ContactArrays&>(s.strips) = ContactArrays(results, 0);
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
   return s;
@@ -55,13 +53,13 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
 std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
   // behind the results of a solve ...
   Arena results;
-  if (sizes.varying) cut_rail_strips(results, most_strips_of_a_rail);
+  if (sizes.varying) cut_strips(results, most_strips_of_a_rail);
   StripResults none;
   cut_solution(results, sizes, none);
 
   // ... the stages' scratch, all from the same mark on
   Arena overlaps = results, pressure = results, rolling = results, jacobian = results;
-  cut_overlaps(overlaps, sizes);
+  cut_wheel_overlaps(overlaps, sizes);
   pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)
                                            : pressure_doubles(most));
   cut_rolling(rolling, sizes);

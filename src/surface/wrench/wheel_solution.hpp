@@ -30,13 +30,13 @@ struct WheelProblem {
   PlacedRail rail;  ///< where the wheel is
 };
 
-/// Overlaps at a height, and the outline that they were found by.
+/// Overlaps at a height, and the outline of the wheel that they were found by.
 struct WheelOverlaps : Overlaps {
   OverlapScratch outline;
 };
 
 /// The strips in contact, by increasing arc length.
-struct ContactStrips : StripArrays {
+struct ContactStrips : ContactArrays {
   std::int32_t count = 0;
   std::int32_t* candidate = nullptr;  ///< number among the overlaps
   double* x = nullptr;                ///< x of the pressure, from the wheel's reference point, rail axes [m]
@@ -63,12 +63,24 @@ struct RollingScratch {
   double *x, *region;  ///< methods that roll whole patches: x along the direction of rolling [m]
 };
 
-WheelOverlaps cut_overlaps(Arena& arena, const WorkSizes& sizes);
+WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);
 /// The columns of its strips are those of `results`.
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results);
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
 
 /// A stage of which only the size is asked: bytes of the largest of all of a solve.
 std::int64_t wheel_work_bytes(const WorkSizes& sizes);
+
+/// Strips nearer than this to the wheel are candidates of the normal problem [m].
+inline double candidate_margin(const SurfaceModel& model) {
+  return model.methods.planar.solve ? planar_margin : 0.0;
+}
+
+/// Finds all strips with depth > -margin [m].
+inline void find_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& motion, double margin,
+                                WheelOverlaps& o) {
+  static_cast<Overlaps&>(o) =
+      overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle, margin, o.outline, o);
+}
 
 }  // namespace wrc

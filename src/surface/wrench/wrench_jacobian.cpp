@@ -252,7 +252,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
 /// Coefficients of cold strips at their sliding speeds: set_cold_friction() of strip_friction.cpp.
 void differentiate_friction(const Differentiation& d, const Number& speed) {
   const FrictionLaw& law = *d.problem.in.law;
-  const WheelOverlaps& overlaps = d.solved.overlaps;
+  const Overlaps& overlaps = d.solved.overlaps;
   const LoadedStrips& s = d.w.loaded;
   for (std::int32_t k = 0; k < s.count; ++k) {
     const FrictionAtRest at_rest = friction_at_rest(d.problem, overlaps, d.solved.strips.candidate[k]);
@@ -436,7 +436,7 @@ class HeatedDifferences {
   /// Solves the tractions of the strips a step along an input; `more` as in solve_heated_tractions().
   void solve(std::size_t input, double step, int more) {
     const WheelOnRail& in = d_.problem.in;
-    const WheelOverlaps& overlaps = d_.solved.overlaps;
+    const Overlaps& overlaps = d_.solved.overlaps;
     double* const to[numbers] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin};
     double* const cold_friction = h_.rolling.cold_friction;
     if (more > 0) std::copy_n(h_.share, s_.count, h_.rolling.heat_share);

@@ -46,8 +46,8 @@ TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
     for (InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
       if (set > best_instruction_set()) continue;
       std::vector<double> placed;
-      const RailStripArrays arrays =
-          cut_into(placed, [](Arena& arena) { return cut_rail_strips(arena, SectionsOfArcs::most); });
+      const StripArrays arrays =
+          cut_into(placed, [](Arena& arena) { return cut_strips(arena, SectionsOfArcs::most); });
       const PlacedRail strips = place_strips(kernels_for(set), arcs.rail, distance, arrays);
       placed.push_back(strips.steepest);
       ASSERT_GT(strips.count, 20);
