@@ -7,15 +7,16 @@ namespace {
 /// derivatives of `miss` at a fixed u over its slope by u, which is of plain numbers.
 PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>& pose,
                   const OutlineAttitudeOf<PlaceDual>& attitude, const StripRay<PlaceDual>& ray, double u) {
-  const OnProfile<PlaceDual> p = on_profile(piece, PlaceDual(u));
-  const PlaceDual miss = ray_miss(ray, outline_place(pose, attitude, p.y, p.radius, p.slope));
+  // the profile's point rests: only pose and ray carry derivatives
+  const OnProfile<double> at = on_profile(piece, u);
+  const PlaceDual y = at.y, r = at.radius, steepness = at.slope;
+  const PlaceDual miss = ray_miss(ray, outline_place(pose, attitude, y, r, steepness));
 
   // slope d miss / du of the outline at rest
   RelativePose rest;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) rest.rotation[i][k] = pose.rotation[i][k].value;
   const OutlineAttitude rests{attitude.e1.value, attitude.e2.value, attitude.e3.value};
-  const OnProfile<double> at = on_profile(piece, u);
   const OutlineSlope<double> by_u =
       outline_slope(rest, rests, at, outline_place(rest, rests, at.y, at.radius, at.slope));
   const double slope = by_u.y * ray.ty.value + by_u.z * ray.tz.value;
