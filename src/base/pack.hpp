@@ -1,7 +1,7 @@
 /// Numbers as wide as the instruction set this unit is compiled for: one strip per lane.
 ///
-/// Included by the units of src/kernels only, each compiled for another instruction set. Everything is in
-/// an unnamed namespace, and nothing of the standard library's templates is used: what these units generate
+/// Included by src/*/simd only, which is compiled once for each instruction set. Everything is in an unnamed
+/// namespace, and nothing of the standard library's templates is used: what these units generate
 /// is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy of a
 /// function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
 ///

@@ -124,7 +124,7 @@ TEST(Kernels, InfluenceIsTheDisplacementUnderAStrip) {
                                      s.inverse_length,  false};
       std::vector<double> row(RowOfStrips::room);
       for (const std::int32_t j : {0, count / 2, count - 1}) {
-        kernel->influence_row(task, j, row.data());
+        kernel->normal.influence_row(task, j, row.data());
         for (std::int32_t i = 0; i < count; ++i) {
           if (i == j) continue;  // left to the caller
           const double from = s.y[i] - s.y[j] - 0.5 * s.width[i];
@@ -141,7 +141,7 @@ TEST(Kernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
     const simd::InfluenceTask task{tables().tables(), 60, s.y, s.width, s.centre, s.inverse_length, true};
     std::vector<double> row(RowOfStrips::room);
     for (std::int32_t j = 0; j < 60; j += 7) {
-      kernel->influence_row(task, j, row.data());
+      kernel->normal.influence_row(task, j, row.data());
       for (std::int32_t i = 0; i < 60; ++i) {
         if (std::abs(i - j) <= 8) continue;  // corrected for their width
         const double inverse = s.inverse_length[i];
@@ -173,14 +173,14 @@ TEST(Kernels, EdgesSeeAllStrips) {
       }
       alone(count - 1, count - 1);
       alone(-1, 0);
-      kernel->edge_displacements({tables().tables(),
-                                  count,
-                                  {s.y, s.centre, s.inverse_length, s.strength},
-                                  {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
-                                  s.edge,
-                                  s.y,
-                                  s.half_width,
-                                  s.found});
+      kernel->normal.edge_displacements({tables().tables(),
+                                         count,
+                                         {s.y, s.centre, s.inverse_length, s.strength},
+                                         {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
+                                         s.edge,
+                                         s.y,
+                                         s.half_width,
+                                         s.found});
       for (std::int32_t a = 0; a < count; ++a) {
         double exact = s.strength[a] * tables().own_edge(s.half_width[a]);
         for (std::int32_t b = 0; b < count; ++b)
@@ -205,7 +205,7 @@ TEST(Kernels, EliminationSolvesTheEquations) {
         matrix[i * stride + i] += 0.6 * size;
       }
       const std::vector<double> given = matrix;
-      kernel->eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
+      kernel->normal.eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
       for (std::size_t i = 0; i < n; ++i) {
         double left_r = given[i * stride + n], left_s = given[i * stride + n + 1];
         for (std::size_t j = 0; j < n; ++j) {

@@ -74,8 +74,8 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
 double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
                        Strips& strips) noexcept {
   // The pressures are found last: until then their place holds what each strip does at the point.
-  kernels.displacements_at({&line_table[0].c0, x, y, strips.count},
-                           {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
+  kernels.normal.displacements_at({&line_table[0].c0, x, y, strips.count},
+                                  {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
 
   double displacement = 0.0;  // per unit of peak / half length and of the compliance [m^2]
   double load = 0.0;          // per unit of peak / half length [m^3]

@@ -9,9 +9,9 @@ void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& 
                  Strips& strips) noexcept {
   const auto above = std::upper_bound(rows.y, rows.y + rows.count, span.y_from) - rows.y;
   const std::int32_t interval = std::clamp(static_cast<std::int32_t>(above) - 1, 0, rows.count - 2);
-  kernels.divide_span({rows, lowest.height, approach, scale.at_centre, scale.bend, scale.centre, span.y_from,
-                       span.width() / count, interval, count},
-                      {strips.y, strips.width, strips.centre, strips.half_length});
+  kernels.normal.divide_span({rows, lowest.height, approach, scale.at_centre, scale.bend, scale.centre,
+                              span.y_from, span.width() / count, interval, count},
+                             {strips.y, strips.width, strips.centre, strips.half_length});
   strips.count = count;
 }
 

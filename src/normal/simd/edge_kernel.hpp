@@ -22,7 +22,7 @@ inline Pack displacements(const StripTables& tables, const Sources& sources, std
          line_potential_at(tables, rows, magnitude(edges.x - both(sources.centre)) * inverse);
 }
 
-/// Kernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch
+/// NormalKernels::edge_displacements. Each edge sums outwards, on both sides by themselves: a mirrored patch
 /// has the mirrored sums.
 void edge_displacements_kernel(const EdgeTask& task) {
   constexpr std::int32_t near = 4;  // strips to each side that are taken one by one

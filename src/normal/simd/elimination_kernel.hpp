@@ -107,7 +107,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
   return part[0];
 }
 
-/// Kernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
+/// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
 /// close to symmetric and positive definite. By blocks of eight rows and four pivots.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;

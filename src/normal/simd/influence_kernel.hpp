@@ -9,7 +9,7 @@ namespace {
 /// 0, 1, 2, ...: which element of a pack a lane holds.
 constexpr double lane_numbers[most_lanes] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
-/// Kernels::influence_row.
+/// NormalKernels::influence_row.
 void influence_row_kernel(const InfluenceTask& task, std::int32_t j, double* row) {
   static_assert(lanes <= most_lanes);
   constexpr std::int32_t near = 8;  // strips away: beyond, the correction is below 2e-3 of an entry

@@ -21,7 +21,7 @@ inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
   return slope + second * (y - y_right.at);
 }
 
-/// Kernels::divide_span.
+/// NormalKernels::divide_span.
 void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
   const GapRows& rows = task.rows;
   const std::int32_t last = rows.count - 1;
@@ -62,7 +62,7 @@ void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
   }
 }
 
-/// Kernels::displacements_at.
+/// NormalKernels::displacements_at.
 void displacements_at_kernel(const PointTask& task, const StripArrays& strips, double* displacement) {
   constexpr OctaveAxis axis = line_axis;
   constexpr double half_pi = 1.57079632679489661923;

@@ -62,8 +62,8 @@ void find_edge_displacements(const Kernels& kernels, const InfluenceTables& infl
                              double side, double* displacement) {
   for (std::int32_t a = 0; a < s.active_count; ++a)
     s.edge[a] = s.sources.centre[a] + side * s.half_length[s.active[a]];
-  kernels.edge_displacements({influence.tables(), s.active_count, s.sources, s.pairs, s.edge, s.sources.y,
-                              s.half_width, displacement});
+  kernels.normal.edge_displacements({influence.tables(), s.active_count, s.sources, s.pairs, s.edge,
+                                     s.sources.y, s.half_width, displacement});
 }
 
 /// Means of three neighbours, 1/4 1/2 1/4, within each patch. The outermost strips of a patch take the value

@@ -29,7 +29,7 @@ void find_influence(const Kernels& kernels, const InfluenceTables& influence, co
   const simd::InfluenceTask task{
       influence.tables(), s.in_reach.count,         s.grid.y + first, s.grid.width + first,
       s.centre + first,   s.inverse_length + first, s.skewed};
-  kernels.influence_row(task, j - first, row + first);
+  kernels.normal.influence_row(task, j - first, row + first);
   row[j] = s.grid.width[j] * influence.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }
 
@@ -146,7 +146,7 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
     const std::int32_t m = s.active_count;
-    problem.kernels->eliminate(gather(s, compliance));
+    problem.kernels->normal.eliminate(gather(s, compliance));
 
     double load_by_approach = 0.0, load_by_height = 0.0;
     for (std::int32_t a = 0; a < m; ++a) {

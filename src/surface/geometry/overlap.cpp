@@ -38,15 +38,15 @@ void find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCu
                    const RelativePose& pose, double margin, const OverlapScratch& scratch,
                    Overlaps& overlaps) noexcept {
   const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
-  kernels.outline(task);
+  kernels.surface.outline(task);
   std::int32_t count = 0, j = 0, end = 0;
-  kernels.cross_rays(task, margin, j, end);
+  kernels.surface.cross_rays(task, margin, j, end);
   for (; j < end && count < overlaps.capacity; ++j)
     if (scratch.overlap[j] >= -margin - chord_sagitta) scratch.strip[count++] = j;
   overlaps.full = count == overlaps.capacity && j < rail.count;
   overlaps.count = count;
   if (count == 0) return;
-  kernels.follow_rays(task, overlaps);
+  kernels.surface.follow_rays(task, overlaps);
   // those that overlap, and whose surfaces face each other
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < count; ++i) {

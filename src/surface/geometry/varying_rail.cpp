@@ -337,7 +337,7 @@ double place_strips(const Kernels& kernels, const VaryingRail& rail, double dist
     const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.room,
                                        b.weight,    rail.step + first, within,         y + first,
                                        z + first,   ty + first,        tz + first,     width + first};
-    steepest = std::max(steepest, kernels.section_strips(task));
+    steepest = std::max(steepest, kernels.surface.section_strips(task));
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {
       s[j] = at + 0.5 * width[j];

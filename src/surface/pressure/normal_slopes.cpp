@@ -66,7 +66,7 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
   double sum[directions];
-  kernels.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.strength, w.growing, w.direction, row, sum});
+  kernels.surface.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.strength, w.growing, w.direction, row, sum});
   double* const by_c = row + 2 * n;
   for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
   const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
@@ -96,15 +96,15 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     const double by_centre = -kappa * aside;
     const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x}; };
 
-    kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
+    kernels.surface.influence_slopes(tables, sources, point(w.centre[a]), w.seen);
     const Displacement middle = fill_row(kernels, s, w, a, contact);
     contact[2 * n + a] -= by_centre;
 
     // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
-    kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
+    kernels.surface.edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
     const Displacement leading = fill_row(kernels, s, w, a, level);
     level[n + a] += leading.by_x * w.growth[a];
-    kernels.surface_edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
+    kernels.surface.edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
     const Displacement trailing = fill_row(kernels, s, w, a, shift);
     shift[n + a] -= trailing.by_x * w.growth[a];
 
@@ -147,7 +147,7 @@ struct Reading {
   double by_value[2 * most_within_reach], by_strength[2 * most_within_reach];
 };
 
-/// Mean of strip a's neighbours (level_reach), or their line (shift_reach, Kernels::near_lines).
+/// Mean of strip a's neighbours (level_reach), or their line (shift_reach, SurfaceKernels::near_lines).
 template <bool line>
 void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* wanted, Reading& r) {
   const double reach = line ? shift_reach(s.width[a]) : level_reach(s.width[a]);
@@ -210,7 +210,7 @@ void read_rows(const Kernels& kernels, const PressedStrips& s, const Size& size,
       of[i] = b <= a ? w.earlier + b % most_within_reach * stride : rows + b * stride;
       r.by_value[i] *= factor;
     }
-    kernels.blend_rows({r.several, stride, r.by_value, of, row});
+    kernels.surface.blend_rows({r.several, stride, r.by_value, of, row});
     for (std::int32_t i = 0; i < r.several; ++i) row[r.from + i] += factor * r.by_strength[i];
   }
 }
@@ -298,7 +298,7 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
     w.matrix[a * size.stride + a] = 1.0;
   }
-  kernels.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
+  kernels.normal.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
   substitute(size, w);
   const auto changed = [&](std::int32_t row, double value) {
     PlaceDual number = value;

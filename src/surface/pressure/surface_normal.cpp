@@ -181,7 +181,7 @@ simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, std::int3
   if (!known) {
     const simd::SurfaceStrips all = strips_of(s.count, s.place, s.width, s.ny, s.nz);
     if (run) {
-      problem.kernels.surface_pairs(all, all, w.pairs);
+      problem.kernels.surface.pairs(all, all, w.pairs);
     } else {
       for (std::int32_t a = 0; a < kept; ++a) {
         const std::int32_t i = w.paired[a] = w.active[a];
@@ -190,7 +190,7 @@ simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, std::int3
         w.ny[a] = s.ny[i];
         w.nz[a] = s.nz[i];
       }
-      problem.kernels.surface_pairs(all, strips_of(kept, w.place, w.width, w.ny, w.nz), w.pairs);
+      problem.kernels.surface.pairs(all, strips_of(kept, w.place, w.width, w.ny, w.nz), w.pairs);
     }
     w.paired_count = run ? all_strips : kept;
   }
@@ -212,7 +212,7 @@ bool admit(const Problem& problem, const StripSet& s, const simd::SurfaceSources
   }
   if (count == 0) return false;
   const std::int64_t stride = simd::whole_packs(sources.count);
-  problem.kernels.surface_influence(problem.tables, sources, pairs_of(problem, s, sources.count, w),
+  problem.kernels.surface.influence(problem.tables, sources, pairs_of(problem, s, sources.count, w),
                                     {count, w.outside, w.outside_place, w.outside_x}, skewed, w.matrix,
                                     stride);
   bool any = false;
@@ -250,9 +250,9 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
     const simd::SurfaceSources sources = list_sources(problem, s, kept, w);
     const std::int32_t size = (kept + 3) / 4 * 4;
     const std::int64_t stride = simd::elimination_stride(size);
-    problem.kernels.surface_influence(problem.tables, sources, pairs_of(problem, s, kept, w),
+    problem.kernels.surface.influence(problem.tables, sources, pairs_of(problem, s, kept, w),
                                       {kept, w.active, w.place, w.centre}, skewed, w.matrix, stride);
-    problem.kernels.surface_own_influence(problem.tables, sources, w.matrix, stride);
+    problem.kernels.surface.own_influence(problem.tables, sources, w.matrix, stride);
     for (std::int32_t a = 0; a < size; ++a) {
       double* const row = w.matrix + a * stride;
       for (std::int64_t c = a < kept ? kept : 0; c < stride; ++c) row[c] = 0.0;
@@ -261,7 +261,7 @@ std::int32_t solve_contact(const Problem& problem, const StripSet& s, bool skewe
       else
         row[a] = 1.0;
     }
-    problem.kernels.eliminate({size, stride, w.matrix, w.r, w.s});
+    problem.kernels.normal.eliminate({size, stride, w.matrix, w.r, w.s});
     bool changed = admit(problem, s, sources, skewed, everywhere, w);
     for (std::int32_t a = 0; a < kept; ++a)
       if (w.r[a] < 0.0) {
@@ -282,7 +282,7 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   for (std::int64_t a = 0; a < end; ++a) w.load_factor[a] = a < kept ? w.factor[a] * w.strength[a] : 0.0;
   sources.factor = w.load_factor;
   double *const leading = w.wanted_level, *const trailing = skewed ? w.wanted_shift : leading;
-  problem.kernels.surface_edges(problem.tables, sources, pairs_of(problem, s, kept, w),
+  problem.kernels.surface.edges(problem.tables, sources, pairs_of(problem, s, kept, w),
                                 {w.active, w.half_length, leading, skewed ? trailing : nullptr});
   for (std::int32_t a = 0; a < kept; ++a) {
     const std::int32_t i = w.active[a];
@@ -319,8 +319,8 @@ void look_at_edges(const Problem& problem, const StripSet& s, std::int32_t kept,
   }
   if (!skewed) return;
   // Shifts lie on lines; strips that are not in contact have the place they would enter with.
-  problem.kernels.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, kept, w.place, w.load,
-                              w.wanted_shift, shift_residual});
+  problem.kernels.surface.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, kept, w.place,
+                                      w.load, w.wanted_shift, shift_residual});
   for (std::int32_t i = 0; i < s.count; ++i)
     shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
 }

@@ -52,7 +52,8 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
   task.soft_x = a.turn_x;
   task.soft_y = a.turn_y;
   const Kernels& kernels = *in.grid->kernels;
-  run(fields.any() ? kernels.surface_march_fields : kernels.surface_march, task, forces);
+  run(fields.any() ? kernels.tangential.surface_march_fields : kernels.tangential.surface_march, task,
+      forces);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;
   const Kernels& kernels = *in.grid->kernels;
-  run(fields.any() ? kernels.surface_strips_fields : kernels.surface_strips, task, forces);
+  run(fields.any() ? kernels.tangential.surface_strips_fields : kernels.tangential.surface_strips, task,
+      forces);
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ void roll_on_surface(const SurfaceRollingInput& in, double* workspace, const Tan
                      SurfaceRollingForces& forces) {
   const RollingArrays a = strip_numbers::arrays(workspace, in.count);
   const Shared shared = strip_numbers::shared(in);
-  in.grid->kernels->strip_numbers({&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
+  in.grid->kernels->surface.strip_numbers(
+      {&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
   switch (in.method) {
     case SurfaceRollingMethod::strip_fastsim:
       return roll_by_strip_fastsim(in, a, fields, forces);

@@ -39,7 +39,7 @@ inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& ta
   return coefficients_of(product, m);
 }
 
-/// Kernels::strip_numbers.
+/// SurfaceKernels::strip_numbers.
 inline void strip_numbers_kernel(const StripNumbersTask& task) {
   const SurfaceRollingInput& in = *task.in;
   const RollingArrays& a = *task.arrays;

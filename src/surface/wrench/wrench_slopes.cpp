@@ -154,7 +154,7 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
   task.fy = room();
   task.mz = room();
   task.slopes = w.slopes;
-  model.grid->kernels->surface_strips_slopes(task);
+  model.grid->kernels->tangential.surface_strips_slopes(task);
 
   for (std::int32_t k = 0; k < n; ++k) {
     const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};

@@ -67,9 +67,9 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   simd::Sums sums;
   const simd::MarchTask task = task_of(problem, grid, fields);
   const Kernels& kernels = *grid.kernels;
-  const auto kernel = sensitivities  ? kernels.march_sensitivities
-                      : fields.any() ? kernels.march_fields
-                                     : kernels.march;
+  const auto kernel = sensitivities  ? kernels.tangential.march_sensitivities
+                      : fields.any() ? kernels.tangential.march_fields
+                                     : kernels.tangential.march;
   kernel(task, sums);
   if (sensitivities)
     *sensitivities =
