@@ -53,6 +53,7 @@ struct Overlap {
 template <class Scale>
 double border_between(Overlap<Scale>& overlap, double y_in, double g_in, double y_out, double g_out) {
   constexpr int cap = 30;  // 4 to 7 are used
+  // An end kept twice has its value halved: both ends then converge.
   int kept_side = 0;
   double y = y_out;
   for (int i = 0; i < cap && g_in - g_out > 0.0; ++i) {
@@ -81,6 +82,7 @@ double border_from_minimum(Overlap<Scale>& overlap, int direction, bool& at_edge
   double y_in = overlap.lowest.y;
   double g_in = overlap.at(y_in);
   if (g_in <= 0.0) return y_in;
+  // The first row beyond the minimum in that direction.
   const auto above = static_cast<std::int32_t>(std::upper_bound(rows.y, rows.y + rows.count, y_in) - rows.y);
   std::int32_t j = direction > 0 ? above : above - 1;
   for (; j >= 0 && j < rows.count; j += direction) {
