@@ -22,7 +22,7 @@ inline double level_reach(double width) {
 
 /// Shifts lie on the line through those of the strips nearer than this [m]: in Hertz's contact, however it
 /// lies to the strips, they lie on one. Over shorter reaches shifts follow their neighbours to other
-/// solutions where places of the largest overlap are far apart from strip to strip (docs/accuracy.md).
+/// solutions where places of the largest overlap are far apart from strip to strip (docs/accuracy_method.md).
 inline double shift_reach(double width) { return 7.0 * level_reach(width); }
 
 /// Least variance of the places of strips that have a line, over the squared reach: one strip has no slope.
