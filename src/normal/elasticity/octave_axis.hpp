@@ -55,7 +55,7 @@ struct OctaveAxis {
 /// places. Without a logarithm, x = 2^e (1 + t), 0 <= t < 1, is placed e + t (c1 + t (c2 + t (c3 + t c4)))
 /// octaves from x = 1, to a thousandth of an interval: the polynomial is 1 at t = 1 and half as steep as at t
 /// = 0, so that value and slope do not jump from octave to octave. Functions of the logarithm of x are nearly
-/// straight between these nodes, and half as many of them do what those of an OctaveAxis do.
+/// straight between these nodes, and half as many of them suffice as on an OctaveAxis.
 struct LogAxis {
   static constexpr int per_octave = 8;
 
@@ -75,7 +75,7 @@ struct LogAxis {
   static constexpr double first = per_octave * 1.438, second = per_octave * -0.674,
                           third = per_octave * 0.315, fourth = per_octave * -0.079;
 
-  /// Where x lies, in intervals from the first node. x outside the axis is taken to its ends.
+  /// Place of x, in intervals from the first node. x outside the axis is taken to its ends.
   constexpr double place(double x) const noexcept {
     const double inside = x > low() ? (x < high() ? x : high()) : low();
     const auto bits = std::bit_cast<std::uint64_t>(inside);

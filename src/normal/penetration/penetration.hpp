@@ -107,8 +107,8 @@ Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale
 }
 
 /// Divides the span into `count` strips of equal width; at each strip's middle the half length is that of the
-/// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Fitting the strips
-/// to the span, instead of cutting it out of a fixed grid, is what makes area and load smooth.
+/// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Area and load
+/// are smooth because the strips are fitted to the span, not cut out of a fixed grid.
 void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
                  Strips& strips) noexcept;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::int32_t group = 8;  // parts of a sum, whatever the instruction set
 
-/// Columns that are taken together: no more than the four that blocks are made of. In wider vectors much of
-/// what is computed would not be read.
+/// Columns that are taken together: no more than the four that blocks are made of. In wider vectors many
+/// results would not be read.
 #if defined(__AVX512F__)
 using Columns = __m256d;
 inline Columns in_all_columns(double a) { return _mm256_set1_pd(a); }

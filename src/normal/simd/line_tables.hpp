@@ -147,14 +147,14 @@ inline LineRows line_rows(Pack tau) {
   return line_rows_at(place_from_one(tau) + origin);
 }
 
-/// Where the table is between two columns: J in both, as far between the rows as wanted.
+/// J in two neighbouring columns, interpolated between the rows.
 struct BetweenColumns {
   Pack here, rise;            ///< to the next column, away from the line's end
   Pack here_rise, next_rise;  ///< of both to the next row
   Pack fraction;              ///< of the way to the next column
 };
 
-/// Where to read it, as MiddlePlaneCells.
+/// Cells of that table, as MiddlePlaneCells.
 struct LineCells {
   Indices first;
   Pack fraction, row_fraction;  ///< of the way to the next column, to the next row

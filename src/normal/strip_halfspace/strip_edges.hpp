@@ -10,7 +10,7 @@ namespace wrc {
 
 /// Moves lengths and centres towards the edge conditions; returns the part of the area that moved [-].
 ///
-/// In a long contact, q = (pi/2) p l is what the centre condition fixes and l^2 = 4 c q / curvature: the
+/// In a long contact the centre condition fixes q = (pi/2) p l, and l^2 = 4 c q / curvature: the
 /// displacement drop from centre to edge therefore asks for a p / l that is smaller by
 /// drop / (curvature l^2 / 2), at constant q. A single thin strip hardly feels its own length, only that of
 /// its neighbourhood: a sawtooth of lengths meets every condition. p / l is smooth along y, also at the ends
