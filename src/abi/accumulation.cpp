@@ -19,37 +19,21 @@ Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bin
   wrc_damage_bins ours;
   const Fault fault = read(theirs, name, ours);
   if (fault.failed()) return fault;
-  if (ours.bins == nullptr) return {.status = WRC_ERROR_NULL, .of = name, .field = "bins"};
+  if (ours.bins == nullptr) return Fault::null({name, "bins"});
   if (ours.bin_size < sizeof(DamageBin) || ours.bin_size % alignof(DamageBin) != 0)
-    return {.status = WRC_ERROR_STRUCT_SIZE,
-            .of = name,
-            .field = "bin_size",
-            .value = static_cast<double>(ours.bin_size),
-            .unit = "bytes",
-            .low = static_cast<double>(sizeof(DamageBin)),
-            .high = member<wrc_damage_bins>("bin_size").high,
-            .cause = "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)"};
+    return Fault::struct_size(
+        {name, "bin_size"},
+        {ours.bin_size, "bytes", sizeof(DamageBin), member<wrc_damage_bins>("bin_size").high},
+        "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)");
   bins.across = {ours.first, ours.width, static_cast<std::int64_t>(ours.count)};
   bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.row_count)};
   constexpr std::int64_t most = 100000000;
   if (bins.outside() > most)
-    return {.status = WRC_ERROR_RANGE,
-            .of = name,
-            .field = "row_count * count",
-            .value = static_cast<double>(bins.outside()),
-            .unit = "",
-            .low = 1.0,
-            .high = static_cast<double>(most),
-            .cause = "these are too many bins"};
+    return Fault::range({name, "row_count * count"}, {bins.outside(), "", 1.0, most},
+                        "these are too many bins");
   if (bins.along.count > 1 && !(bins.along.length > 0.0))
-    return {.status = WRC_ERROR_RANGE,
-            .of = name,
-            .field = "row_length",
-            .value = ours.row_length,
-            .unit = "m",
-            .low = 1e-3,
-            .high = 1e9,
-            .cause = "more rows than one need a length"};
+    return Fault::range({name, "row_length"}, {ours.row_length, "m", 1e-3, 1e9},
+                        "more rows than one need a length");
   bins.first = reinterpret_cast<DamageBin*>(ours.bins);
   bins.stride = static_cast<std::int64_t>(ours.bin_size);
   return {};

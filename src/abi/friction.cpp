@@ -9,13 +9,8 @@ Fault read_zones(const wrc_friction& theirs, const char* of, Friction& friction)
   if (theirs.zone_count == 0) return {};
   for (std::uint32_t k = 1; k < theirs.zone_count; ++k) {
     if (theirs.zone_y[k] >= theirs.zone_y[k - 1]) continue;
-    return {.status = WRC_ERROR_RANGE,
-            .index = static_cast<std::int32_t>(k),
-            .of = of,
-            .field = "zone_y",
-            .value = theirs.zone_y[k],
-            .unit = "m",
-            .cause = "breakpoints must be in order of increasing y"};
+    return Fault::range({of, "zone_y", k}, {theirs.zone_y[k], "m"},
+                        "breakpoints must be in order of increasing y");
   }
   friction.law.zones = {theirs.zone_count, theirs.zone_y, theirs.zone_coefficients};
   static_assert(same<WRC_ZONES_CONTACT_FRAME>(ZoneFrame::contact) &&
@@ -31,14 +26,9 @@ static_assert(member<wrc_friction>("zone_count").high == zone_capacity);
 Fault check_temperature_law(const wrc_friction& ours, const char* of, const TangentialMethod& method) {
   if (ours.temperature_law != WRC_TEMPERATURE_LAW_LINEAR) return {};
   if (!method.gives_tractions) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .of = of,
-        .field = "temperature_law",
-        .value = static_cast<double>(ours.temperature_law),
-        .unit = "",
-        .cause =
-            "this tangential method has no tractions that heat: choose another, or WRC_TEMPERATURE_LAW_NONE"};
+    return Fault::unsupported(
+        {of, "temperature_law"}, {ours.temperature_law, ""},
+        "this tangential method has no tractions that heat: choose another, or WRC_TEMPERATURE_LAW_NONE");
   }
   constexpr double least_range = 1.0;
   Member above = member<wrc_friction>("hot_temperature");

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/fault.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/state.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "contact/contact.hpp"
 #include "contact/model.hpp"
+#include "contact/state.hpp"
 #include "wrc/wrc.h"
 
 /// Both handles begin with a tag, so that a stale or foreign pointer is refused as long as its memory can be

@@ -30,17 +30,12 @@ void default_release(void*, void* memory) { std::free(memory); }
 #endif
 
 Fault buffer_fault(const void* memory, std::uint64_t bytes, std::size_t needed) {
-  if (memory == nullptr) return {.status = WRC_ERROR_NULL, .field = "memory"};
+  if (memory == nullptr) return Fault::null("memory");
   if (!aligned(memory)) {
-    return {.status = WRC_ERROR_BUFFER, .field = "memory", .cause = "it must be aligned to 64 bytes"};
+    return Fault::buffer("memory", "it must be aligned to 64 bytes");
   }
   if (bytes < needed) {
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "bytes",
-            .value = static_cast<double>(bytes),
-            .unit = "bytes",
-            .low = static_cast<double>(needed),
-            .high = 1e18};
+    return Fault::buffer("bytes", {bytes, "bytes", needed, 1e18});
   }
   return {};
 }
@@ -61,26 +56,15 @@ Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes,
   handle = made;
   constexpr double rounding = 1e-9;
   if (std::abs(options.coupling) > rounding)
-    return {.status = WRC_FLAG_DISSIMILAR_MATERIALS,
-            .field = "K",
-            .value = options.coupling,
-            .unit = "",
-            .low = 0.0,
-            .high = 0.0,
-            .cause = "G and nu are the combined ones"};
+    return Fault::dissimilar_materials("K", {options.coupling, ""}, "G and nu are the combined ones");
   return {};
 }
 
 Fault check_contact(const wrc_model* model, std::int32_t side, wrc_contact** contact) {
-  if (contact == nullptr) return {.status = WRC_ERROR_NULL, .field = "contact"};
-  if (!valid(model))
-    return {.status = WRC_ERROR_NULL, .field = "model", .cause = "it is NULL or no model: was it made?"};
+  if (contact == nullptr) return Fault::null("contact");
+  if (!valid(model)) return Fault::null("model", "it is NULL or no model: was it made?");
   if (side == WRC_SIDE_RIGHT || side == WRC_SIDE_LEFT) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "side",
-          .value = static_cast<double>(side),
-          .unit = "",
-          .cause = enumerations::wrc_side.names};
+  return Fault::unsupported("side", {side, ""}, enumerations::wrc_side.names);
 }
 
 /// Makes a contact in memory that is large enough and aligned.
@@ -100,20 +84,16 @@ Fault guarded(Work&& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return {.status = WRC_ERROR_MEMORY};
+    return Fault::memory();
   } catch (...) {
-    return {.status = WRC_ERROR_INTERNAL};
+    return Fault::internal();
   }
 }
 
 Fault check_state_room(const void* buffer, std::uint64_t bytes, std::size_t needed) {
-  if (buffer == nullptr) return {.status = WRC_ERROR_NULL, .field = "buffer"};
+  if (buffer == nullptr) return Fault::null("buffer");
   if (bytes >= needed) return {};
-  return {.status = WRC_ERROR_BUFFER,
-          .field = "bytes",
-          .value = static_cast<double>(bytes),
-          .unit = "",
-          .cause = "a saved state is as long as wrc_contact_state_size says"};
+  return Fault::buffer("bytes", {bytes, ""}, "a saved state is as long as wrc_contact_state_size says");
 }
 
 }  // namespace
@@ -124,9 +104,7 @@ Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory,
     const Fault fault = read(allocator, "allocator", source);
     if (fault.failed()) return fault;
     if ((source.allocate == nullptr) != (source.release == nullptr)) {
-      return {.status = WRC_ERROR_NULL,
-              .field = "allocator",
-              .cause = "give both allocate and release, or neither"};
+      return Fault::null("allocator", "give both allocate and release, or neither");
     }
   }
   if (source.allocate == nullptr) {
@@ -135,17 +113,11 @@ Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory,
   }
   memory = source.allocate(source.user, bytes, block_alignment);
   if (memory == nullptr) {
-    return {.status = WRC_ERROR_MEMORY,
-            .field = "allocate",
-            .value = static_cast<double>(bytes),
-            .unit = "bytes",
-            .cause = "the allocator returned NULL"};
+    return Fault::memory("allocate", {bytes, "bytes"}, "the allocator returned NULL");
   }
   if (!aligned(memory)) {
     source.release(source.user, memory);
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "allocate",
-            .cause = "the allocator ignored the alignment asked for"};
+    return Fault::buffer("allocate", "the allocator ignored the alignment asked for");
   }
   return {};
 }
@@ -164,7 +136,7 @@ int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
     if (found.failed()) return found;
     const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
     void* memory = abi::default_allocate(nullptr, bytes, wrc::block_alignment);
-    if (memory == nullptr) return Fault{.status = WRC_ERROR_MEMORY};
+    if (memory == nullptr) return Fault::memory();
     wrc_model* unused = nullptr;
     found = abi::init_model(options, memory, bytes, unused);
     abi::default_release(nullptr, memory);
@@ -193,7 +165,7 @@ int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, w
   if (model != nullptr) *model = nullptr;
   wrc::ModelOptions options;
   const Fault fault = abi::guarded([&]() -> Fault {
-    if (model == nullptr) return {.status = WRC_ERROR_NULL, .field = "model"};
+    if (model == nullptr) return Fault::null("model");
     const Fault read = abi::read_options(config, options);
     return read.failed() ? read : abi::init_model(options, memory, bytes, *model);
   });
@@ -205,7 +177,7 @@ int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocato
   if (model != nullptr) *model = nullptr;
   wrc::ModelOptions options;
   const Fault outcome = abi::guarded([&]() -> Fault {
-    if (model == nullptr) return {.status = WRC_ERROR_NULL, .field = "model"};
+    if (model == nullptr) return Fault::null("model");
     Fault fault = abi::read_options(config, options);
     if (fault.failed()) return fault;
     const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
@@ -321,14 +293,10 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
   if (fault.failed()) {
     // its sentence stays
   } else if (std::memcmp(buffer, state, sizeof(void*)) != 0) {  // it begins with the pointer to its model
-    fault = {.status = WRC_ERROR_SEQUENCE,
-             .field = "buffer",
-             .cause = "it does not hold a state saved from a contact of this model"};
+    fault = Fault::sequence("buffer", "it does not hold a state saved from a contact of this model");
   } else if (std::memcmp(static_cast<const char*>(buffer) + offsetof(wrc::Contact, side),
                          &contact->contact->side, sizeof(wrc::Side)) != 0) {
-    fault = {.status = WRC_ERROR_SEQUENCE,
-             .field = "buffer",
-             .cause = "it holds the state of a contact of the other side"};
+    fault = Fault::sequence("buffer", "it holds the state of a contact of the other side");
   }
   if (fault.failed()) return abi::keep(*contact, __func__, fault);
   std::memcpy(state, buffer, needed);

@@ -8,8 +8,8 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "base/checksum.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/state.hpp"
 #include "tangential/force_table/force_table_file.hpp"
 
 namespace wrc::abi {
@@ -17,12 +17,8 @@ namespace {
 
 Fault check_no_smoothing(const wrc_profile& profile, const char* name) {
   if (profile.smoothing == 0.0) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .of = name,
-          .field = "smoothing",
-          .value = profile.smoothing,
-          .unit = "m",
-          .cause = "only points are smoothed; standard profiles are exact"};
+  return Fault::unsupported({name, "smoothing"}, {profile.smoothing, "m"},
+                            "only points are smoothed; standard profiles are exact");
 }
 
 /// `name`: what messages call it.
@@ -38,9 +34,7 @@ Fault read_profile(const wrc_profile& profile, const char* name, ProfileSource& 
       source.kind = ProfileSource::Kind::rail_uic60_benchmark;
       return check_no_smoothing(profile, name);
     case WRC_PROFILE_NONE:
-      return {.status = WRC_ERROR_PROFILE,
-              .field = name,
-              .cause = "WRC_PROFILE_NONE beside the other body's profile: give both, or neither"};
+      return Fault::profile(name, "WRC_PROFILE_NONE beside the other body's profile: give both, or neither");
     default:  // WRC_PROFILE_POINTS
       break;
   }
@@ -54,9 +48,7 @@ Fault check_no_points(const wrc_profile& profile, const char* name) {
   if (profile.kind != WRC_PROFILE_NONE ||
       (profile.count == 0 && profile.y == nullptr && profile.z == nullptr))
     return {};
-  return {.status = WRC_ERROR_PROFILE,
-          .field = name,
-          .cause = "it has points, but its kind is not WRC_PROFILE_POINTS"};
+  return Fault::profile(name, "it has points, but its kind is not WRC_PROFILE_POINTS");
 }
 
 bool has_profiles(const wrc_config& config) {
@@ -67,10 +59,6 @@ bool is_wheel(ProfileSource::Kind kind) {
   return kind == ProfileSource::Kind::s1002 || kind == ProfileSource::Kind::points;
 }
 bool is_rail(ProfileSource::Kind kind) { return kind != ProfileSource::Kind::s1002; }
-
-Fault unsupported(const char* field, double value, const char* cause, const char* unit = "") {
-  return {.status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = cause};
-}
 
 // Enumerations of the interface that are those of the inside, value by value.
 static_assert(same<WRC_REGULARISE_KEEP_WIDTH>(SecondCriterion::width) &&
@@ -95,7 +83,7 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
   options.normal_method = normal_method(config.normal.method);
   options.tangential_method = tangential_method(config.tangential.method);
   if (options.normal_method == nullptr || options.tangential_method == nullptr)
-    return {.status = WRC_ERROR_INTERNAL, .field = "config", .cause = "a method without a row in its table"};
+    return Fault::internal("config", "a method without a row in its table");
   options.patch_model = patch_models[config.tangential.patch_model];
   options.regularisation = static_cast<SecondCriterion>(config.planar.regularisation);
   options.traction_bound = static_cast<TractionBound>(config.tangential.bound);
@@ -106,8 +94,9 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
                                 ? best
                                 : static_cast<InstructionSet>(config.instruction_set - 1);
   if (options.instruction_set <= best) return {};
-  return unsupported("config.instruction_set", config.instruction_set,
-                     "this processor lacks that instruction set; WRC_INSTRUCTIONS_BEST takes what it has");
+  return Fault::unsupported(
+      "config.instruction_set", {config.instruction_set, ""},
+      "this processor lacks that instruction set; WRC_INSTRUCTIONS_BEST takes what it has");
 }
 
 /// What the chosen methods do not read must stand as wrc_config_init() leaves it: an option without effect is
@@ -143,11 +132,10 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);
   };
   for (const auto& [option, field, value, default_value] : each)
-    if (value != default_value && !read(option)) return unsupported(field, value, readers_of(option));
+    if (value != default_value && !read(option))
+      return Fault::unsupported(field, {value, ""}, readers_of(option));
   if (tangential.force_table != nullptr && !read(Option::force_table))
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.tangential.force_table",
-            .cause = readers_of(Option::force_table)};
+    return Fault::unsupported("config.tangential.force_table", readers_of(Option::force_table));
   if (has_profiles(config)) return {};
   const struct {
     const char* field;
@@ -164,9 +152,9 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
   };
   for (const auto& [field, value, default_value, unit] : placed)
     if (value != default_value)
-      return unsupported(field, value,
-                         "the model has no profiles to place: what the caller hands over is taken as it is",
-                         unit);
+      return Fault::unsupported(
+          field, {value, unit},
+          "the model has no profiles to place: what the caller hands over is taken as it is");
   return {};
 }
 
@@ -213,49 +201,28 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
   if (!fault.failed()) fault = check_no_points(ours.profile, "config.rail_sections.profile");
   if (!fault.failed()) fault = read_profile(ours.profile, "config.rail_sections.profile", source);
   if (!fault.failed() && !is_rail(source.kind))
-    fault = {.status = WRC_ERROR_PROFILE,
-             .field = "config.rail_sections.profile",
-             .cause = "this is a wheel profile"};
+    fault = Fault::profile("config.rail_sections.profile", "this is a wheel profile");
   if (!fault.failed() && source.kind == ProfileSource::Kind::rail_uic60_benchmark &&
       config.track.rail_inclination != 0.0)
-    fault = unsupported("config.track.rail_inclination", config.track.rail_inclination,
-                        "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
+    fault = Fault::unsupported("config.track.rail_inclination", {config.track.rail_inclination, ""},
+                               "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
   if (!fault.failed() && k > 0) {
     wrc_rail_section before;
     (void)section_at(config, k - 1, before);
     constexpr double nearest = 1e-3;
     if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
-      fault = {.status = WRC_ERROR_RANGE,
-               .of = name,
-               .field = "distance",
-               .value = ours.distance,
-               .unit = "m",
-               .low = before.distance + nearest,
-               .high = member<wrc_rail_section>("distance").high,
-               .cause = "the sections of a surface stand in order, 1 mm or more from each other"};
+      fault = Fault::range(
+          {name, "distance"},
+          {ours.distance, "m", before.distance + nearest, member<wrc_rail_section>("distance").high},
+          "the sections of a surface stand in order, 1 mm or more from each other");
     else if (ours.surface == before.surface && ours.mark_count != before.mark_count)
-      fault = {.status = WRC_ERROR_PROFILE,
-               .of = name,
-               .field = "mark_count",
-               .value = static_cast<double>(ours.mark_count),
-               .unit = "",
-               .cause = "all sections of a surface have as many: marks of equal number belong together"};
+      fault = Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
+                             "all sections of a surface have as many: marks of equal number belong together");
     else if (ours.surface != before.surface && ours.surface != before.surface + 1)
-      fault = {.status = WRC_ERROR_RANGE,
-               .of = name,
-               .field = "surface",
-               .value = static_cast<double>(ours.surface),
-               .unit = "",
-               .low = static_cast<double>(before.surface),
-               .high = static_cast<double>(before.surface) + 1.0,
-               .cause = "all sections of a surface stand side by side, and surfaces in order"};
+      fault = Fault::range({name, "surface"}, {ours.surface, "", before.surface, before.surface + 1.0},
+                           "all sections of a surface stand side by side, and surfaces in order");
   } else if (!fault.failed() && ours.surface != 0) {
-    fault = {.status = WRC_ERROR_RANGE,
-             .of = name,
-             .field = "surface",
-             .value = static_cast<double>(ours.surface),
-             .unit = "",
-             .cause = "surfaces count from 0"};
+    fault = Fault::range({name, "surface"}, {ours.surface, ""}, "surfaces count from 0");
   }
   if (fault.failed()) fault.index = k;
   return fault;
@@ -265,13 +232,11 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
 Fault read_sections(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
   const auto count = static_cast<std::int32_t>(config.rail_section_count);
   if (count > 0 && config.rail_section_size < Description<wrc_rail_section>::first)
-    return {.status = WRC_ERROR_STRUCT_SIZE,
-            .field = "config.rail_section_size",
-            .value = static_cast<double>(config.rail_section_size),
-            .unit = "bytes",
-            .low = static_cast<double>(Description<wrc_rail_section>::first),
-            .high = member<wrc_config>("rail_section_size").high,
-            .cause = "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)"};
+    return Fault::struct_size(
+        "config.rail_section_size",
+        {config.rail_section_size, "bytes", Description<wrc_rail_section>::first,
+         member<wrc_config>("rail_section_size").high},
+        "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)");
   for (std::int32_t k = 0; k < count; ++k) {
     const Fault fault = check_section(config, k);
     if (fault.failed()) return fault;
@@ -285,14 +250,7 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
   const std::uint32_t angles = theirs.angle_count;
   constexpr double turn = 6.283185307179586, tolerance = 1e-6;
   const auto refuse_angle = [&](std::uint32_t i, double low, double high, const char* cause) {
-    return Fault{.status = WRC_ERROR_RANGE,
-                 .index = static_cast<std::int32_t>(i),
-                 .field = "config.roundness.angles",
-                 .value = theirs.angles[i],
-                 .unit = "rad",
-                 .low = low,
-                 .high = high,
-                 .cause = cause};
+    return Fault::range({"config.roundness.angles", i}, {theirs.angles[i], "rad", low, high}, cause);
   };
   if (!(std::abs(theirs.angles[0]) <= tolerance))
     return refuse_angle(0, 0.0, tolerance, "angles begin with 0");
@@ -304,19 +262,11 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
       return refuse_angle(i, theirs.angles[i - 1] + 1e-5, turn, "angles increase, by 1e-5 rad or more");
   const std::uint32_t rows = theirs.row_count;
   if (rows > 1 && theirs.y == nullptr)
-    return {.status = WRC_ERROR_NULL,
-            .field = "config.roundness.y",
-            .cause = "where more than one row is given, so is where they are"};
+    return Fault::null("config.roundness.y", "where more than one row is given, so is where they are");
   for (std::uint32_t r = 1; r < rows; ++r)
     if (!(theirs.y[r] >= theirs.y[r - 1] + 1e-4))
-      return {.status = WRC_ERROR_RANGE,
-              .index = static_cast<std::int32_t>(r),
-              .field = "config.roundness.y",
-              .value = theirs.y[r],
-              .unit = "m",
-              .low = theirs.y[r - 1] + 1e-4,
-              .high = 0.5,
-              .cause = "rows increase, by 0.1 mm or more"};
+      return Fault::range({"config.roundness.y", r}, {theirs.y[r], "m", theirs.y[r - 1] + 1e-4, 0.5},
+                          "rows increase, by 0.1 mm or more");
   constexpr double most = 0.005;
   const Fault fault =
       check_all(theirs.deviations, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations",
@@ -325,14 +275,9 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
   for (std::uint32_t r = 0; r < rows; ++r) {
     const double* const row = theirs.deviations + static_cast<std::size_t>(r) * angles;
     if (!(std::abs(row[angles - 1] - row[0]) <= tolerance))
-      return {.status = WRC_ERROR_RANGE,
-              .index = static_cast<std::int32_t>((r + 1) * angles - 1),
-              .field = "config.roundness.deviations",
-              .value = row[angles - 1],
-              .unit = "m",
-              .low = row[0] - tolerance,
-              .high = row[0] + tolerance,
-              .cause = "the radius does not close: the last of a row is the first"};
+      return Fault::range({"config.roundness.deviations", (r + 1) * angles - 1},
+                          {row[angles - 1], "m", row[0] - tolerance, row[0] + tolerance},
+                          "the radius does not close: the last of a row is the first");
   }
   table = {static_cast<std::int32_t>(angles), static_cast<std::int32_t>(rows), theirs.angles, theirs.y,
            theirs.deviations};
@@ -361,22 +306,17 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
   constexpr const char* name = "config.check_rail.profile";
   const wrc_profile& profile = config.check_rail.profile;
   if (config.rail_section_count > 0)
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.check_rail",
-            .cause = "beside config.rail_sections a check rail is one of their surfaces"};
+    return Fault::unsupported("config.check_rail",
+                              "beside config.rail_sections a check rail is one of their surfaces");
   if (config.roller_curvature != 0.0)
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.check_rail",
-            .cause = "a roller has none: leave config.roller_curvature 0"};
+    return Fault::unsupported("config.check_rail", "a roller has none: leave config.roller_curvature 0");
   ProfileSource source;
   const Fault fault = read_profile(profile, name, source);
   if (fault.failed()) return fault;
-  if (!is_rail(source.kind))
-    return {.status = WRC_ERROR_PROFILE, .field = name, .cause = "this is a wheel profile"};
+  if (!is_rail(source.kind)) return Fault::profile(name, "this is a wheel profile");
   if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = name,
-            .cause = "WRC_PROFILE_UIC60_BENCHMARK is canted already, and check rails are canted as the rail"};
+    return Fault::unsupported(
+        name, "WRC_PROFILE_UIC60_BENCHMARK is canted already, and check rails are canted as the rail");
   options.check_rail = true;
   options.sections = {4, theirs, read_guided_section};
   return {};
@@ -386,8 +326,8 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
 Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
   const bool guided = config.check_rail.profile.kind != WRC_PROFILE_NONE;
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
-    return unsupported("config.check_rail.y", config.check_rail.y,
-                       "there is no check rail: give config.check_rail.profile, or leave its place 0", "m");
+    return Fault::unsupported("config.check_rail.y", {config.check_rail.y, "m"},
+                              "there is no check rail: give config.check_rail.profile, or leave its place 0");
   if (config.rail_section_count == 0 && config.roundness.angle_count == 0 && config.roller_curvature == 0.0 &&
       !guided)
     return {};
@@ -396,33 +336,32 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
       "WRC_NORMAL_STRIP_HALFSPACE";
   if (guided) {
     if (!has_profiles(config) || !options.normal_method->half_space)
-      return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.check_rail", .cause = reader};
+      return Fault::unsupported("config.check_rail", reader);
     const Fault fault = read_check_rail(theirs, config, options);
     if (fault.failed() || config.roundness.angle_count == 0) return fault;
     return read_roundness(config.roundness, options.radius);
   }
   if (config.roller_curvature != 0.0) {
     if (!has_profiles(config) || !options.normal_method->half_space)
-      return unsupported("config.roller_curvature", config.roller_curvature, reader, "1/m");
+      return Fault::unsupported("config.roller_curvature", {config.roller_curvature, "1/m"}, reader);
     if (config.rail_section_count > 0)
-      return unsupported("config.roller_curvature", config.roller_curvature,
-                         "a roller has no sections along the track: leave config.rail_sections 0", "1/m");
+      return Fault::unsupported("config.roller_curvature", {config.roller_curvature, "1/m"},
+                                "a roller has no sections along the track: leave config.rail_sections 0");
     options.roller_curvature = config.roller_curvature;
   }
   if (!has_profiles(config) || !options.normal_method->half_space)
     return config.rail_section_count > 0
-               ? unsupported("config.rail_sections", static_cast<double>(config.rail_section_count), reader)
-               : unsupported("config.roundness.angle_count",
-                             static_cast<double>(config.roundness.angle_count), reader);
+               ? Fault::unsupported("config.rail_sections", {config.rail_section_count, ""}, reader)
+               : Fault::unsupported("config.roundness.angle_count", {config.roundness.angle_count, ""},
+                                    reader);
   return first_of({read_sections(theirs, config, options), read_roundness(config.roundness, options.radius)});
 }
 
 /// The header of the force table tells how much memory the model needs.
 Fault read_table(const char* file, ModelOptions& options) {
   if (file == nullptr) {
-    return {.status = WRC_ERROR_NULL,
-            .field = "config.tangential.force_table",
-            .cause = "this tangential method needs the file of the force table"};
+    return Fault::null("config.tangential.force_table",
+                       "this tangential method needs the file of the force table");
   }
   options.force_table = file;
   return read_force_table_axes(file, options.force_table_axes);
@@ -503,19 +442,16 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   fault = read_profile(config.rail, "config.rail", options.rail);
   if (fault.failed()) return fault;
   if (!is_wheel(options.wheel.kind)) {
-    return {.status = WRC_ERROR_PROFILE, .field = "config.wheel", .cause = "this is a rail profile"};
+    return Fault::profile("config.wheel", "this is a rail profile");
   }
   if (!is_rail(options.rail.kind)) {
-    return {.status = WRC_ERROR_PROFILE, .field = "config.rail", .cause = "this is a wheel profile"};
+    return Fault::profile("config.rail", "this is a wheel profile");
   }
   if (options.rail.kind == ProfileSource::Kind::rail_uic60_benchmark &&
       config.track.rail_inclination != 0.0) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = "config.track.rail_inclination",
-        .value = config.track.rail_inclination,
-        .unit = "",
-        .cause = "WRC_PROFILE_UIC60_BENCHMARK is canted 1:40 already: leave it 0, or take WRC_PROFILE_60E1"};
+    return Fault::unsupported(
+        "config.track.rail_inclination", {config.track.rail_inclination, ""},
+        "WRC_PROFILE_UIC60_BENCHMARK is canted 1:40 already: leave it 0, or take WRC_PROFILE_60E1");
   }
   return {};
 }

@@ -15,6 +15,7 @@
 #include "abi/wheel.hpp"
 #include "base/elementary.hpp"
 #include "contact/methods.hpp"
+#include "contact/stages.hpp"
 #include "halfspace/normal.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/subsurface.hpp"
@@ -232,8 +233,8 @@ Fault find_stresses(const wrc_exact_loads* theirs, const double* points, std::ui
   Fault fault = check(count, "count", "", 1.0, most_points);
   if (fault.failed()) return fault;
   zero_field(stresses, 6 * static_cast<std::size_t>(count));
-  if (points == nullptr) return {.status = WRC_ERROR_NULL, .field = "points"};
-  if (stresses == nullptr) return {.status = WRC_ERROR_NULL, .field = "stresses"};
+  if (points == nullptr) return Fault::null("points");
+  if (stresses == nullptr) return Fault::null("stresses");
   halfspace::BodyLoads loads;
   std::int32_t body = WRC_BODY_RAIL;
   fault = read_loads(theirs, loads, body);
@@ -258,7 +259,7 @@ Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths,
   Fault fault = check(count, "count", "", 0.0, most_depths);
   if (fault.failed()) return fault;
   if (levels != nullptr) std::fill_n(levels, count, wrc_stress_peaks{});
-  if (count > 0 && depths == nullptr) return {.status = WRC_ERROR_NULL, .field = "depths"};
+  if (count > 0 && depths == nullptr) return Fault::null("depths");
   halfspace::BodyLoads loads;
   std::int32_t body = WRC_BODY_RAIL;
   fault = first_of(
@@ -279,7 +280,7 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
   return solve_rolling(
       theirs, solution, [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
         halfspace::RollingSolution found;
-        found.fault = {.status = WRC_FLAG_NO_CONTACT};
+        found.fault = Fault::no_contact();
         if (!touching(problem)) return found;
         const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
         return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {}, bodies.coupling)
@@ -308,23 +309,19 @@ double friction_at(Contact& contact, double y) {
 Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Reporter& reporter,
                     wrc_exact_check_result& result) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "contact",
-            .cause = "call wrc_planar_tangential or wrc_planar_step first"};
+    return Fault::sequence("contact", "call wrc_planar_tangential or wrc_planar_step first");
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!contact.touching) return Fault::no_contact();
   const Rolling& rolling = contact.rolling;
   if (rolling.reverse_share > 0.0) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "creepage.reverse_share",
-            .value = rolling.reverse_share,
-            .unit = "",
-            .cause = "near standstill a contact rolls both ways: there is no exact solution of that"};
+    return Fault::unsupported(
+        "creepage.reverse_share", {rolling.reverse_share, ""},
+        "near standstill a contact rolls both ways: there is no exact solution of that");
   }
   // The solver rolls along x: rolling backwards is the mirror image.
   Strips strips = all_strips(contact);
   std::vector<double> centre(strips.centre, strips.centre + strips.count);
-  for (double& x : centre) x *= rolling.way;
+  for (double& x : centre) x *= rolling.direction;
   strips.centre = centre.data();
   const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
   halfspace::RollingProblem problem;
@@ -335,8 +332,8 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
     for (int i = 0; i < grid.nx; ++i) problem.friction[grid.index(i, j)] = friction;
   }
   problem.creepage = contact.creepage;
-  problem.creepage.longitudinal *= rolling.way;
-  problem.creepage.spin *= rolling.way;
+  problem.creepage.longitudinal *= rolling.direction;
+  problem.creepage.spin *= rolling.direction;
   problem.progress = reporter.callback();
   Material material = contact.model->options.material;
   const double layer = friction_of(contact).slope_reduction;  // as in halfspace/surface_contact.cpp
@@ -344,9 +341,9 @@ Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Report
   const halfspace::RollingSolution exact =
       halfspace::RollingSolver(grid, material, {}, contact.model->options.coupling * layer).solve(problem);
   if (exact.fault.failed()) return exact.fault;
-  result.fx = rolling.way * exact.forces.fx;
+  result.fx = rolling.direction * exact.forces.fx;
   result.fy = exact.forces.fy;
-  result.mz = rolling.way * exact.forces.mz;
+  result.mz = rolling.direction * exact.forces.mz;
   result.power = exact.power_by_balance * rolling.speed;
   result.adhesion_fraction = exact.forces.adhesion_fraction;
   const double limit = contact.friction * contact.extent.normal_force;
@@ -450,11 +447,8 @@ Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
   fault = place_wheel(of, hosted, placed);
   if (fault.failed()) return fault;
   if (placed.problem.law && placed.problem.law->heated()) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.temperature_law",
-            .value = static_cast<double>(WRC_TEMPERATURE_LAW_LINEAR),
-            .unit = "",
-            .cause = "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE"};
+    return Fault::unsupported("input.friction.temperature_law", {WRC_TEMPERATURE_LAW_LINEAR, ""},
+                              "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE");
   }
   const SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;
@@ -543,13 +537,12 @@ Fault step_transient(wrc_exact_transient& handle, const wrc_exact_rolling_proble
         halfspace::RollingSolution found;
         if (other_grid || !equal(ours.wheel_material, handle.wheel) ||
             !equal(ours.rail_material, handle.rail)) {
-          found.fault = {.status = WRC_ERROR_RANGE,
-                         .field = other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
-                         .cause = "other than the handle was made with: its history does not fit"};
+          found.fault = Fault::range(other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
+                                     "other than the handle was made with: its history does not fit");
           return found;
         }
         found = handle.solver.step(problem);
-        if (!found.fault.failed() && !touching(problem)) found.fault = {.status = WRC_FLAG_NO_CONTACT};
+        if (!found.fault.failed() && !touching(problem)) found.fault = Fault::no_contact();
         return found;
       });
 }
@@ -595,7 +588,7 @@ std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* r
   const Fault cleared = clear(result);
   if (!valid(contact)) return WRC_ERROR_NULL;
   const Fault outcome = guarded([&]() -> Fault {
-    if (result == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
+    if (result == nullptr) return Fault::null(name);
     if (cleared.failed()) return cleared;
     Result ours = empty<Result>();
     const Fault fault = solve(*contact->contact, ours);
@@ -623,11 +616,9 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   const wrc::Contact& inside = *contact->contact;
   const Fault outcome = abi::guarded([&]() -> Fault {
     if (fault.failed()) return fault;
-    if (gap == nullptr) return {.status = WRC_ERROR_NULL, .field = "gap"};
+    if (gap == nullptr) return Fault::null("gap");
     if (inside.gap_rows == 0) {
-      return {.status = WRC_ERROR_SEQUENCE,
-              .field = "gap",
-              .cause = "call wrc_planar_geometry first, or hand over a gap"};
+      return Fault::sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
     }
     abi::sample_gap(inside, ours, gap);
     return fault;
@@ -670,7 +661,7 @@ int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* whe
                                    wrc_exact_transient** transient, char* text, uint64_t size) {
   if (transient != nullptr) *transient = nullptr;
   const Fault fault = abi::guarded([&]() -> Fault {
-    if (transient == nullptr) return {.status = WRC_ERROR_NULL, .field = "transient"};
+    if (transient == nullptr) return Fault::null("transient");
     return abi::create_transient(grid, wheel, rail, *transient);
   });
   return abi::finish(__func__, fault, text, size);
@@ -681,7 +672,7 @@ int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact
   return abi::solve_into(
       __func__, problem, solution, text, size,
       [&](const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& ours) -> Fault {
-        if (!abi::is_transient(transient)) return {.status = WRC_ERROR_NULL, .field = "transient"};
+        if (!abi::is_transient(transient)) return Fault::null("transient");
         return abi::step_transient(*transient, theirs, ours);
       });
 }

@@ -18,9 +18,9 @@ Fault guarded(Work&& work, const char* of = "grid",
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return {.status = WRC_ERROR_MEMORY, .field = of, .cause = cause};
+    return Fault::memory(of, cause);
   } catch (...) {
-    return {.status = WRC_ERROR_INTERNAL};
+    return Fault::internal();
   }
 }
 

@@ -56,7 +56,7 @@ void without_addresses(const Contact& contact, unsigned char (&bytes)[addressed]
   std::memcpy(bytes + sizeof(void*), &last, sizeof last);
 }
 
-Fault damaged(const char* cause) { return {.status = WRC_ERROR_FILE, .field = "buffer", .cause = cause}; }
+Fault damaged(const char* cause) { return Fault::file("buffer", cause); }
 
 /// Is this a state of that contact's configuration, whole?
 Fault check_header(const Contact& contact, const PortableHeader& header, std::uint64_t bytes) {
@@ -64,36 +64,20 @@ Fault check_header(const Contact& contact, const PortableHeader& header, std::ui
   if (std::memcmp(header.mark, portable_mark, sizeof portable_mark) != 0)
     return damaged("it does not begin as wrc_contact_save_portable has it");
   if (header.byte_order == other_order)
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "buffer",
-            .cause = "it was written on a machine of the other byte order"};
+    return Fault::unsupported("buffer", "it was written on a machine of the other byte order");
   if (header.byte_order != native_order || header.bytes < sizeof header)
     return damaged("its header has changed since it was written");
   if (header.format != portable_format || header.version != wrc_version())
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "version that wrote the state",
-            .value = static_cast<double>(header.version),
-            .unit = "",
-            .low = static_cast<double>(wrc_version()),
-            .high = static_cast<double>(wrc_version()),
-            .cause = "as wrc_version() counts: states pass between libraries of one version"};
+    return Fault::unsupported("version that wrote the state",
+                              {header.version, "", wrc_version(), wrc_version()},
+                              "as wrc_version() counts: states pass between libraries of one version");
   if (bytes < header.bytes)
-    return {.status = WRC_ERROR_FILE,
-            .field = "bytes",
-            .value = static_cast<double>(bytes),
-            .unit = "",
-            .low = static_cast<double>(header.bytes),
-            .high = static_cast<double>(header.bytes),
-            .cause = "the end is missing"};
+    return Fault::file("bytes", {bytes, "", header.bytes, header.bytes}, "the end is missing");
   if (header.configuration != model.configuration || header.layout != layout_of(model) ||
       header.bytes != sizeof header + state_bytes(model))
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "buffer",
-            .cause = "it is of a contact whose configuration or profiles are others"};
+    return Fault::sequence("buffer", "it is of a contact whose configuration or profiles are others");
   if (header.side != static_cast<std::uint32_t>(contact.side))
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "buffer",
-            .cause = "it holds the state of a contact of the other side"};
+    return Fault::sequence("buffer", "it holds the state of a contact of the other side");
   return {};
 }
 
@@ -101,6 +85,7 @@ Fault check_header(const Contact& contact, const PortableHeader& header, std::ui
 }  // namespace wrc::abi
 
 namespace abi = wrc::abi;
+using wrc::Fault;
 
 extern "C" {
 
@@ -116,14 +101,11 @@ int32_t wrc_contact_save_portable(wrc_contact* handle, void* buffer, uint64_t by
   if (!abi::valid(handle)) return WRC_ERROR_NULL;
   const wrc::Contact& contact = *handle->contact;
   const std::size_t state = wrc::state_bytes(*contact.model);
-  if (buffer == nullptr) return abi::keep(*handle, __func__, {.status = WRC_ERROR_NULL, .field = "buffer"});
+  if (buffer == nullptr) return abi::keep(*handle, __func__, Fault::null("buffer"));
   if (bytes < sizeof(abi::PortableHeader) + state)
-    return abi::keep(*handle, __func__,
-                     {.status = WRC_ERROR_BUFFER,
-                      .field = "bytes",
-                      .value = static_cast<double>(bytes),
-                      .unit = "",
-                      .cause = "a portable state is as long as wrc_contact_portable_size says"});
+    return abi::keep(
+        *handle, __func__,
+        Fault::buffer("bytes", {bytes, ""}, "a portable state is as long as wrc_contact_portable_size says"));
   auto* const begin = static_cast<unsigned char*>(buffer) + sizeof(abi::PortableHeader);
   std::memcpy(begin, handle->contact, state);
   unsigned char first[abi::addressed];
@@ -147,9 +129,9 @@ int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, ui
   if (!abi::valid(handle)) return WRC_ERROR_NULL;
   wrc::Contact& contact = *handle->contact;
   abi::PortableHeader header{};
-  wrc::Fault fault;
+  Fault fault;
   if (buffer == nullptr) {
-    fault = {.status = WRC_ERROR_NULL, .field = "buffer"};
+    fault = Fault::null("buffer");
   } else if (bytes < sizeof header) {
     fault = abi::damaged("it is too short for a header: the end is missing");
   } else {

@@ -10,12 +10,7 @@ namespace wrc::abi {
 inline Fault check_prescribed(std::int32_t prescribed, std::int32_t one, std::int32_t other, const char* of,
                               const char* cause) {
   if (prescribed == one || prescribed == other) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .of = of,
-          .field = "prescribed",
-          .value = static_cast<double>(prescribed),
-          .unit = "",
-          .cause = cause};
+  return Fault::unsupported({of, "prescribed"}, {prescribed, ""}, cause);
 }
 
 /// A wheel prescribes its height or its vertical load.

@@ -35,15 +35,14 @@ constexpr const char* known_names = "no such method; there are"
 #undef WRC_PRESET
 
 Fault use(wrc_config* config, const char* name) {
-  if (config == nullptr) return {.status = WRC_ERROR_NULL, .field = "config"};
+  if (config == nullptr) return Fault::null("config");
   const Fault fault = abi::check_size(*config);
   if (fault.failed()) return fault;
-  if (name == nullptr) return {.status = WRC_ERROR_NULL, .field = "name"};
+  if (name == nullptr) return Fault::null("name");
   const Preset* const preset = std::find_if(std::begin(presets), std::end(presets), [&](const Preset& each) {
     return std::strcmp(each.name, name) == 0;
   });
-  if (preset == std::end(presets))
-    return {.status = WRC_ERROR_UNSUPPORTED, .field = "name", .cause = known_names};
+  if (preset == std::end(presets)) return Fault::unsupported("name", known_names);
   wrc_config ours = abi::defaults<wrc_config>();
   const std::size_t known = std::min<std::size_t>(config->struct_size, sizeof ours);
   std::memcpy(&ours, config, known);  // not checked: other members may not be set yet

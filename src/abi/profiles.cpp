@@ -41,12 +41,10 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
       {into.y_rail_left, [](Settled s) { return s.side[left].y_rail; }}};
   for (const Column& each : columns)
     if (each.theirs != nullptr) std::fill_n(each.theirs, problem.count, 0.0);
-  if (!valid(handle)) return {.status = WRC_ERROR_NULL, .field = "model"};
+  if (!valid(handle)) return Fault::null("model");
   const Model& model = *handle->model;
   if (!model.has_geometry)
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "model",
-            .cause = "it has no profiles: give config.wheel and config.rail"};
+    return Fault::sequence("model", "it has no profiles: give config.wheel and config.rail");
   std::vector<SettledWheelset> settled(problem.count);
   fault = settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
   if (fault.failed()) return fault;
@@ -64,24 +62,13 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
     if (each != nullptr) std::fill_n(each, problem.amplitude_count, 0.0);
   for (std::uint32_t i = 1; i < problem.count; ++i) {
     if (!(problem.lateral[i] > problem.lateral[i - 1]))
-      return {.status = WRC_ERROR_RANGE,
-              .index = static_cast<std::int32_t>(i),
-              .field = "problem.lateral",
-              .value = problem.lateral[i],
-              .unit = "m",
-              .cause = "displacements must increase"};
+      return Fault::range({"problem.lateral", i}, {problem.lateral[i], "m"}, "displacements must increase");
   }
   const double widest = 0.5 * (problem.lateral[problem.count - 1] - problem.lateral[0]);
   for (std::uint32_t i = 0; i < problem.amplitude_count; ++i) {
     if (problem.amplitudes[i] > widest * (1.0 + 1e-12))
-      return {.status = WRC_ERROR_RANGE,
-              .index = static_cast<std::int32_t>(i),
-              .field = "problem.amplitudes",
-              .value = problem.amplitudes[i],
-              .unit = "m",
-              .low = 1e-6,
-              .high = widest,
-              .cause = "the displacements do not reach that far: it is half the way from side to side"};
+      return Fault::range({"problem.amplitudes", i}, {problem.amplitudes[i], "m", 1e-6, widest},
+                          "the displacements do not reach that far: it is half the way from side to side");
   }
   std::vector<double> potential(problem.count);
   const RadiusDifference of{problem.count, problem.lateral, problem.radius_difference, potential.data()};
@@ -107,7 +94,7 @@ Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
   write(into, worn);
   fault = read(theirs, "wear", ours);
   if (fault.failed()) return fault;
-  if (into.y == nullptr || into.z == nullptr) return {.status = WRC_ERROR_NULL, .field = "worn.y"};
+  if (into.y == nullptr || into.z == nullptr) return Fault::null("worn.y");
   WornProfile found;
   fault = wear_profile(ours.count, ours.y, ours.z,
                        {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
@@ -125,13 +112,8 @@ Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
     return fault;
   }
   if (found.y.size() > into.capacity)
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "worn.capacity",
-            .value = static_cast<double>(into.capacity),
-            .unit = "",
-            .low = static_cast<double>(found.y.size()),
-            .high = static_cast<double>(found.y.size()),
-            .cause = "give more room, or a wider spacing"};
+    return Fault::buffer("worn.capacity", {into.capacity, "", found.y.size(), found.y.size()},
+                         "give more room, or a wider spacing");
   std::copy(found.y.begin(), found.y.end(), into.y);
   std::copy(found.z.begin(), found.z.end(), into.z);
   into.count = static_cast<std::uint32_t>(found.y.size());
@@ -143,9 +125,9 @@ Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
 }
 
 Fault find_flange(std::uint32_t count, const double* y, const double* z, double back, wrc_flange* flange) {
-  if (flange == nullptr) return {.status = WRC_ERROR_NULL, .field = "flange"};
+  if (flange == nullptr) return Fault::null("flange");
   *flange = {};
-  if (y == nullptr || z == nullptr) return {.status = WRC_ERROR_NULL, .field = "y"};
+  if (y == nullptr || z == nullptr) return Fault::null("y");
   Fault fault = first_of({check(static_cast<double>(count), "count", "", 4.0, 20000.0),
                           check(back, "flange_back_to_origin", "m", 0.01, 0.2)});
   for (const double* each : {y, z})

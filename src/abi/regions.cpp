@@ -8,7 +8,7 @@
 #include "abi/structs.hpp"
 #include "abi/temperature.hpp"
 #include "abi/wear.hpp"
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
 
 namespace wrc::abi {
 namespace {
@@ -58,31 +58,19 @@ wrc_region region_of(const RegionResult& found) {
   return ours;
 }
 
-Fault missing(const char* result) { return {.status = WRC_ERROR_NULL, .field = result}; }
-
 /// A field into the caller's memory, or its counts alone.
 Fault write_field(Contact& contact, std::int32_t index, std::int32_t field, double* values,
                   std::uint64_t room, std::uint64_t* counts) {
   if (field < 0 || field >= static_cast<std::int32_t>(FieldId::count_))
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "field",
-            .value = static_cast<double>(field),
-            .unit = "",
-            .cause = "see enum wrc_field"};
-  if (values == nullptr && counts == nullptr) return missing("values");
+    return Fault::unsupported("field", {field, ""}, "see enum wrc_field");
+  if (values == nullptr && counts == nullptr) return Fault::null("values");
   const auto which = static_cast<FieldId>(field);
   FieldSize size;
   const Fault fault = region_field_size(contact, index, which, size);
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::uint64_t>(size.rows), cells = static_cast<std::uint64_t>(size.cells);
   if (values != nullptr && room < rows * cells)
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "room",
-            .value = static_cast<double>(room),
-            .unit = "",
-            .low = static_cast<double>(rows * cells),
-            .high = 1e18,
-            .cause = "ask for counts first, with values NULL"};
+    return Fault::buffer("room", {room, "", rows * cells, 1e18}, "ask for counts first, with values NULL");
   if (counts != nullptr) {
     counts[0] = cells;
     counts[1] = rows;
@@ -122,7 +110,7 @@ extern "C" {
 
 int32_t wrc_contact_region(wrc_contact* handle, int32_t index, wrc_region* region) {
   return abi::call(__func__, handle, abi::clear(region), [&](Contact& contact) {
-    if (region == nullptr) return abi::missing("region");
+    if (region == nullptr) return Fault::null("region");
     wrc::RegionResult found;
     const Fault fault = wrc::find_region(contact, index, found);
     if (!fault.failed()) abi::write(abi::region_of(found), region);
@@ -140,7 +128,7 @@ int32_t wrc_contact_field(wrc_contact* handle, int32_t index, int32_t field, dou
 
 int32_t wrc_contact_damage(wrc_contact* handle, int32_t index, wrc_damage* damage) {
   return abi::call(__func__, handle, abi::clear(damage), [&](Contact& contact) {
-    if (damage == nullptr) return abi::missing("damage");
+    if (damage == nullptr) return Fault::null("damage");
     wrc::DamageNumbers found;
     const Fault fault = wrc::region_damage(contact, index, found);
     if (!fault.failed() && !fault.has(WRC_FLAG_NO_CONTACT))
@@ -151,7 +139,7 @@ int32_t wrc_contact_damage(wrc_contact* handle, int32_t index, wrc_damage* damag
 
 int32_t wrc_contact_wear(wrc_contact* handle, int32_t index, const wrc_wear_laws* laws, wrc_wear* wear) {
   return abi::call(__func__, handle, abi::clear(wear), [&](Contact& contact) {
-    if (wear == nullptr) return abi::missing("wear");
+    if (wear == nullptr) return Fault::null("wear");
     wrc::WearLaws ours;
     wrc::WearNumbers numbers;
     Fault outcome = abi::read_wear_laws(laws, "laws", ours);
@@ -170,7 +158,7 @@ int32_t wrc_contact_wear(wrc_contact* handle, int32_t index, const wrc_wear_laws
 int32_t wrc_contact_temperature(wrc_contact* handle, int32_t index, const wrc_bulk_temperatures* bulk,
                                 wrc_temperature* temperature) {
   return abi::call(__func__, handle, abi::clear(temperature), [&](Contact& contact) {
-    if (temperature == nullptr) return abi::missing("temperature");
+    if (temperature == nullptr) return Fault::null("temperature");
     wrc_bulk_temperatures ours;
     wrc::TemperatureNumbers numbers;
     Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);

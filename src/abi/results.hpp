@@ -1,7 +1,7 @@
 /// Results that several calls hand back.
 #pragma once
 
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "abi/call.hpp"
+#include "contact/stages.hpp"
 #include "wrc/wrc_planar.h"
 
 namespace abi = wrc::abi;

@@ -1,4 +1,6 @@
 /// The stages and the step: arguments checked and translated, outputs zeroed on failure.
+#include "contact/stages.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -52,24 +54,11 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
                        const char* spacing, const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
     if (y[j] > y[j - 1] && y[j] - y[j - 1] < row_spacing_least) {
-      return {.status = WRC_ERROR_GAP,
-              .index = static_cast<std::int32_t>(j),
-              .of = of,
-              .field = spacing,
-              .value = y[j] - y[j - 1],
-              .unit = "m",
-              .low = row_spacing_least,
-              .high = 0.6,
-              .cause = "so close together, slopes are made of the errors of heights: leave one out"};
+      return Fault::gap({of, spacing, j}, {y[j] - y[j - 1], "m", row_spacing_least, 0.6},
+                        "so close together, slopes are made of the errors of heights: leave one out");
     }
     if (!(y[j] > y[j - 1])) {
-      return {.status = WRC_ERROR_GAP,
-              .index = static_cast<std::int32_t>(j),
-              .of = of,
-              .field = field,
-              .value = y[j],
-              .unit = "m",
-              .cause = cause};
+      return Fault::gap({of, field, j}, {y[j], "m"}, cause);
     }
   }
   return {};
@@ -121,13 +110,8 @@ Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
   for (std::uint32_t j = 1; j < strips.count; ++j) {
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
     if (strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
-      return {.status = WRC_ERROR_RANGE,
-              .index = static_cast<std::int32_t>(j),
-              .of = "strips",
-              .field = "y",
-              .value = strips.y[j],
-              .unit = "m",
-              .cause = "strips must be in order of increasing y and not overlap"};
+      return Fault::range({"strips", "y", j}, {strips.y[j], "m"},
+                          "strips must be in order of increasing y and not overlap");
     }
   }
   // The strips of the caller are only read; the internal view has no const form.
@@ -325,11 +309,8 @@ int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* stri
 int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
   return abi::call(__func__, handle, {}, [&](Contact& contact) -> Fault {
     if (!contact.model->options.non_steady) {
-      return {.status = WRC_ERROR_UNSUPPORTED,
-              .field = "distance",
-              .value = distance,
-              .unit = "m",
-              .cause = "the model's config.planar.non_steady is 0: rolling is steady"};
+      return Fault::unsupported("distance", {distance, "m"},
+                                "the model's config.planar.non_steady is 0: rolling is steady");
     }
     constexpr double farthest = 1e6;
     const Fault outcome =

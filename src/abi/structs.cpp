@@ -12,7 +12,7 @@ const char* cause_of(const Member& member, double value) {
 }  // namespace
 
 Fault refuse(const Member& member, const char* of, double value, std::int32_t index) {
-  Fault fault{.status = WRC_ERROR_RANGE, .index = index, .of = of, .field = member.name};
+  Fault fault = Fault::range({of, member.name, index});
   if (member.type == Type::pointer && index < 0) {
     fault.status = WRC_ERROR_NULL;
     fault.cause = member.not_set;
@@ -44,16 +44,10 @@ Fault check_tail(const void* theirs, std::size_t size, std::size_t ours, const c
   const auto* const bytes = static_cast<const unsigned char*>(theirs);
   for (std::size_t i = ours; i < size; ++i) {
     if (bytes[i] == 0) continue;
-    return {.status = WRC_ERROR_STRUCT_SIZE,
-            .of = name,
-            .field = "struct_size",
-            .value = static_cast<double>(size),
-            .unit = "bytes",
-            .low = static_cast<double>(ours),
-            .high = static_cast<double>(ours),
-            .cause =
-                "a member beyond what this library knows is set: the program's header is newer than the "
-                "library. Leave the member 0, or ship the library of that header"};
+    return Fault::struct_size(
+        {name, "struct_size"}, {size, "bytes", ours, ours},
+        "a member beyond what this library knows is set: the program's header is newer than the "
+        "library. Leave the member 0, or ship the library of that header");
   }
   return {};
 }

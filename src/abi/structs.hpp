@@ -39,14 +39,10 @@ Fault check_size(const Struct& theirs) {
   if constexpr (Description<Struct>::versioned) {
     if (theirs.struct_size < Description<Struct>::first ||
         theirs.struct_size > sizeof(Struct) + most_newer_bytes)
-      return {.status = WRC_ERROR_STRUCT_SIZE,
-              .of = Description<Struct>::name,
-              .field = "struct_size",
-              .value = static_cast<double>(theirs.struct_size),
-              .unit = "bytes",
-              .low = static_cast<double>(Description<Struct>::first),
-              .high = static_cast<double>(sizeof(Struct) + most_newer_bytes),
-              .cause = "set it to sizeof the struct, or begin with its _default()"};
+      return Fault::struct_size(
+          {Description<Struct>::name, "struct_size"},
+          {theirs.struct_size, "bytes", Description<Struct>::first, sizeof(Struct) + most_newer_bytes},
+          "set it to sizeof the struct, or begin with its _default()");
   }
   return {};
 }
@@ -163,7 +159,7 @@ Fault check_members(const Struct& ours, const char* of, std::index_sequence<i...
 template <typename Struct>
 Fault read(const Struct* theirs, const char* name, Struct& ours) {
   ours = defaults<Struct>();
-  if (theirs == nullptr) return {.status = WRC_ERROR_NULL, .field = name};
+  if (theirs == nullptr) return Fault::null(name);
   if constexpr (Description<Struct>::versioned) {
     Fault fault = check_size(*theirs);
     if (!fault.failed()) fault = check_tail(theirs, theirs->struct_size, sizeof(Struct), name);
@@ -244,21 +240,10 @@ inline Fault first_of(std::initializer_list<Fault> faults) {
 inline Fault check(double value, const char* field, const char* unit, double low, double high,
                    const char* too_low = nullptr, const char* too_high = nullptr) {
   if (!std::isfinite(value)) {
-    return {.status = WRC_ERROR_NOT_FINITE,
-            .field = field,
-            .value = value,
-            .unit = unit,
-            .low = low,
-            .high = high};
+    return Fault::not_finite(field, {value, unit, low, high});
   }
   if (value >= low && value <= high) return {};
-  return {.status = WRC_ERROR_RANGE,
-          .field = field,
-          .value = value,
-          .unit = unit,
-          .low = low,
-          .high = high,
-          .cause = value < low ? too_low : too_high};
+  return Fault::range(field, {value, unit, low, high}, value < low ? too_low : too_high);
 }
 
 /// An array of numbers, each against the range; the fault names the first that is outside.

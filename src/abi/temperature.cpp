@@ -13,8 +13,8 @@ Fault find_flash_temperature(std::uint32_t count, double cell, const double* pow
   constexpr double slowest = 1e-6, fastest = 200.0;
   Fault fault = check(count, "count", "", 1.0, most_flash_cells);
   if (fault.failed()) return fault;
-  if (power_density == nullptr) return {.status = WRC_ERROR_NULL, .field = "power_density"};
-  if (rise == nullptr) return {.status = WRC_ERROR_NULL, .field = "rise"};
+  if (power_density == nullptr) return Fault::null("power_density");
+  if (rise == nullptr) return Fault::null("rise");
   wrc_heat_properties of_wheel, of_rail;
   fault = first_of(
       {check(cell, "cell", "m", shortest_cell, longest_cell, nullptr, "did you pass mm?"),

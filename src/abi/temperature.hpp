@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "abi/structs.hpp"
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "wrc/wrc_damage.h"
 
 namespace wrc::abi {

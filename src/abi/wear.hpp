@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abi/structs.hpp"
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "wrc/wrc_damage.h"
 
 namespace wrc::abi {

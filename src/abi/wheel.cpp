@@ -36,36 +36,22 @@ Fault check_rotation(const double (&r)[9]) {
     }
   }
   if (furthest > tolerance) {
-    return {.status = WRC_ERROR_RANGE,
-            .field = "largest difference of input.wheel.rotation times its transpose from 1",
-            .value = furthest,
-            .unit = "",
-            .low = 0.0,
-            .high = tolerance,
-            .cause = "this is no rotation"};
+    return Fault::range("largest difference of input.wheel.rotation times its transpose from 1",
+                        {furthest, "", 0.0, tolerance}, "this is no rotation");
   }
   const double determinant = r[0] * (r[4] * r[8] - r[5] * r[7]) - r[1] * (r[3] * r[8] - r[5] * r[6]) +
                              r[2] * (r[3] * r[7] - r[4] * r[6]);
   if (determinant < 0.0) {
-    return {
-        .status = WRC_ERROR_RANGE,
-        .field = "determinant of input.wheel.rotation",
-        .value = determinant,
-        .unit = "",
-        .low = 1.0,
-        .high = 1.0,
-        .cause = "this is a mirror image; a left wheel is not mirrored, the contact's side says which it is"};
+    return Fault::range(
+        "determinant of input.wheel.rotation", {determinant, "", 1.0, 1.0},
+        "this is a mirror image; a left wheel is not mirrored, the contact's side says which it is");
   }
   constexpr double sine_most = 0.479425538604203;  // of 0.5 rad
   if (!(r[4] > 0.0) || std::abs(r[1]) > sine_most || std::abs(r[7]) > sine_most) {
-    return {
-        .status = WRC_ERROR_RANGE,
-        .field = "angle of the axle against the track's y axis: cosine",
-        .value = r[4],
-        .unit = "",
-        .cause =
-            "the second column of input.wheel.rotation is the axle in track axes, to the right: is it the "
-            "transpose, or are axes named otherwise?"};
+    return Fault::range(
+        "angle of the axle against the track's y axis: cosine", {r[4], ""},
+        "the second column of input.wheel.rotation is the axle in track axes, to the right: is it the "
+        "transpose, or are axes named otherwise?");
   }
   return {};
 }
@@ -128,17 +114,13 @@ Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3]
   const double across = part_across(w, body[0][1], body[1][1], body[2][1]);
   const double of_transpose = part_across(w, body[1][0], body[1][1], body[1][2]);
   if (!(across > least && of_transpose < much_less * across)) return {};
-  return {.status = WRC_FLAG_ROTATION_TRANSPOSED,
-          .field = "part of input.wheel.angular_velocity across the axle",
-          .value = across,
-          .unit = "",
-          .low = 0.0,
-          .high = least,
-          .cause = ours.orientation == WRC_ORIENTATION_ROWS
-                       ? "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
-                         "did you pass its columns? then say WRC_ORIENTATION_COLUMNS"
-                       : "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
-                         "did you pass its rows? then say WRC_ORIENTATION_ROWS"};
+  return Fault::rotation_transposed(
+      "part of input.wheel.angular_velocity across the axle", {across, "", 0.0, least},
+      ours.orientation == WRC_ORIENTATION_ROWS
+          ? "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
+            "did you pass its columns? then say WRC_ORIENTATION_COLUMNS"
+          : "the angular velocity lies along the axle of the transpose of input.wheel.rotation: "
+            "did you pass its rows? then say WRC_ORIENTATION_ROWS");
 }
 
 Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostWheel& hosted) {
@@ -173,13 +155,9 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
   const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
   if (fault.failed()) return fault;
   if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::contact)
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "input.friction.zone_frame",
-            .value = static_cast<double>(ours.zone_frame),
-            .unit = "",
-            .cause =
-                "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "
-                "WRC_ZONES_WHEEL_PROFILE"};
+    return Fault::unsupported("input.friction.zone_frame", {ours.zone_frame, ""},
+                              "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "
+                              "WRC_ZONES_WHEEL_PROFILE");
   return {};
 }
 
@@ -201,7 +179,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
   hosted.frame_turning[2] = hosted.frame_speed * ours.frame.curvature;
   hosted.load_prescribed = !height;
-  hosted.start_anew = ours.start == WRC_START_COLD;
+  hosted.from_scratch = ours.start == WRC_START_COLD;
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
@@ -242,7 +220,7 @@ wrc_wrench_derivatives derivatives_of(const HostJacobian& slopes) {
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
 Fault solve(Contact& contact, const wrc_wheel_input* input, HostJacobian* slopes = nullptr) {
-  contact.wheel_solved = 0;
+  contact.wheel_solved = false;
   HostWheel hosted;
   const Fault reading = read_hosted(input, *contact.model->options.tangential_method, hosted);
   if (reading.failed()) return reading;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "abi/structs.hpp"
-#include "contact/contact.hpp"
+#include "contact/wheel.hpp"
 
 namespace wrc::abi {
 

@@ -75,6 +75,12 @@ inline double arctangent(double x) noexcept {
   return std::copysign(offset + (t - t * series), x);
 }
 
+/// Angle of the point (x, y), not the origin, from the x axis: -pi to pi [rad], as atan2(y, x).
+inline double arctangent2(double y, double x) noexcept {
+  if (std::abs(y) > std::abs(x)) return std::copysign(0.5 * pi, y) - arctangent(x / y);
+  return x > 0.0 ? arctangent(y / x) : std::copysign(pi, y) + arctangent(y / x);
+}
+
 /// asin(x) [rad], |x| <= 1, to 2.5 ulp.
 inline double arcsine(double x) noexcept {
   // asin(x) = pi/2 - 2 asin(sqrt((1 - x) / 2)): what is left is at most 1/2. The terms of the series have the

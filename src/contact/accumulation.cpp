@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "contact/plane_over.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc {
 namespace {
@@ -44,8 +45,7 @@ class Adder {
 
   Fault finish() {
     const bool wheel_fits = bins_[on_wheel].finish(), rail_fits = bins_[on_rail].finish();
-    return wheel_fits && rail_fits ? Fault{}
-                                   : Fault{.status = WRC_FLAG_SUM_OVERFLOW, .field = "accumulation"};
+    return wheel_fits && rail_fits ? Fault{} : Fault::sum_overflow("accumulation");
   }
 
  private:
@@ -85,9 +85,8 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
   const Fault fault = tractions_needed(contact, "this method has no tractions: choose another");
   if (fault.failed()) return fault;
   if (!contact.posed)
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "contact point",
-            .cause = "bins lie on profiles: the stages must begin with wrc_planar_geometry"};
+    return Fault::sequence("contact point",
+                           "bins lie on profiles: the stages must begin with wrc_planar_geometry");
   if (fault.status != WRC_OK) return fault;
   if (contact.reached < Stage::damage) assess_damage(contact);
   const Model& model = *contact.model;
@@ -97,7 +96,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
   const double outward = contact.side == Side::right ? 1.0 : -1.0;
   const Creepage& creepage = contact.creepage;
   const std::int32_t cells = model.options.sizes.cells;
-  Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.way, wheel, rail, totals);
+  Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.direction, wheel, rail, totals);
   for (std::int32_t p = 0; p < contact.patches; ++p) {
     const Patch& patch = contact.patch[p];
     const std::int32_t first = patch.region_first, count = patch.region_count;
@@ -138,13 +137,12 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
 
 Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
                         const DamageBins* rail, DamageTotals& totals) {
-  if (contact.wheel_solved == 0)
-    return {.status = WRC_ERROR_SEQUENCE, .field = "wrench", .cause = "call wrc_contact_wrench first"};
+  if (!contact.wheel_solved) return Fault::sequence("wrench", "call wrc_contact_wrench first");
   const Model& model = *contact.model;
   const StripResults& kept =
       reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
   const auto count = static_cast<std::int32_t>(kept.count);
-  if (count == 0) return {.status = WRC_FLAG_NO_CONTACT};
+  if (count == 0) return Fault::no_contact();
   const Bodies& right = model.bodies[static_cast<int>(Side::right)];
   const Wrench& wrench = contact.wheel.wrench;
   Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "contact/contact.hpp"
+#include "contact/state.hpp"
 #include "normal/methods/analyn.hpp"
 #include "normal/methods/ekp.hpp"
 #include "normal/methods/hertz.hpp"

@@ -4,8 +4,8 @@
 #include <new>
 
 #include "base/checksum.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/state.hpp"
 #include "geometry/profile_points.hpp"
 #include "geometry/smoothing.hpp"
 #include "geometry/standard_profiles.hpp"
@@ -64,12 +64,8 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
       smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
   for (std::int32_t i = 1; i < source.count; ++i) {
     if (!(smooth.y[i] > smooth.y[i - 1]))
-      return {.status = WRC_ERROR_PROFILE,
-              .index = i,
-              .field = "profile.smoothing",
-              .value = source.smoothing,
-              .unit = "m",
-              .cause = "so long a smoothing folds the steep part of the profile at this point"};
+      return Fault::profile({"profile.smoothing", i}, {source.smoothing, "m"},
+                            "so long a smoothing folds the steep part of the profile at this point");
   }
   deviation = smooth.deviation;
   return spline_through(body, source.count, smooth.y, smooth.z, scratch, memory, profile);
@@ -90,7 +86,7 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
     case ProfileSource::Kind::none:
       break;
   }
-  return {.status = WRC_ERROR_INTERNAL};
+  return Fault::internal();
 }
 
 /// The influence tables of the strip half-space solver, for the models that use it.
@@ -205,13 +201,8 @@ Fault check_flange_back(const Profile& wheel) {
     if (wheel.z[i] > wheel.z[tip]) tip = i;
   const double rise = wheel.z[tip] - wheel.z[0];
   if (rise >= least_rise) return {};
-  return {.status = WRC_ERROR_PROFILE,
-          .field = "config.wheel: rise behind the flange's tip",
-          .value = rise,
-          .unit = "m",
-          .low = least_rise,
-          .high = 1.0,
-          .cause = "a check rail touches the flange's back, which this profile does not have"};
+  return Fault::profile("config.wheel: rise behind the flange's tip", {rise, "m", least_rise, 1.0},
+                        "a check rail touches the flange's back, which this profile does not have");
 }
 
 /// Both bodies on both sides, and the surface if the model has one, from `arrays` on.

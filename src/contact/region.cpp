@@ -10,10 +10,6 @@
 namespace wrc {
 namespace {
 
-Fault no_solution(const char* cause) {
-  return {.status = WRC_ERROR_SEQUENCE, .field = "contact", .cause = cause};
-}
-
 /// Direction that is y of the contact axes: along a right-hand rail's arc, against a left-hand one's.
 double along_arc(const Contact& contact) { return contact.side == Side::right ? 1.0 : -1.0; }
 
@@ -164,7 +160,7 @@ void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
   result.rolled = result.adhesion_known = true;
   result.tangential = patch.forces;
   result.creepage = contact.creepage;
-  result.rolling_speed = contact.rolling.way * contact.rolling.speed;
+  result.rolling_speed = contact.rolling.direction * contact.rolling.speed;
   result.power = patch.forces.power_per_speed * contact.rolling.speed;
   if (result.placed) turn_forces(contact, patch, result);
 }
@@ -172,7 +168,7 @@ void find_patch(Contact& contact, const Patch& patch, RegionResult& result) {
 }  // namespace
 
 std::int32_t region_count(const Contact& contact) {
-  if (contact.newest == Solution::wheel) return contact.wheel_solved == 0 ? 0 : contact.wheel.wrench.regions;
+  if (contact.newest == Solution::wheel) return !contact.wheel_solved ? 0 : contact.wheel.wrench.regions;
   return contact.patches;
 }
 
@@ -187,21 +183,18 @@ std::int32_t cells_of_newest(const Contact& contact) {
 
 Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
   const bool wheel = contact.newest == Solution::wheel;
-  if (wheel && contact.wheel_solved == 0) return no_solution("the last wheel on a rail has failed");
+  if (wheel && !contact.wheel_solved)
+    return Fault::sequence("contact", "the last wheel on a rail has failed");
   if (!wheel && contact.reached < Stage::patch)
-    return no_solution("nothing has been solved yet: call wrc_contact_wrench or wrc_planar_normal first");
+    return Fault::sequence("contact",
+                           "nothing has been solved yet: call wrc_contact_wrench or wrc_planar_normal first");
   if (index == all_regions && or_all && !wheel) return {};
   const std::int32_t count = region_count(contact);
   if (index >= 0 && index < count) return {};
-  return {.status = WRC_ERROR_RANGE,
-          .field = "index",
-          .value = static_cast<double>(index),
-          .unit = "",
-          .low = 0.0,
-          .high = count - 1.0,
-          .cause = count == 0   ? "wheel and rail do not touch: there are no regions"
-                   : count == 1 ? "there is one region: its index is 0"
-                                : nullptr};
+  return Fault::range("index", {index, "", 0.0, count - 1.0},
+                      count == 0   ? "wheel and rail do not touch: there are no regions"
+                      : count == 1 ? "there is one region: its index is 0"
+                                   : nullptr);
 }
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {

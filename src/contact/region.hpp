@@ -10,7 +10,8 @@
 
 #include <cstdint>
 
-#include "contact/contact.hpp"
+#include "contact/state.hpp"
+#include "damage/wear.hpp"
 
 namespace wrc {
 
@@ -70,26 +71,6 @@ struct RegionResult {
 
 /// WRC_FLAG_TABLE_RANGE where the ellipse's shape number was cut.
 Fault find_region(Contact& contact, std::int32_t index, RegionResult& region);
-
-/// Of all patches fatigue is that of the patch nearest to damage. Without tractions the numbers over cells
-/// are 0.
-Fault region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage);
-
-Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, WearNumbers& wear);
-
-/// Places of the largest rise as fields x and strip_y.
-Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
-                         TemperatureNumbers& temperature);
-
-/// Largest stresses in one of the bodies.
-struct BodyStresses {
-  StressPeaks surface, below;
-};
-
-/// At the surface, at `depths` (increasing; into `levels`, one for each, where not nullptr) and around the
-/// largest of these. A wheel's region is laid flat along the rail's arc, y its arc length.
-Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const double* depths,
-                      std::int32_t count, StressPeaks* levels, BodyStresses& stresses);
 
 /// What a field has values over.
 enum class FieldOver { cells, strips, gap_rows };

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
 #include "contact/rolled_region.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
@@ -25,14 +25,13 @@ const Row& row_of(FieldId field) { return rows_of_fields[static_cast<std::size_t
 /// Has the newest solution what a field needs?
 Fault check_needs(const Contact& contact, FieldNeeds needs) {
   const bool wheel = contact.newest == Solution::wheel;
-  const auto unsupported = [](const char* cause) {
-    return Fault{.status = WRC_ERROR_UNSUPPORTED, .field = "field", .cause = cause};
-  };
   switch (needs) {
     case FieldNeeds::strips:
       return {};
     case FieldNeeds::wheel:
-      return wheel ? Fault{} : unsupported("the strips of a patch lie in a plane, not on a rail's profile");
+      return wheel ? Fault{}
+                   : Fault::unsupported("field",
+                                        "the strips of a patch lie in a plane, not on a rail's profile");
     case FieldNeeds::gap:
       return {};
     case FieldNeeds::rolling:
@@ -41,8 +40,9 @@ Fault check_needs(const Contact& contact, FieldNeeds needs) {
       break;
   }
   if (!wheel) return tractions_needed(contact, "this method has no tractions over the patch: choose another");
-  return has_tractions(contact) ? Fault{}
-                                : unsupported("whole patches rolled: their strips have no tractions");
+  return has_tractions(contact)
+             ? Fault{}
+             : Fault::unsupported("field", "whole patches rolled: their strips have no tractions");
 }
 
 /// Which of a row of fields one is; `first`: the first of them.
@@ -120,7 +120,7 @@ Fault region_field_size(const Contact& contact, std::int32_t index, FieldId fiel
   const Row& row = row_of(field);
   if (row.over == FieldOver::gap_rows) {
     if (contact.newest != Solution::stages || contact.gap_rows == 0)
-      return {.status = WRC_ERROR_SEQUENCE, .field = "field", .cause = "the newest solution has no gap"};
+      return Fault::sequence("field", "the newest solution has no gap");
     size.rows = contact.gap_rows;
     return {};
   }

@@ -22,7 +22,7 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
     : strips(patch_strips(contact, patch)),
       grid(&contact.model->march_grid),
       speed(contact.rolling.speed),
-      way(contact.reached >= Stage::tangential ? contact.rolling.way : 1.0) {
+      way(contact.reached >= Stage::tangential ? contact.rolling.direction : 1.0) {
   if (contact.reached < Stage::tangential || !gives_fields(contact)) return;
   strips = region_strips(contact, patch);
   fields = cell_fields(contact, patch);

@@ -5,8 +5,9 @@
 
 #include <cstdint>
 
-#include "contact/contact.hpp"
+#include "contact/state.hpp"
 #include "damage/cells.hpp"
+#include "damage/wear.hpp"
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "contact/contact.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc {
 namespace {
@@ -25,9 +25,8 @@ void scale(Friction& friction, Contact& contact, double factor) {
 /// Of a contact that remembers there are no derivatives.
 Fault check_steady(const Contact& contact) {
   if (!contact.model->options.non_steady) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "config.planar.non_steady",
-          .cause = "derivatives are those of steady rolling: use a model without it"};
+  return Fault::unsupported("config.planar.non_steady",
+                            "derivatives are those of steady rolling: use a model without it");
 }
 
 /// Central differences of the tangential stage. Steps are a thousandth of the creepages, or of those that
@@ -82,9 +81,9 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
   sensitivities = {};
   if (const Fault fault = check_steady(contact); fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
+    return Fault::sequence("forces", "call wrc_planar_tangential first");
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!contact.touching) return Fault::no_contact();
   if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
   Contact& copy = copy_of(contact);
   return solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);

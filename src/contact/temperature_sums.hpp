@@ -1,7 +1,7 @@
 /// Temperatures over the cells of one patch or several, and what is made of them.
 #pragma once
 
-#include "contact/contact.hpp"
+#include "contact/assessments.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
 namespace wrc {

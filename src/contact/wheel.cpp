@@ -1,9 +1,10 @@
 /// A wheel on a rail: from the axes, sides and reference points of the host to those of src/surface and back.
+#include "contact/wheel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/elementary.hpp"
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
 #include "surface/geometry/rail_direction.hpp"
 
@@ -97,44 +98,33 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, const doubl
 Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& placed) {
   const Model& model = *contact.model;
   if (model.surface == nullptr) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = "contact",
-        .cause = model.has_geometry
-                     ? "a wheel on a rail needs profiles that can be cut into strips by arc length"
-                     : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail"};
+    return Fault::unsupported(
+        "contact", model.has_geometry
+                       ? "a wheel on a rail needs profiles that can be cut into strips by arc length"
+                       : "a wheel on a rail needs a model with profiles: give config.wheel and config.rail");
   }
   const SurfaceModel& surface = *model.surface;
-  const auto not_read = [](const char* field, double value, const char* unit, const char* cause) {
-    return Fault{
-        .status = WRC_ERROR_UNSUPPORTED, .field = field, .value = value, .unit = unit, .cause = cause};
-  };
   const bool roller = surface.roller_curvature != 0.0;
   if (hosted.rail.turning != 0.0 && !roller)
-    return not_read("input.roller_rate", hosted.rail.turning, "rad/s",
-                    "the rail is no roller: give config.roller_curvature, or leave it 0");
+    return Fault::unsupported("input.roller_rate", {hosted.rail.turning, "rad/s"},
+                              "the rail is no roller: give config.roller_curvature, or leave it 0");
   const RailMotion& rail = hosted.rail;
   if (roller && (rail.slope_y != 0.0 || rail.slope_z != 0.0))
-    return not_read(
+    return Fault::unsupported(
         rail.slope_y != 0.0 ? "input.rail.y_slope" : "input.rail.z_slope",
-        rail.slope_y != 0.0 ? rail.slope_y : rail.slope_z, "",
+        {rail.slope_y != 0.0 ? rail.slope_y : rail.slope_z, ""},
         "a roller leads nowhere along the track: turn its axle by the wheel's yaw, and leave it 0");
   constexpr double beside_roller = 0.2;  // [m]
   if (roller && !(std::abs(hosted.distance) <= beside_roller))
-    return {.status = WRC_ERROR_RANGE,
-            .field = "input.distance",
-            .value = hosted.distance,
-            .unit = "m",
-            .low = -beside_roller,
-            .high = beside_roller,
-            .cause = "the wheel does not stand on the roller: it is counted from above its axle"};
+    return Fault::range("input.distance", {hosted.distance, "m", -beside_roller, beside_roller},
+                        "the wheel does not stand on the roller: it is counted from above its axle");
   const bool same_everywhere = surface.varying.faces == 0 || model.options.check_rail;
   if (hosted.distance != 0.0 && same_everywhere && !roller)
-    return not_read("input.distance", hosted.distance, "m",
-                    "the rail is the same everywhere: give config.rail_sections, or leave it 0");
+    return Fault::unsupported("input.distance", {hosted.distance, "m"},
+                              "the rail is the same everywhere: give config.rail_sections, or leave it 0");
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
-    return not_read("input.angle", hosted.angle, "rad",
-                    "the wheel is round: give config.roundness, or leave it 0");
+    return Fault::unsupported("input.angle", {hosted.angle, "rad"},
+                              "the wheel is round: give config.roundness, or leave it 0");
   placed = {};
   placed.left = contact.side == Side::left;
   const double outward = placed.left ? -1.0 : 1.0;
@@ -185,7 +175,7 @@ void hand_back(const Model& model, const PlacedWheel& placed, HostWrench& result
 }
 
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
-  contact.wheel_solved = 0;
+  contact.wheel_solved = false;
   contact.newest = Solution::wheel;
   if (slopes) *slopes = {};
   contact.wheel = {};
@@ -195,15 +185,14 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   if (fault.failed()) return fault;
   if (slopes && !model.surface->methods.differentiable()) {
     const bool normal = model.surface->methods.planar.solve != nullptr;
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = normal ? model.options.normal_method->is.name : model.options.tangential_method->is.name,
-            .cause = normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
-                            : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone"};
+    return Fault::unsupported(
+        normal ? model.options.normal_method->is.name : model.options.tangential_method->is.name,
+        normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
+               : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone");
   }
   if (model.options.non_steady) {
-    return {.status = WRC_ERROR_UNSUPPORTED,
-            .field = "config.planar.non_steady",
-            .cause = "wrc_contact_wrench rolls steadily: use a model without it"};
+    return Fault::unsupported("config.planar.non_steady",
+                              "wrc_contact_wrench rolls steadily: use a model without it");
   }
 
   auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
@@ -211,17 +200,14 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   Wrench& wrench = result.wrench;
   WheelOnRail& problem = placed.problem;
   RailFrameJacobian found, by_track;
-  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.start_anew, state, work_space(contact), wrench,
-                              slopes ? &found : nullptr, slopes ? &by_track : nullptr);
+  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
+                              wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
   const bool touching = wrench.regions > 0 || fault.has(WRC_FLAG_CLIMBING);
   if (fault.failed() || (hosted.load_prescribed && !touching)) {
     result = {};
     if (fault.failed()) return fault;
-    return {.status = WRC_ERROR_LOAD,
-            .field = "input.vertical_load",
-            .value = hosted.vertical_load,
-            .unit = "N",
-            .cause = "at no height does the rail carry this: is the wheel beside it?"};
+    return Fault::load("input.vertical_load", {hosted.vertical_load, "N"},
+                       "at no height does the rail carry this: is the wheel beside it?");
   }
   problem.wheel.position[2] = wrench.height;
   for (std::int32_t i = 0; i < wrench.regions; ++i)
@@ -229,7 +215,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   if (slopes) hand_back(model, hosted, placed, found, by_track, *slopes);
   hand_back(model, placed, result);
   if (!hosted.load_prescribed) wrench.height = hosted.z;
-  contact.wheel_solved = 1;
+  contact.wheel_solved = true;
   return fault;
 }
 

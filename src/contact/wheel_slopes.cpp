@@ -2,7 +2,7 @@
 /// wheel, and of the wrench's axes and reference point, in numbers that carry it.
 #include "base/dual.hpp"
 #include "base/elementary.hpp"
-#include "contact/contact.hpp"
+#include "contact/wheel.hpp"
 #include "surface/geometry/rail_direction.hpp"
 
 namespace wrc {

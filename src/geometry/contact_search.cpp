@@ -61,7 +61,7 @@ struct Search {
         if (moved < refine_tolerance) return middle;
       }
     }
-    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP, .field = "contact search"});
+    keep_worst(fault, Fault::iteration_cap("contact search"));
     return low.gap < high.gap ? low : high;
   }
 };
@@ -109,7 +109,7 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
   const Attitude& a = wheel.attitude;
   const double offset = a.r[1][2] * wheel.wheel->nominal_radius + wheel.centre_y;
   if (!(a.r[1][1] > 0.5) || !std::isfinite(offset) || !std::isfinite(wheel.centre_z)) {
-    return {.status = WRC_ERROR_NOT_FINITE, .field = "pose", .cause = "check the pose before it is used"};
+    return Fault::not_finite("pose", "check the pose before it is used");
   }
   const auto station_index = [&](double y) {
     return static_cast<std::int32_t>(
@@ -143,19 +143,13 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
     before = now;
   }
   if (!over_rail) {
-    return {.status = WRC_ERROR_GAP,
-            .field = "pose.lateral",
-            .value = wheel.centre_y,
-            .unit = "m",
-            .cause = "the wheel stands beside the rail: their profiles do not overlap"};
+    return Fault::gap("pose.lateral", {wheel.centre_y, "m"},
+                      "the wheel stands beside the rail: their profiles do not overlap");
   }
   if (count == 0 || end_gap < points[0].vertical_gap) {
     count = 0;
-    return {.status = WRC_ERROR_GAP,
-            .field = "pose.lateral",
-            .value = wheel.centre_y,
-            .unit = "m",
-            .cause = "wheel and rail are closest at the end of a profile: is the profile cut too short?"};
+    return Fault::gap("pose.lateral", {wheel.centre_y, "m"},
+                      "wheel and rail are closest at the end of a profile: is the profile cut too short?");
   }
   return fault;
 }

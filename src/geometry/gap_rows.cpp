@@ -163,19 +163,11 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
                     const Kernels& kernels, GapRows& rows) {
   rows = {};
   if (count < 4 || count > memory.capacity) {
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "gap rows",
-            .value = static_cast<double>(count),
-            .unit = "rows",
-            .low = 4.0,
-            .high = static_cast<double>(memory.capacity)};
+    return Fault::buffer("gap rows", {count, "rows", 4.0, memory.capacity});
   }
   if (!(window.high > window.low)) {
-    return {.status = WRC_ERROR_GAP,
-            .field = "gap window",
-            .value = window.high - window.low,
-            .unit = "m",
-            .cause = "no width around the contact point in which the gap stays below its limit"};
+    return Fault::gap("gap window", {window.high - window.low, "m"},
+                      "no width around the contact point in which the gap stays below its limit");
   }
 
   const double step = (window.high - window.low) / (count - 1);
@@ -191,7 +183,7 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
                                   .memory = &memory});
 
   rows = {count, memory.y, memory.height, memory.centre, memory.curvature};
-  if (!converged) return {.status = WRC_FLAG_ITERATION_CAP, .field = "gap rows"};
+  if (!converged) return Fault::iteration_cap("gap rows");
   return {};
 }
 

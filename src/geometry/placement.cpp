@@ -24,15 +24,9 @@ Fault find_gauge_face(const Profile& profile, const ProfileTop& top, double dept
   std::int32_t i = piece_at(profile, top.y);
   while (i >= 0 && profile.z[i] <= top.z + depth) --i;
   if (i < 0) {
-    return {
-        .status = WRC_ERROR_PROFILE,
-        .field = "depth of the rail profile at its gauge end",
-        .value = profile.z[0] - top.z,
-        .unit = "m",
-        .low = depth,
-        .high = profile_reach,
-        .cause =
-            "it ends above config.track.gauge_depth, where the gauge is measured: add points further down"};
+    return Fault::profile(
+        "depth of the rail profile at its gauge end", {profile.z[0] - top.z, "m", depth, profile_reach},
+        "it ends above config.track.gauge_depth, where the gauge is measured: add points further down");
   }
   double low = profile.y[i], high = profile.y[i + 1];
   for (int k = 0; k < 60; ++k) {
@@ -67,32 +61,20 @@ Fault place(const Profile& profile, const Placement& placement, const ProfileMem
     memory.z[i] = c * z - s * y + placement.z;
     memory.slope[i] = (c * slope - s) / (c + s * slope);
     if (!usable(first + i)) {
-      return {.status = WRC_ERROR_PROFILE,
-              .index = first + i,
-              .field = "slope of the profile, after canting,",
-              .value = memory.slope[i],
-              .unit = "",
-              .cause =
-                  "it passes 89.4 degrees with flatter points on both sides: is there a step in the points?"};
+      return Fault::profile(
+          {"slope of the profile, after canting,", first + i}, {memory.slope[i], ""},
+          "it passes 89.4 degrees with flatter points on both sides: is there a step in the points?");
     }
     if (i > 0 && memory.y[i] <= memory.y[i - 1]) {
-      return {.status = WRC_ERROR_PROFILE,
-              .index = first + i,
-              .field = "rail inclination",
-              .value = placement.inclination,
-              .unit = "",
-              .cause = "the canted profile folds back: it is no longer a height over lateral position"};
+      return Fault::profile({"rail inclination", first + i}, {placement.inclination, ""},
+                            "the canted profile folds back: it is no longer a height over lateral position");
     }
   }
   const double width = memory.y[count - 1] - memory.y[0];
   if (width < profile_width_least) {
-    return {.status = WRC_ERROR_PROFILE,
-            .field = "width of a profile where it is not too steep",
-            .value = width,
-            .unit = "m",
-            .low = profile_width_least,
-            .high = profile_width_most,
-            .cause = "its ends are steeper than 89.4 degrees and cut off: is the scale of z that of y?"};
+    return Fault::profile("width of a profile where it is not too steep",
+                          {width, "m", profile_width_least, profile_width_most},
+                          "its ends are steeper than 89.4 degrees and cut off: is the scale of z that of y?");
   }
   placed = profile_in(memory, count);
   return {};

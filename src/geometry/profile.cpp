@@ -16,13 +16,8 @@ Profile profile_in(const ProfileMemory& memory, std::int32_t count) {
 }
 
 Fault too_few_nodes(std::int32_t capacity, std::int32_t needed) {
-  return {.status = WRC_ERROR_BUFFER,
-          .field = "profile memory",
-          .value = static_cast<double>(capacity),
-          .unit = "nodes",
-          .low = static_cast<double>(needed),
-          .high = 1e9,
-          .cause = "the memory holds fewer nodes than the profile has"};
+  return Fault::buffer("profile memory", {capacity, "nodes", needed, 1e9},
+                       "the memory holds fewer nodes than the profile has");
 }
 
 std::int32_t piece_at(const Profile& profile, double y) {

@@ -19,15 +19,6 @@ Names names_of(ProfileBody body) {
           "step of wheel profile z"};
 }
 
-Fault unusable(const char* field, double value, const char* cause, std::int32_t index = -1) {
-  return {.status = WRC_ERROR_PROFILE,
-          .index = index,
-          .field = field,
-          .value = value,
-          .unit = "m",
-          .cause = cause};
-}
-
 /// A step: far between two points, steeply, between parts that are flat. Flanges and gauge faces are steep
 /// from point to point or end the profile; a flange of few points may rise by one chord, at up to
 /// 79 degrees, where a head has no such thing. Beyond the head, over the foot, a rail may do as it likes.
@@ -46,11 +37,10 @@ Fault check_steps(ProfileBody body, std::int32_t count, const double* y, const d
     const double step = z[i] - z[i - 1], steep = slope(i);
     if (std::abs(step) < least_step || steep < least_slope || std::max(z[i], z[i - 1]) > deepest) continue;
     if (std::max(slope(i - 1), slope(i + 1)) < std::min(flat, flatter * steep)) {
-      return unusable(
-          names_of(body).step, step,
+      return Fault::profile(
+          {names_of(body).step, i}, {step, "m"},
           "it jumps from the point before to this one: are two measurements joined there, or is a "
-          "part of one shifted?",
-          i);
+          "part of one shifted?");
     }
   }
   return {};
@@ -68,23 +58,19 @@ Fault check_rail_orientation(std::int32_t count, const double* y, const double* 
   const auto [top, bottom] = std::minmax_element(z, z + count);
   const double mean = mean_height(count, y, z);
   if (mean - *top > *bottom - mean) {
-    return unusable("rail profile z", *bottom, "the head is upside down: z must point down, turn its sign",
-                    static_cast<std::int32_t>(bottom - z));
+    return Fault::profile({"rail profile z", bottom - z}, {*bottom, "m"},
+                          "the head is upside down: z must point down, turn its sign");
   }
   if (top == z || top == z + count - 1) {
-    return unusable(
-        "rail profile z", *top,
+    return Fault::profile(
+        {"rail profile z", top - z}, {*top, "m"},
         "the highest point of the head is at an end of the points: is the profile cut too short, or a "
-        "wheel's?",
-        static_cast<std::int32_t>(top - z));
+        "wheel's?");
   }
   constexpr double datum_most = 0.020;  // a head wears down by this much before it is scrapped
   if (std::abs(*top) > datum_most) {
-    Fault fault = unusable("rail profile z", *top, "z must be 0 at the top of the head: shift z",
-                           static_cast<std::int32_t>(top - z));
-    fault.low = -datum_most;
-    fault.high = datum_most;
-    return fault;
+    return Fault::profile({"rail profile z", top - z}, {*top, "m", -datum_most, datum_most},
+                          "z must be 0 at the top of the head: shift z");
   }
   return {};
 }
@@ -100,24 +86,20 @@ Fault check_wheel_orientation(std::int32_t count, const double* y, const double*
   const bool upside_down = mean - *least > *most - mean;
   const auto flange = static_cast<std::int32_t>((upside_down ? least : most) - z);
   if (upside_down) {
-    return unusable("wheel profile z", z[flange], "the flange points up: z must point down, turn its sign",
-                    flange);
+    return Fault::profile({"wheel profile z", flange}, {z[flange], "m"},
+                          "the flange points up: z must point down, turn its sign");
   }
   if (y[flange] > 0.5 * (y[0] + y[count - 1])) {
-    return unusable(
-        "wheel profile y", y[flange],
+    return Fault::profile(
+        {"wheel profile y", flange}, {y[flange], "m"},
         "the flange is on the field side: the profile is a rail's, or mirrored: turn the sign of y and the "
-        "order of the points",
-        flange);
+        "order of the points");
   }
   const double* after = std::lower_bound(y, y + count, 0.0);
   if (after == y + count || y[0] > 0.0 || std::abs(z[after - y]) > datum_most) {
     const auto at = std::min(static_cast<std::int32_t>(after - y), count - 1);
-    Fault fault = unusable("wheel profile z", z[at],
-                           "y = 0 must be at the running circle and z = 0 there: shift the profile", at);
-    fault.low = -datum_most;
-    fault.high = datum_most;
-    return fault;
+    return Fault::profile({"wheel profile z", at}, {z[at], "m", -datum_most, datum_most},
+                          "y = 0 must be at the running circle and z = 0 there: shift the profile");
   }
   return {};
 }
@@ -151,63 +133,45 @@ void natural_slopes(std::int32_t count, const double* y, const double* z, double
 Fault check_points(ProfileBody body, std::int32_t count, const double* y, const double* z, double noise) {
   const Names name = names_of(body);
   if (count < 4) {
-    return {.status = WRC_ERROR_PROFILE,
-            .field = name.points,
-            .value = static_cast<double>(count),
-            .unit = "points",
-            .low = 4.0,
-            .high = 1e6,
-            .cause = "a profile needs at least four points"};
+    return Fault::profile(name.points, {count, "points", 4.0, 1e6}, "a profile needs at least four points");
   }
   for (std::int32_t i = 0; i < count; ++i) {
     const bool y_bad = !std::isfinite(y[i]);
     if (y_bad || !std::isfinite(z[i])) {
-      return {.status = WRC_ERROR_NOT_FINITE,
-              .index = i,
-              .field = y_bad ? name.y : name.z,
-              .value = y_bad ? y[i] : z[i],
-              .unit = "m",
-              .cause = "a point is NaN or infinite"};
+      return Fault::not_finite({y_bad ? name.y : name.z, i}, {y_bad ? y[i] : z[i], "m"},
+                               "a point is NaN or infinite");
     }
     const bool y_far = std::abs(y[i]) > profile_reach;
     if (y_far || std::abs(z[i]) > profile_reach) {
-      Fault fault = unusable(y_far ? name.y : name.z, y_far ? y[i] : z[i], "did you pass millimetres?", i);
-      fault.low = -profile_reach;
-      fault.high = profile_reach;
-      return fault;
+      return Fault::profile({y_far ? name.y : name.z, i},
+                            {y_far ? y[i] : z[i], "m", -profile_reach, profile_reach},
+                            "did you pass millimetres?");
     }
   }
   if (y[count - 1] < y[0]) {
-    return unusable(name.y, y[1] - y[0], "the points run from the field side inwards: reverse their order",
-                    1);
+    return Fault::profile({name.y, 1}, {y[1] - y[0], "m"},
+                          "the points run from the field side inwards: reverse their order");
   }
   for (std::int32_t i = 1; i < count; ++i) {
     if (y[i] == y[i - 1] && (noise == 0.0 || z[i] == z[i - 1]))
-      return unusable(name.y, y[i], "two neighbouring points have the same y", i);
+      return Fault::profile({name.y, i}, {y[i], "m"}, "two neighbouring points have the same y");
     if (y[i] < y[i - 1] - noise) {
-      return unusable(name.y, y[i],
-                      "the profile folds back or crosses itself: y must increase from point to point", i);
+      return Fault::profile({name.y, i}, {y[i], "m"},
+                            "the profile folds back or crosses itself: y must increase from point to point");
     }
     const double spacing = y[i] - y[i - 1];
     if ((noise == 0.0 && spacing < profile_spacing_least) || spacing > profile_spacing_most) {
-      Fault fault = unusable(name.spacing, spacing,
-                             spacing > profile_spacing_most ? "points are missing before this one"
-                                                            : "leave out one of the two points",
-                             i);
-      fault.low = profile_spacing_least;
-      fault.high = profile_spacing_most;
-      return fault;
+      return Fault::profile({name.spacing, i}, {spacing, "m", profile_spacing_least, profile_spacing_most},
+                            spacing > profile_spacing_most ? "points are missing before this one"
+                                                           : "leave out one of the two points");
     }
   }
   const double width = y[count - 1] - y[0];
   if (width < profile_width_least || width > profile_width_most) {
-    Fault fault = unusable(name.points, width,
-                           width < profile_width_least
-                               ? "the profile is too short; are its points in the unit expected?"
-                               : "did you pass millimetres?");
-    fault.low = profile_width_least;
-    fault.high = profile_width_most;
-    return fault;
+    return Fault::profile(name.points, {width, "m", profile_width_least, profile_width_most},
+                          width < profile_width_least
+                              ? "the profile is too short; are its points in the unit expected?"
+                              : "did you pass millimetres?");
   }
   if (const Fault fault = check_steps(body, count, y, z); fault.failed()) return fault;
   return body == ProfileBody::rail ? check_rail_orientation(count, y, z)

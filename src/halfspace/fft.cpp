@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "patch/material.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -76,8 +76,9 @@ void radix3(const Pass& s) {
 }
 
 void radix5(const Pass& s) {
-  const double c1 = std::cos(0.4 * pi), c2 = std::cos(0.8 * pi);
-  const double s1 = std::sin(0.4 * pi), s2 = std::sin(0.8 * pi);
+  // cosine and sine of 2 pi / 5 and 4 pi / 5
+  constexpr double c1 = 0.30901699437494742410, c2 = -0.80901699437494742410;
+  constexpr double s1 = 0.95105651629515357212, s2 = 0.58778525229247312917;
   for (std::size_t q = 0; q < s.count; ++q) {
     double r[5], i[5];
     for (std::size_t k = 0; k < 5; ++k) {
@@ -101,6 +102,23 @@ void radix5(const Pass& s) {
   }
 }
 
+// Sine and cosine of 2 pi k / n, 0 <= k < n: of the angle within its quarter turn, in whole numbers, and that
+// many quarters.
+SineCosine root_of_unity(int k, int n) {
+  const int quarters = 4 * k / n;
+  const SineCosine rest = sine_cosine(0.5 * pi * (4 * k - quarters * n) / n);
+  switch (quarters) {
+    case 0:
+      return rest;
+    case 1:
+      return {rest.cosine, -rest.sine};
+    case 2:
+      return {-rest.sine, -rest.cosine};
+    default:
+      return {-rest.cosine, rest.sine};
+  }
+}
+
 }  // namespace
 
 int Fft::good_length(int minimum) {
@@ -120,9 +138,9 @@ Fft::Fft(int length) : length_(length) {
     Stage stage{.radix = radix, .blocks = rest / radix, .cos = {}, .sin = {}};
     for (int p = 0; p < stage.blocks; ++p) {
       for (int r = 1; r < radix; ++r) {
-        const double angle = 2.0 * pi * p * r / rest;
-        stage.cos.push_back(std::cos(angle));
-        stage.sin.push_back(std::sin(angle));
+        const SineCosine root = root_of_unity(p * r, rest);
+        stage.cos.push_back(root.cosine);
+        stage.sin.push_back(root.sine);
       }
     }
     stages_.push_back(std::move(stage));

@@ -36,20 +36,17 @@ double contact_product(const Field& a, const Field& b, const Field& pressure) {
 
 Fault check(const Grid& grid, const GapProblem& problem) {
   if (problem.gap.size() != grid.cells()) {
-    return {.status = WRC_ERROR_GAP,
-            .field = "halfspace.gap.size",
-            .value = static_cast<double>(problem.gap.size())};
+    return Fault::gap("halfspace.gap.size", {problem.gap.size()});
   }
   for (const double h : problem.gap) {
-    if (!std::isfinite(h)) return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.gap", .value = h};
+    if (!std::isfinite(h)) return Fault::not_finite("halfspace.gap", {h});
   }
   if (problem.prescribed == Prescribed::load &&
       !(problem.normal_force > 0.0 && std::isfinite(problem.normal_force))) {
-    return {
-        .status = WRC_ERROR_LOAD, .field = "load.normal_force", .value = problem.normal_force, .unit = "N"};
+    return Fault::load("load.normal_force", {problem.normal_force, "N"});
   }
   if (problem.prescribed == Prescribed::approach && !std::isfinite(problem.approach)) {
-    return {.status = WRC_ERROR_NOT_FINITE, .field = "load.approach", .value = problem.approach, .unit = "m"};
+    return Fault::not_finite("load.approach", {problem.approach, "m"});
   }
   return {};
 }
@@ -64,11 +61,11 @@ void finish(const Grid& grid, GapSolution& s) {
       s.normal_force += p * grid.cell_area();
       s.peak_pressure = std::max(s.peak_pressure, p);
       if (i == 0 || j == 0 || i == grid.nx - 1 || j == grid.ny - 1) {
-        keep_worst(s.fault, {.status = WRC_FLAG_PATCH_AT_EDGE});
+        keep_worst(s.fault, Fault::patch_at_edge());
       }
     }
   }
-  if (s.area == 0.0) keep_worst(s.fault, {.status = WRC_FLAG_NO_CONTACT});
+  if (s.area == 0.0) keep_worst(s.fault, Fault::no_contact());
 }
 
 }  // namespace
@@ -125,20 +122,15 @@ GapSolution NormalSolver::solve(const GapProblem& problem) {
     s.residual = std::max(total > 0.0 ? weighted / total : 0.0, overlap) / scale;
     if (s.residual <= problem.tolerance) break;
     if (s.iterations == problem.max_iterations) {
-      s.fault = {.status = WRC_FLAG_ITERATION_CAP,
-                 .field = "solution.residual",
-                 .value = s.residual,
-                 .unit = "",
-                 .low = 0.0,
-                 .high = problem.tolerance,
-                 .cause = "problem.max_iterations ended the iteration"};
+      s.fault = Fault::iteration_cap("solution.residual", {s.residual, "", 0.0, problem.tolerance},
+                                     "problem.max_iterations ended the iteration");
       break;
     }
     const double decades = natural_log(std::min(1.0, s.residual)) / natural_log(problem.tolerance);
     if (!problem.progress.goes_on(std::clamp(decades, 0.0, 1.0))) {
       s = {};
       s.pressure.assign(n, 0.0);
-      s.fault = {.status = WRC_ERROR_CANCELLED};
+      s.fault = Fault::cancelled();
       return s;
     }
 

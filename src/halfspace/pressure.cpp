@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "patch/material.hpp"
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 // Integral of sqrt(1 - t^2) from -1 to t.
 double semicircle_integral(double t) {
   const double c = std::clamp(t, -1.0, 1.0);
-  return 0.5 * (c * std::sqrt((1.0 - c) * (1.0 + c)) + std::asin(c) + 0.5 * pi);
+  return 0.5 * (c * std::sqrt((1.0 - c) * (1.0 + c)) + arcsine(c) + 0.5 * pi);
 }
 
 }  // namespace

@@ -31,7 +31,10 @@ Vector3 to_track(const double (&r)[3][3], const Vector3& w) {
           r[2][0] * w.x + r[2][1] * w.y + r[2][2] * w.z};
 }
 
-Vector3 normal_of(const SurfaceRow& row) { return {0.0, -std::sin(row.angle), std::cos(row.angle)}; }
+Vector3 normal_of(const SurfaceRow& row) {
+  const SineCosine turned = sine_cosine(row.angle);
+  return {0.0, -turned.sine, turned.cosine};
+}
 
 }  // namespace
 
@@ -41,8 +44,9 @@ TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state)
   if (bodies.roller_curvature == 0.0 || state.distance == 0.0) return;
   WheelMotion& wheel = state.wheel;
   RailMotion& rail = state.rail;
-  down_y_ = -std::sin(rail.roll);
-  down_z_ = std::cos(rail.roll);
+  const SineCosine rolled = sine_cosine(rail.roll);
+  down_y_ = -rolled.sine;
+  down_z_ = rolled.cosine;
   const double y = wheel.position[1] - (bodies.rail_y + rail.y),
                z = wheel.position[2] - (bodies.rail_z + rail.z);
   const double height = 1.0 / bodies.roller_curvature - (y * down_y_ + z * down_z_);
@@ -109,8 +113,7 @@ RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const RailSurface& 
       surface_(surface),
       wheel_(state.wheel),
       rail_(state.rail),
-      cosine_(std::cos(state.rail.roll)),
-      sine_(std::sin(state.rail.roll)) {
+      roll_(sine_cosine(state.rail.roll)) {
   if (bodies.out_of_round != nullptr) deviation_.emplace(*bodies.out_of_round, state.angle);
 }
 
@@ -118,7 +121,7 @@ RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
   if (row.radius > 0.0) {
     const double above = std::sqrt(row.radius * row.radius - x * x), down = row.radius - above,
                  slope = x / above;
-    return {-sine_ * down, cosine_ * down, -sine_ * slope, cosine_ * slope};
+    return {-roll_.sine * down, roll_.cosine * down, -roll_.sine * slope, roll_.cosine * slope};
   }
   if (surface_.varying == nullptr) return {};
   const VaryingRail& varying = *surface_.varying;
@@ -134,14 +137,14 @@ RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
     slope_y += row.weight[k] * there.slope_y;
     slope_z += row.weight[k] * there.slope_z;
   }
-  return {cosine_ * y - sine_ * z, sine_ * y + cosine_ * z, cosine_ * slope_y - sine_ * slope_z,
-          sine_ * slope_y + cosine_ * slope_z};
+  return {roll_.cosine * y - roll_.sine * z, roll_.sine * y + roll_.cosine * z,
+          roll_.cosine * slope_y - roll_.sine * slope_z, roll_.sine * slope_y + roll_.cosine * slope_z};
 }
 
 double RollingSurfaces::rail_angle(const SurfaceRow& row, double s, double x) const {
   if (surface_.varying == nullptr) {
     const SectionCurve::Point p = surface_.section.at(s);
-    return std::atan2(p.dz, p.dy) + rail_.roll;
+    return arctangent2(p.dz, p.dy) + rail_.roll;
   }
   const VaryingRail& varying = *surface_.varying;
   const double distance = surface_.distance + x;
@@ -153,7 +156,7 @@ double RollingSurfaces::rail_angle(const SurfaceRow& row, double s, double x) co
     along_y += row.weight[k] * ty;
     along_z += row.weight[k] * tz;
   }
-  return std::atan2(along_z, along_y) + rail_.roll;
+  return arctangent2(along_z, along_y) + rail_.roll;
 }
 
 // The ray q(t) = P - t n in wheel axes meets the surface of revolution where
@@ -175,7 +178,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
     const Vector3 q = start + found.gap * ray;
     const double radius = std::sqrt(q.x * q.x + q.z * q.z);
     const WheelDeviation::Value more =
-        deviation_ ? deviation_->at(p.y, std::atan2(q.x, q.z)) : WheelDeviation::Value{};
+        deviation_ ? deviation_->at(p.y, arctangent2(q.x, q.z)) : WheelDeviation::Value{};
     const double e1 = q.y - p.y, e2 = radius - (bodies_.nominal_radius + p.z + more.depth);
     const double ray_r = (q.x * ray.x + q.z * ray.z) / radius;
     // Outward normal of the profile (-dz, dy) in (y, radius); cosine < 0 where the ray goes into the wheel.
@@ -282,8 +285,8 @@ void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
 
 SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const {
   const SectionCurve::Point p = surface_.section.at(s);
-  SurfaceRow row{.y = bodies_.rail_y + rail_.y + cosine_ * p.y - sine_ * p.z,
-                 .z = bodies_.rail_z + rail_.z + sine_ * p.y + cosine_ * p.z};
+  SurfaceRow row{.y = bodies_.rail_y + rail_.y + roll_.cosine * p.y - roll_.sine * p.z,
+                 .z = bodies_.rail_z + rail_.z + roll_.sine * p.y + roll_.cosine * p.z};
   if (bodies_.roller_curvature != 0.0) {
     constexpr double least_radius = 0.02;  // [m]: of faces that no wheel reaches
     row.radius = std::max(1.0 / bodies_.roller_curvature - p.z, least_radius);
@@ -324,7 +327,7 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     if (surface_.varying != nullptr) on_rail = rail_angle(row, s, row.middle);
     // Where the surfaces part at a large angle they do not touch: there the rail's normal will do.
     constexpr double largest_turn = 0.25;
-    const double wheel_angle = std::atan2(-at.normal[1], at.normal[2]);
+    const double wheel_angle = arctangent2(-at.normal[1], at.normal[2]);
     const double turn = std::clamp(0.5 * (wheel_angle - on_rail), -largest_turn, largest_turn);
     const bool settled = std::abs(on_rail + turn - row.angle) < 1e-9;
     row.angle = on_rail + turn;
@@ -352,7 +355,7 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
                         rail_.velocity_z + rail_.velocity_roll * rail_arm_y};
   if (row.radius > 0.0) {  // about the axle, which lies at x = 0
     const double from_axle = std::sqrt(row.radius * row.radius - x * x);
-    rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, x * sine_, -x * cosine_};
+    rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, x * roll_.sine, -x * roll_.cosine};
   }
   const Vector3 velocity = wheel_velocity - rail_velocity;
   // Row's normal n is (at the row's middle) the mean of both already; along x the wheel's share is half its

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/section_curve.hpp"
 #include "halfspace/wheel_deviation.hpp"
@@ -143,7 +144,7 @@ class RollingSurfaces {
   const RailSurface& surface_;
   const WheelMotion& wheel_;
   const RailMotion& rail_;
-  double cosine_, sine_;  // of the rail's roll
+  SineCosine roll_;  // of the rail
   std::optional<WheelDeviation> deviation_;
 };
 

@@ -170,7 +170,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
     }
   }
   if (last_i < 0) {
-    solution.fault = {.status = WRC_FLAG_NO_CONTACT};
+    solution.fault = Fault::no_contact();
     solution.levels.resize(depths.size());
     return solution;
   }
@@ -183,7 +183,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
   const auto goes_on = [&] {
     done += 1.0;
     if (progress.goes_on(std::min(1.0, done / work))) return true;
-    solution.fault = {.status = WRC_ERROR_CANCELLED};
+    solution.fault = Fault::cancelled();
     return false;
   };
 

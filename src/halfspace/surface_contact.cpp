@@ -111,12 +111,13 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   const auto on_wheel = static_cast<int>(bodies.wheel.length() / spacing);
   for (int k = 0; k <= on_wheel; ++k) lowest = std::max(lowest, bodies.wheel.at(spacing * k).z);
   if (bodies.out_of_round != nullptr) lowest += bodies.out_of_round->largest;
+  const SineCosine rolled = sine_cosine(rail.roll);
   bool first = true;
   for (const RailSurface& face : bodies.rail) {
     const auto on_rail = static_cast<int>(face.section.length() / spacing);
     for (int k = 0; k <= on_rail; ++k) {
       const SectionCurve::Point p = face.section.at(spacing * k);
-      const double z = std::sin(rail.roll) * p.y + std::cos(rail.roll) * p.z;
+      const double z = rolled.sine * p.y + rolled.cosine * p.z;
       top = first ? z : std::min(top, z);
       first = false;
     }
@@ -258,7 +259,7 @@ Fault at_edge(const WheelAndRail& bodies, const RailSurface& face, const Cells& 
       const bool rail_ends = g.y(j) < g.dy || g.y(j) > face.section.length() - g.dy;
       const double on_wheel = cells.points[at].wheel_s;
       if (rail_ends || on_wheel < g.dy || on_wheel > bodies.wheel.length() - g.dy)
-        return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+        return Fault::patch_at_edge(rail_ends ? "config.rail" : "config.wheel");
     }
   }
   return {};
@@ -274,7 +275,7 @@ void sum_up(const WheelOnRail& state, const Cells& cells, Collocation collocatio
   s.row_forces.clear();
   for (int j = 0; j < g.ny; ++j) {
     const SurfaceRow& place = s.rows[j];
-    const double c = std::cos(place.angle), sn = std::sin(place.angle);
+    const auto [sn, c] = sine_cosine(place.angle);
     RowForces row{.s = g.y(j), .y = place.y, .z = place.z, .angle = place.angle};
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
@@ -326,16 +327,15 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
     sum += state.wheel.position[k] + state.wheel.velocity[k] + state.wheel.angular_velocity[k];
     for (const double r : state.wheel.rotation[k]) sum += r;
   }
-  if (!std::isfinite(sum)) return {.status = WRC_ERROR_NOT_FINITE, .field = "state"};
+  if (!std::isfinite(sum)) return Fault::not_finite("state");
   if (!(options.cell_x > 0.0 && options.cell_s > 0.0)) {
-    return {.status = WRC_ERROR_RANGE, .field = "options.cell_x", .value = options.cell_x, .unit = "m"};
+    return Fault::range("options.cell_x", {options.cell_x, "m"});
   }
   if (!(state.friction >= 0.0)) {
-    return {.status = WRC_ERROR_RANGE, .field = "friction.coefficient", .value = state.friction};
+    return Fault::range("friction.coefficient", {state.friction});
   }
   if (state.load_prescribed && !(state.vertical_load > 0.0)) {
-    return {
-        .status = WRC_ERROR_LOAD, .field = "input.vertical_load", .value = state.vertical_load, .unit = "N"};
+    return Fault::load("input.vertical_load", {state.vertical_load, "N"});
   }
   return {};
 }
@@ -357,7 +357,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
   if (bodies_.rail.size() == 1) {
     solve_face(bodies_.rail[0], state, with_friction, start, progress, s);
   } else {
-    s.fault = {.status = WRC_FLAG_NO_CONTACT};
+    s.fault = Fault::no_contact();
     double sticking = 0.0;
     for (std::size_t f = 0; f < bodies_.rail.size() && !s.fault.failed(); ++f) {
       const double per_face = 1.0 / static_cast<double>(bodies_.rail.size()),
@@ -402,16 +402,12 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
   s.grid = cells.grid;
   if (cells.too_many) {
     s.grid = {};
-    s.fault = {.status = WRC_ERROR_RANGE,
-               .field = "cells of the exact solution",
-               .value = static_cast<double>(cells.grid.cells()),
-               .unit = "",
-               .high = static_cast<double>(options_.max_cells),
-               .cause = "an overlap of millimetres, or cells too small"};
+    s.fault = Fault::range("cells of the exact solution", {cells.grid.cells(), "", 0.0, options_.max_cells},
+                           "an overlap of millimetres, or cells too small");
     return;
   }
   if (cells.deepest <= 0.0) {
-    s.fault = {.status = WRC_FLAG_NO_CONTACT};
+    s.fault = Fault::no_contact();
     return;
   }
   s.rows = cells.rows;
@@ -529,8 +525,7 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
       }
       s.adhesion_fraction += way.share * way.rolled.forces.adhesion_fraction;
     }
-    if (reference.reverse_share > 0.0)
-      keep_worst(s.fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
+    if (reference.reverse_share > 0.0) keep_worst(s.fault, Fault::creepages_limited("rolling speed"));
     const double force_before[3] = {s.force[0], s.force[1], s.force[2]};
     sum_up(state, cells, options_.collocation, ways, s);
     double change = 0.0, size = 0.0;
@@ -541,9 +536,7 @@ void SurfaceContact::solve_face(const RailSurface& face, const WheelOnRail& stat
     if (change <= options_.force_tolerance * options_.force_tolerance * size) break;
     if (!options_.turned && !couples) break;
     if (s.turns == options_.max_turns) {
-      keep_worst(
-          s.fault,
-          {.status = WRC_FLAG_ITERATION_CAP, .field = "surface.turns", .value = std::sqrt(change / size)});
+      keep_worst(s.fault, Fault::iteration_cap("surface.turns", {std::sqrt(change / size)}));
       break;
     }
   }
@@ -577,9 +570,11 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
         bool found = false;
         const SurfaceRow row = surfaces.row((j + 0.5) * options_.cell_s, options_.normals, found);
         constexpr double least_down = 0.2;  // steeper faces guide
-        if (!found || std::cos(row.angle) < least_down) continue;
+        if (!found) continue;
+        const double down = sine_cosine(row.angle).cosine;
+        if (down < least_down) continue;
         const SurfacePoint p = surfaces.point(row, row.middle);
-        if (p.found) nearest = std::min(nearest, p.gap / std::cos(row.angle));
+        if (p.found) nearest = std::min(nearest, p.gap / down);
       }
     }
     height += std::min(nearest, apart);
@@ -615,9 +610,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
       nearest = std::clamp(std::abs(force - load) / load, tolerance, nearest);
       if (std::abs(force - load) <= tolerance * load) break;
       if (heights == options_.max_heights) {
-        keep_worst(
-            s.fault,
-            {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = force, .unit = "N"});
+        keep_worst(s.fault, Fault::iteration_cap("input.vertical_load", {force, "N"}));
         break;
       }
       if (force < load) {
@@ -645,11 +638,8 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
     if (s.fault.failed()) break;
   }
   if (!s.fault.failed() && s.row_forces.empty()) {
-    s.fault = {.status = WRC_ERROR_LOAD,
-               .field = "input.vertical_load",
-               .value = load,
-               .unit = "N",
-               .cause = "the wheel meets no rail at this pose, whatever its height"};
+    s.fault = Fault::load("input.vertical_load", {load, "N"},
+                          "the wheel meets no rail at this pose, whatever its height");
   }
   s.heights = heights;
   return s;

@@ -14,13 +14,8 @@ namespace {
 constexpr int products_of_a_step = 20;  // of projected gradients, for one of Newton's iterations
 
 Fault capped(double residual, double tolerance) {
-  return {.status = WRC_FLAG_ITERATION_CAP,
-          .field = "solution.residual",
-          .value = residual,
-          .unit = "",
-          .low = 0.0,
-          .high = tolerance,
-          .cause = "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)"};
+  return Fault::iteration_cap("solution.residual", {residual, "", 0.0, tolerance},
+                              "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)");
 }
 
 // Rigid slips of all cells where the collocation wants them.
@@ -319,39 +314,35 @@ Field compressive(const Field& pressure) {
 }
 
 Fault check(const Grid& grid, const RollingProblem& problem) {
-  const auto range = [](const char* field, double value) {
-    return Fault{.status = WRC_ERROR_RANGE, .field = field, .value = value};
-  };
   if (problem.pressure.size() != grid.cells()) {
-    return range("halfspace.pressure.size", static_cast<double>(problem.pressure.size()));
+    return Fault::range("halfspace.pressure.size", {problem.pressure.size()});
   }
   for (const double p : problem.pressure) {
-    if (!std::isfinite(p)) return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.pressure", .value = p};
+    if (!std::isfinite(p)) return Fault::not_finite("halfspace.pressure", {p});
   }
   const Creepage& c = problem.creepage;
   if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
-    return {.status = WRC_ERROR_NOT_FINITE, .field = "creepage"};
+    return Fault::not_finite("creepage");
   }
   for (const Field* slip : {&problem.rigid_slip_x, &problem.rigid_slip_y}) {
     if (slip->size() != problem.rigid_slip_x.size() || (!slip->empty() && slip->size() != grid.cells())) {
-      return range("halfspace.rigid_slip.size", static_cast<double>(slip->size()));
+      return Fault::range("halfspace.rigid_slip.size", {slip->size()});
     }
     for (const double w : *slip) {
-      if (!std::isfinite(w))
-        return {.status = WRC_ERROR_NOT_FINITE, .field = "halfspace.rigid_slip", .value = w};
+      if (!std::isfinite(w)) return Fault::not_finite("halfspace.rigid_slip", {w});
     }
   }
   if (problem.start != nullptr && problem.start->traction_x.size() != grid.cells()) {
-    return range("halfspace.start.size", static_cast<double>(problem.start->traction_x.size()));
+    return Fault::range("halfspace.start.size", {problem.start->traction_x.size()});
   }
   if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0))
-    return range("halfspace.tolerance", problem.tolerance);
+    return Fault::range("halfspace.tolerance", {problem.tolerance});
   if (problem.adhesion == Adhesion::full) return {};
   if (problem.friction.size() != 1 && problem.friction.size() != grid.cells()) {
-    return range("halfspace.friction.size", static_cast<double>(problem.friction.size()));
+    return Fault::range("halfspace.friction.size", {problem.friction.size()});
   }
   for (const double mu : problem.friction) {
-    if (!(mu >= 0.0 && std::isfinite(mu))) return range("halfspace.friction", mu);
+    if (!(mu >= 0.0 && std::isfinite(mu))) return Fault::range("halfspace.friction", {mu});
   }
   return {};
 }
@@ -421,7 +412,7 @@ RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
     if (!OnGrid{level.grid, level.convolution, problems[l], solution}.solve(
             l == 0 ? problem.tolerance : std::max(problem.tolerance, coarse_tolerance), begun, done)) {
       clear(level.grid, solution);
-      solution.fault = {.status = WRC_ERROR_CANCELLED};
+      solution.fault = Fault::cancelled();
       return solution;
     }
     if (l > 0) coarse = std::move(solution);
@@ -476,7 +467,7 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
   }
   if (!TransientStep(grid_, displacement_, with, solution).run()) {
     clear(grid_, solution);
-    solution.fault = {.status = WRC_ERROR_CANCELLED};
+    solution.fault = Fault::cancelled();
     return solution;
   }
   finish(grid_, problem, solution);

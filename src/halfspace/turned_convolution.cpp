@@ -1,7 +1,8 @@
 #include "halfspace/turned_convolution.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.hpp"
 
 namespace wrc::halfspace {
 
@@ -15,8 +16,9 @@ TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material,
   by_cosine_.resize(grid.cells());
   by_sine_.resize(grid.cells());
   for (const double a : angles) {
-    cosine_.push_back(std::cos(a));
-    sine_.push_back(std::sin(a));
+    const SineCosine turned = sine_cosine(a);
+    cosine_.push_back(turned.cosine);
+    sine_.push_back(turned.sine);
   }
 }
 

@@ -8,44 +8,27 @@ namespace {
 
 Fault check_rows(const GapRows& rows) {
   if (rows.y == nullptr || rows.height == nullptr || rows.centre == nullptr || rows.curvature == nullptr)
-    return {.status = WRC_ERROR_NULL, .field = "gap"};
-  if (rows.count < 4)
-    return {.status = WRC_ERROR_GAP,
-            .field = "gap.count",
-            .value = static_cast<double>(rows.count),
-            .cause = "at least four rows are needed"};
+    return Fault::null("gap");
+  if (rows.count < 4) return Fault::gap("gap.count", {rows.count}, "at least four rows are needed");
   // Finiteness first, by bits: a comparison with a NaN would raise a trap that the host may have armed.
-  if (!std::isfinite(rows.height[0])) return {.status = WRC_ERROR_NOT_FINITE, .index = 0, .field = "gap"};
+  if (!std::isfinite(rows.height[0])) return Fault::not_finite({"gap", 0});
   double lowest = rows.height[0], highest = rows.height[0];
   for (std::int32_t j = 0; j < rows.count; ++j) {
     for (const double value : {rows.y[j], rows.height[j], rows.centre[j], rows.curvature[j]})
-      if (!std::isfinite(value)) return {.status = WRC_ERROR_NOT_FINITE, .index = j, .field = "gap"};
+      if (!std::isfinite(value)) return Fault::not_finite({"gap", j});
     // Range of heights, to tell a flat gap below.
     lowest = std::min(lowest, rows.height[j]);
     highest = std::max(highest, rows.height[j]);
     if (j > 0 && rows.y[j] <= rows.y[j - 1])
-      return {.status = WRC_ERROR_GAP,
-              .index = j,
-              .field = "gap.y",
-              .value = rows.y[j],
-              .unit = "m",
-              .cause = "rows must be ordered by increasing y"};
+      return Fault::gap({"gap.y", j}, {rows.y[j], "m"}, "rows must be ordered by increasing y");
     if (rows.curvature[j] <= 0.0)
-      return {.status = WRC_ERROR_GAP,
-              .index = j,
-              .field = "gap.curvature",
-              .value = rows.curvature[j],
-              .unit = "1/m",
-              .cause = "bodies that conform along the rolling direction are no rolling contact"};
+      return Fault::gap({"gap.curvature", j}, {rows.curvature[j], "1/m"},
+                        "bodies that conform along the rolling direction are no rolling contact");
   }
   // Rows of one height have no lowest point to start from.
   constexpr double least_range = 1e-12;  // [m]
   if (!(highest - lowest > least_range))
-    return {.status = WRC_ERROR_GAP,
-            .field = "gap.height",
-            .value = lowest,
-            .unit = "m",
-            .cause = "all rows are of the same height"};
+    return Fault::gap("gap.height", {lowest, "m"}, "all rows are of the same height");
   return {};
 }
 
@@ -57,29 +40,20 @@ Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcep
   // Material: G > 0 [Pa], 0 <= nu <= 0.5.
   const Material& material = problem.material;
   if (!std::isfinite(material.shear_modulus) || !std::isfinite(material.poisson))
-    return {.status = WRC_ERROR_NOT_FINITE, .field = "material"};
+    return Fault::not_finite("material");
   if (!(material.shear_modulus > 0.0) || !(material.poisson >= 0.0 && material.poisson <= 0.5))
-    return {.status = WRC_ERROR_RANGE, .field = "material", .value = material.shear_modulus, .unit = "Pa"};
+    return Fault::range("material", {material.shear_modulus, "Pa"});
   // The prescribed quantity: load [N] or approach [m].
   const bool load = problem.prescribed == Prescribed::load;
   const double given = load ? problem.normal_force : problem.approach;
   const char* const field = load ? "load.normal_force" : "load.approach";
-  if (!std::isfinite(given)) return {.status = WRC_ERROR_NOT_FINITE, .field = field};
-  if (load && given < 0.0)
-    return {.status = WRC_ERROR_RANGE,
-            .field = field,
-            .value = given,
-            .unit = "N",
-            .cause = "a contact cannot pull"};
+  if (!std::isfinite(given)) return Fault::not_finite(field);
+  if (load && given < 0.0) return Fault::range(field, {given, "N"}, "a contact cannot pull");
   // Memory for the result.
-  if (problem.strips < 4)
-    return {.status = WRC_ERROR_RANGE, .field = "strips", .value = static_cast<double>(problem.strips)};
-  if (output.capacity < problem.strips)
-    return {.status = WRC_ERROR_BUFFER,
-            .field = "strips.capacity",
-            .value = static_cast<double>(output.capacity)};
+  if (problem.strips < 4) return Fault::range("strips", {problem.strips});
+  if (output.capacity < problem.strips) return Fault::buffer("strips.capacity", {output.capacity});
   // Zero load, or bodies apart: nothing to solve, and no fault.
-  if (given <= 0.0) return {.status = WRC_FLAG_NO_CONTACT, .field = field};
+  if (given <= 0.0) return Fault::no_contact(field);
   return {};
 }
 

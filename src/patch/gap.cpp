@@ -121,11 +121,9 @@ Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* 
     // Heights of an absurd size overflow in the fit.
     if (!(fit.curvature > 0.0) || !std::isfinite(fit.curvature) || !std::isfinite(fit.at) ||
         !std::isfinite(fit.lowest)) {
-      return {
-          .status = WRC_ERROR_GAP,
-          .index = j,
-          .field = "gap.h row",
-          .cause = "the row has no minimum along x: is the gap convex there, and x the rolling direction?"};
+      return Fault::gap(
+          {"gap.h row", j},
+          "the row has no minimum along x: is the gap convex there, and x the rolling direction?");
     }
     height[j] = fit.lowest;
     centre[j] = fit.at;

@@ -9,7 +9,7 @@ namespace wrc {
 
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept {
   sdec = {};
-  if (!(patch.area > 0.0)) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!(patch.area > 0.0)) return Fault::no_contact();
   // Criteria of the header: (2) or (2b) gives b, (1) a = area / (pi b), (3) psi.
   const double width = patch.y_max - patch.y_min;
   sdec.b =
@@ -19,12 +19,8 @@ Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion cri
   const double psi = y_mid / sdec.b;
   sdec.psi = std::clamp(psi, -largest_psi, largest_psi);
   if (sdec.psi != psi)
-    return {.status = WRC_FLAG_TABLE_RANGE,
-            .field = "psi",
-            .value = psi,
-            .low = -largest_psi,
-            .high = largest_psi,
-            .cause = "the contact point lies at the border of the patch"};
+    return Fault::table_range("psi", {psi, nullptr, -largest_psi, largest_psi},
+                              "the contact point lies at the border of the patch");
   return {};
 }
 

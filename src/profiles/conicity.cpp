@@ -61,12 +61,6 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   return found;
 }
 
-/// atan2 with own functions: of a point not at the origin, -pi .. pi.
-double angle_of(double x, double y) {
-  if (std::abs(y) > std::abs(x)) return std::copysign(0.5 * pi, y) - arctangent(x / y);
-  return x > 0.0 ? arctangent(y / x) : std::copysign(pi, y) + arctangent(y / x);
-}
-
 /// Distance rolled while y goes from one place of a piece to another `step` further, with the slopes y' = u0
 /// and u1 there and y'' = -f, which goes from f0 to f1 in a straight line: with w^2 = df/dy the pair (f / w,
 /// u) turns at the rate w; where f falls it moves along a hyperbola.
@@ -75,7 +69,7 @@ double distance_over(double step, double f0, double f1, double u0, double u1) {
   const double plain = 2.0 * step / (u0 + u1);  // of constant f
   if (stiffness * plain * plain > 1e-10) {
     const double w = std::sqrt(stiffness);
-    return (angle_of(u1, f1 / w) - angle_of(u0, f0 / w)) / w;
+    return (arctangent2(f1 / w, u1) - arctangent2(f0 / w, u0)) / w;
   }
   if (stiffness * plain * plain < -1e-10) {
     const double w = std::sqrt(-stiffness);

@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 #include "base/number.hpp"
-#include "contact/contact.hpp"
+#include "contact/wheel.hpp"
 #include "geometry/contact_search.hpp"
 #include "geometry/silhouette.hpp"
 
@@ -143,13 +143,10 @@ Fault settle(Bodies& bodies, double base, double lateral, SettledWheelset& settl
     if (std::abs(apart) < bodies.close || search.exhausted()) return {};
     roll = search.next(roll, apart);
     if (!(std::abs(roll) < most_roll))
-      return {.status = WRC_ERROR_GAP,
-              .field = "problem.lateral",
-              .value = lateral,
-              .unit = "m",
-              .cause = "no roll of the wheelset brings both wheels onto their rails"};
+      return Fault::gap("problem.lateral", {lateral, "m"},
+                        "no roll of the wheelset brings both wheels onto their rails");
   }
-  return {.status = WRC_FLAG_ITERATION_CAP, .field = "roll"};
+  return Fault::iteration_cap("roll");
 }
 
 template <class Bodies>

@@ -104,12 +104,8 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
     worn.z[k] = point.z + off;
     worn.area += worn.passages * depth[k] * spacing * (i == 0 || i == pieces ? 0.5 : 1.0);
     if (k > 0 && !(worn.y[k] > worn.y[k - 1]))
-      return {.status = WRC_ERROR_PROFILE,
-              .index = i,
-              .field = "worn profile",
-              .value = worn.y[k],
-              .unit = "m",
-              .cause = "it crosses itself at this point: take off less at a time, or smooth more"};
+      return Fault::profile({"worn profile", i}, {worn.y[k], "m"},
+                            "it crosses itself at this point: take off less at a time, or smooth more");
   }
   // laid anew, evenly along the new curve
   SplineProfile moved;
@@ -157,11 +153,8 @@ Fault measure_flange(std::uint32_t count, const double* y, const double* z, doub
   };
   double lower = 0.0, upper = 0.0;
   if (!(tip_z > datum + 0.012) || !face(datum + 0.010, lower) || !face(tip_z - 0.002, upper))
-    return {.status = WRC_ERROR_PROFILE,
-            .field = "height of the flange",
-            .value = tip_z - datum,
-            .unit = "m",
-            .cause = "there is no flange of 12 mm or more at y < 0"};
+    return Fault::profile("height of the flange", {tip_z - datum, "m"},
+                          "there is no flange of 12 mm or more at y < 0");
   dimensions = {.height = tip_z - datum, .thickness = lower + back, .slope = lower - upper};
   return fault;
 }

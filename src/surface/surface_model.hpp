@@ -13,8 +13,8 @@
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/rail_strips.hpp"
 #include "surface/geometry/varying_rail.hpp"
-#include "surface/pressure/planar_normal.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/planar_pressure.hpp"
+#include "surface/pressure/pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
 #include "surface/rolling/surface_rolling.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
@@ -26,7 +26,7 @@ namespace wrc {
 
 /// What a wheel on a rail is solved with.
 struct SurfaceMethods {
-  PlanarNormal planar;  ///< without `solve`: strips in half-space equilibrium on the surface
+  PlanarMethod planar;  ///< without `solve`: strips in half-space equilibrium on the surface
   SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
   bool parabolic = false;  ///< SurfaceRollingInput
   RegionRolling
@@ -135,6 +135,11 @@ std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMeth
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);
+
+/// The model's constants of the normal problem.
+inline PressureModel pressure_model(const SurfaceModel& model) {
+  return {*model.influence, *model.kernels, model.material.normal_compliance()};
+}
 
 /// Is there anything that changes along the track or round the wheel?
 inline bool varies(const SurfaceModel& model) {

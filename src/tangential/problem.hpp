@@ -6,6 +6,7 @@
 /// tractions act on the wheel and oppose it. Particles enter at the leading edge x = centre + half_length.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "patch/strips.hpp"
@@ -48,6 +49,13 @@ struct TangentialFields {
 
   bool any() const { return traction_x || traction_y || slip_x || slip_y; }
 };
+
+/// Multiplies the slips of so many cells, as far as they are wanted.
+inline void scale_slips(double factor, std::ptrdiff_t cells, const TangentialFields& fields) {
+  double* const slips[] = {fields.slip_x, fields.slip_y};
+  for (double* const slip : slips)
+    for (std::ptrdiff_t at = 0; slip && at < cells; ++at) slip[at] *= factor;
+}
 
 struct TangentialForces {
   double fx = 0.0, fy = 0.0;       ///< on the wheel [N]

@@ -94,13 +94,8 @@ KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
             in_table(tables::c23s, c23_, ratio).value};
   }
 
-  keep_worst(fault, Fault{.status = WRC_FLAG_TABLE_RANGE,
-                          .field = "patch axis ratio a/b",
-                          .value = ratio,
-                          .unit = "1",
-                          .low = lowest,
-                          .high = highest,
-                          .cause = "Kalker's asymptote for slender ellipses is used"});
+  keep_worst(fault, Fault::table_range("patch axis ratio a/b", {ratio, "1", lowest, highest},
+                                       "Kalker's asymptote for slender ellipses is used"));
   const bool is_narrow = ratio < lowest;
   const double end = is_narrow ? lowest : highest;
   const double g = is_narrow ? ratio : 1.0 / ratio;

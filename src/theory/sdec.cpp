@@ -58,13 +58,8 @@ double relative_k13(const tables::LinearTheoryEntry& entry, double c11) {
 
 void check_range(const char* field, double value, double low, double high, Fault& fault) {
   if (value >= low && value <= high) return;
-  keep_worst(fault, Fault{.status = WRC_FLAG_TABLE_RANGE,
-                          .field = field,
-                          .value = value,
-                          .unit = "1",
-                          .low = low,
-                          .high = high,
-                          .cause = "the shape's influence is extrapolated"});
+  keep_worst(fault,
+             Fault::table_range(field, {value, "1", low, high}, "the shape's influence is extrapolated"));
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 
 #include "abi/handles.hpp"
 #include "abi/wear.hpp"
-#include "contact/region.hpp"
+#include "contact/assessments.hpp"
+#include "contact/stages.hpp"
+#include "contact/wheel.hpp"
 #include "test_config.hpp"
 
 namespace wrc {
@@ -57,7 +59,7 @@ class ContactRegion : public testing::Test {
     wheel.angular_velocity[1] = -speed / 0.46;
     wheel.frictionless = false;
     wheel.friction.law.coefficient = friction;
-    wheel.start_anew = true;
+    wheel.from_scratch = true;
     wheel.load_prescribed = true;
     wheel.vertical_load = 80e3;
     EXPECT_EQ(abi::read_wear_laws(nullptr, "laws", laws).status, WRC_OK);
@@ -115,7 +117,7 @@ class ContactRegion : public testing::Test {
   void roll(const Creepage& creepage, double way = 1.0) {
     Friction law;
     law.law.coefficient = friction;
-    ASSERT_FALSE(solve_tangential(*contact, creepage, law, {.speed = speed, .way = way}).failed());
+    ASSERT_FALSE(solve_tangential(*contact, creepage, law, {.speed = speed, .direction = way}).failed());
   }
 
   Assessed all_of(int32_t index) {

@@ -69,6 +69,18 @@ TEST(Elementary, MeetsTheEndsExactly) {
   EXPECT_EQ(natural_exp(0.0), 1.0);
 }
 
+TEST(Elementary, AnglesOfPointsAreTheirOwnInAllQuarters) {
+  for (int i = -314; i <= 314; ++i) {
+    const double angle = 1e-2 * i;
+    for (double distance : {1e-9, 1.0, 3e7})
+      EXPECT_NEAR(arctangent2(distance * std::sin(angle), distance * std::cos(angle)), angle, 1e-15);
+  }
+  EXPECT_EQ(arctangent2(0.0, 2.0), 0.0);
+  EXPECT_EQ(arctangent2(2.0, 0.0), 0.5 * pi);
+  EXPECT_EQ(arctangent2(-2.0, 0.0), -0.5 * pi);
+  EXPECT_EQ(arctangent2(0.0, -2.0), pi);
+}
+
 /// Beside the places where a range begins, neighbouring numbers give neighbouring values.
 TEST(Elementary, RangesMeetWithoutAStep) {
   for (double join : {0.41421356237309504880, 2.41421356237309504880}) {

@@ -1,5 +1,3 @@
-#include "surface/pressure/surface_normal.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/hertz_theory.hpp"
 #include "normal_gaps.hpp"
+#include "surface/pressure/pressure.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc {
@@ -39,17 +38,17 @@ struct TurnedGap {
     }
   }
 
-  std::vector<double> length_squared, level, centre, strength;
+  std::vector<double> length_squared, peak_per_length, centre, line_load;
 
-  SurfaceNormalResult solve(double compliance) {
+  PressureResult solve(double compliance) {
     start = {};
     return solve_from_start(compliance);
   }
 
-  SurfaceStart start;
+  PressureStart start;
   std::vector<double> L, shift, deep;
 
-  SurfaceNormalResult solve_from_start(double compliance, const SurfaceNormalOptions& options = {}) {
+  PressureResult solve_from_start(double compliance, const PressureOptions& options = {}) {
     static const auto influence = [] {
       auto made = std::make_unique<InfluenceTables>();
       tabulate(*made);
@@ -69,13 +68,13 @@ struct TurnedGap {
     overlaps.centre = middle.data();
     overlaps.ny = none.data();
     overlaps.nz = one.data();
-    for (auto* a : {&length_squared, &level, &centre, &strength}) a->assign(n, 0.0);
-    std::vector<double> workspace(static_cast<std::size_t>(surface_normal_doubles(count)));
+    for (auto* a : {&length_squared, &peak_per_length, &centre, &line_load}) a->assign(n, 0.0);
+    std::vector<double> workspace(static_cast<std::size_t>(pressure_doubles(count)));
     for (auto* a : {&L, &shift, &deep}) a->resize(n);
-    start = {L.data(), shift.data(), deep.data(), start.set, start.led};
-    return solve_surface_normal(rail, overlaps, *influence, kernels_for(best_instruction_set()), compliance,
-                                options, workspace.data(), start,
-                                {length_squared.data(), level.data(), centre.data(), strength.data()});
+    start = {L.data(), shift.data(), deep.data(), start.set, start.extrapolated};
+    const PressureModel model{*influence, kernels_for(best_instruction_set()), compliance};
+    return solve_pressure(model, rail, overlaps, options, workspace.data(), start,
+                          {length_squared.data(), peak_per_length.data(), centre.data(), line_load.data()});
   }
 };
 
@@ -91,10 +90,10 @@ TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
       ASSERT_TRUE(gap.solve(compliance).converged);
       double load = 0.0, moment = 0.0, peak = 0.0;
       for (std::size_t i = 0; i < gap.place.size(); ++i) {
-        const double N = 0.5 * pi * TurnedGap::width * gap.strength[i];
+        const double N = 0.5 * pi * TurnedGap::width * gap.line_load[i];
         load += N;
         moment += N * gap.centre[i] * gap.place[i];
-        peak = std::fmax(peak, gap.level[i] * std::sqrt(gap.length_squared[i]));
+        peak = std::fmax(peak, gap.peak_per_length[i] * std::sqrt(gap.length_squared[i]));
       }
       EXPECT_NEAR(load, hertz.normal_force, 2e-3 * hertz.normal_force);
       // levels are means over 0.75 mm, a quarter of the narrowest half ellipse
@@ -159,15 +158,15 @@ TEST(SurfaceNormal, AWarmStartFollowsItsOverlaps) {
       for (std::size_t i = 0; i < gap.depth.size(); ++i)
         gap.depth[i] += motion.deeper + 2.0 * B * motion.aside * gap.place[i];
       gap.start.set = way != anew;
-      gap.start.led = way == as_before;
+      gap.start.extrapolated = way == as_before;
       const TurnedGap before = gap;
       ASSERT_TRUE(gap.solve_from_start(compliance).converged);
       load[way] = 0.0;
-      for (const double q : gap.strength) load[way] += q;
+      for (const double q : gap.line_load) load[way] += q;
       // part of the area that the first sweep moves: the largest at which that is not the last one
       moved[way] = 1.0;
       for (TurnedGap again = before;; again = before, moved[way] *= 0.9)
-        if (again.solve_from_start(compliance, {.tolerance = moved[way]}).sweeps > 1) break;
+        if (again.solve_from_start(compliance, {.tolerance = moved[way]}).iterations > 1) break;
     }
     std::printf("first sweep moves %.4f, without %.4f\n", moved[followed], moved[as_before]);
     EXPECT_LT(moved[followed], motion.left * moved[as_before]);

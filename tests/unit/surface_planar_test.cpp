@@ -14,7 +14,7 @@
 #include "normal/methods/stripes.hpp"
 #include "normal_gaps.hpp"
 #include "surface/pressure/lobes.hpp"
-#include "surface/pressure/planar_normal.hpp"
+#include "surface/pressure/planar_pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
 #include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
@@ -99,10 +99,10 @@ struct FlatRail {
   std::vector<double> s, width, y, z, ty, tz;
   std::vector<std::int32_t> strip;
   std::vector<double> depth, centre, curvature, normal, along;
-  std::vector<double> length_squared, level, middle, strength, workspace;
+  std::vector<double> length_squared, peak_per_length, middle, line_load, workspace;
   RailStrips rail;
   Overlaps overlaps;
-  SurfacePressure pressure;
+  StripPressure pressure;
 
   explicit FlatRail(double strip_width) {
     for (double at = -30e-3; at < 30e-3; at += strip_width) {
@@ -115,7 +115,7 @@ struct FlatRail {
     rail.ranges = 1;
     rail.range[0] = {0, rail.count, 0.0, 0.0, 0.0};
   }
-  PlanarResult press(const PlanarNormal& method, const std::vector<Wheel>& wheels) {
+  PlanarResult press(const PlanarMethod& method, const std::vector<Wheel>& wheels) {
     strip.clear();
     depth.clear();
     for (std::size_t j = 0; j < s.size(); ++j) {
@@ -131,20 +131,20 @@ struct FlatRail {
     const std::size_t n = strip.size();
     centre.assign(n, 1e-3);
     curvature.assign(n, 1.0 / 0.46);
-    for (auto* each : {&length_squared, &level, &middle, &strength}) each->assign(n, 0.0);
+    for (auto* each : {&length_squared, &peak_per_length, &middle, &line_load}) each->assign(n, 0.0);
     overlaps.capacity = overlaps.count = static_cast<std::int32_t>(n);
     overlaps.strip = strip.data();
     overlaps.depth = depth.data();
     overlaps.centre = centre.data();
     overlaps.curvature = curvature.data();
-    pressure = {length_squared.data(), level.data(), middle.data(), strength.data()};
-    workspace.assign(static_cast<std::size_t>(planar_normal_doubles(overlaps.capacity, method)), 0.0);
-    return solve_planar_normal(rail, overlaps, method, test::steel, kernels_for(InstructionSet::baseline),
-                               workspace.data(), pressure);
+    pressure = {length_squared.data(), peak_per_length.data(), middle.data(), line_load.data()};
+    workspace.assign(static_cast<std::size_t>(planar_pressure_doubles(overlaps.capacity, method)), 0.0);
+    return solve_planar_pressure(rail, overlaps, method, test::steel, kernels_for(InstructionSet::baseline),
+                                 workspace.data(), pressure);
   }
   double load() const {
     double sum = 0.0;
-    for (std::size_t i = 0; i < strip.size(); ++i) sum += 0.5 * pi * width[0] * strength[i];
+    for (std::size_t i = 0; i < strip.size(); ++i) sum += 0.5 * pi * width[0] * line_load[i];
     return sum;
   }
 };
@@ -161,7 +161,7 @@ Fault ekp_ellipse(const NormalProblem& problem, Strips& strips, NormalSolution& 
 
 struct Named {
   const char* name;
-  decltype(PlanarNormal::solve) solve;
+  decltype(PlanarMethod::solve) solve;
   double error;  ///< of the load of an ellipse
 };
 constexpr Named methods[] = {{"hertz", solve_hertz, 2e-3},
@@ -171,7 +171,7 @@ constexpr Named methods[] = {{"hertz", solve_hertz, 2e-3},
                              {"analyn", solve_analyn, 5e-3},
                              {"stripes", solve_stripes, 5e-3}};
 
-PlanarNormal planar(const Named& method) { return {method.solve, 60, 40, 1e-9}; }
+PlanarMethod planar(const Named& method) { return {method.solve, 60, 40, 1e-9}; }
 
 TEST(PlanarMethodsOnASurface, GiveTheEllipseOfAnEllipticOverlap) {
   for (const Named& method : methods) {
@@ -183,10 +183,10 @@ TEST(PlanarMethodsOnASurface, GiveTheEllipseOfAnEllipticOverlap) {
     EXPECT_NEAR(flat.load(), hertz.normal_force, method.error * hertz.normal_force) << method.name;
     double moment = 0.0, longest = 0.0;
     for (std::size_t i = 0; i < flat.strip.size(); ++i) {
-      const double N = 0.5 * pi * flat.width[0] * flat.strength[i];
+      const double N = 0.5 * pi * flat.width[0] * flat.line_load[i];
       moment += N * flat.s[static_cast<std::size_t>(flat.strip[i])];
       longest = std::max(longest, std::sqrt(flat.length_squared[i]));
-      EXPECT_NEAR(flat.middle[i], flat.strength[i] > 0.0 ? 1e-3 : 0.0, 1e-9);
+      EXPECT_NEAR(flat.middle[i], flat.line_load[i] > 0.0 ? 1e-3 : 0.0, 1e-9);
     }
     EXPECT_NEAR(moment / flat.load(), 0.03e-3, 1e-6) << method.name;
     EXPECT_NEAR(longest, hertz.a, 0.12 * hertz.a) << method.name;
@@ -309,8 +309,8 @@ struct Patches {
     in.grid = &grid;
     for (auto* each : {&fx, &fy, &mz}) each->assign(place.size(), 0.0);
     std::vector<double> workspace(static_cast<std::size_t>(region_rolling_doubles(in.count, method)));
-    const Fault fault = roll_by_region(in, along.data(), method, {}, 1.0, workspace.data(), {},
-                                       {fx.data(), fy.data(), mz.data()});
+    const Fault fault =
+        roll_by_region({in, along.data()}, method, workspace.data(), {}, {fx.data(), fy.data(), mz.data()});
     EXPECT_EQ(fault.status, WRC_OK);
     TangentialForces sum;
     for (std::size_t j = from; j < place.size(); ++j) {

@@ -74,13 +74,10 @@ struct Rolled {
       fields = {traction_x.data(), traction_y.data(), sliding_x.data(), sliding_y.data()};
     }
     std::vector<double> workspace(surface_rolling_workspace(in.count));
-    SurfaceRollingForces forces;
-    forces.fx = fx.data();
-    forces.fy = fy.data();
-    forces.mz = mz.data();
-    roll_on_surface(in, workspace.data(), fields, forces);
-    power = forces.power_per_speed;
-    adhesion = forces.adhesion_fraction;
+    const SurfaceRollingTotals totals =
+        roll_on_surface(in, workspace.data(), fields, {fx.data(), fy.data(), mz.data()});
+    power = totals.power_per_speed;
+    adhesion = totals.adhesion_fraction;
   }
 
   static double sum(const std::vector<double>& v) {
@@ -94,7 +91,8 @@ struct Rolled {
 Rolled ellipse(double a, double b, double N, double mu, const Creepage& c, int count) {
   const OwnedStrips owned = test::sdec_strips(a, b, 0.0, N, count);
   const Strips& s = owned.get();
-  const double level = 1.5 * N / (pi * a * a * b), kappa = hertz_level(a / b) * (1.0 - poisson) / G * level;
+  const double level = 1.5 * N / (pi * a * a * b),
+               kappa = hertz_relative_curvature(a / b) * (1.0 - poisson) / G * level;
   Rolled r;
   for (int j = 0; j < count; ++j)
     r.add(s.y[j], s.width[j], s.half_length[j], s.peak[j], kappa, c.longitudinal - c.spin * s.y[j], c.lateral,
@@ -103,12 +101,12 @@ Rolled ellipse(double a, double b, double N, double mu, const Creepage& c, int c
 }
 
 TEST(StripCoefficients, AreKalkersOnHertzsEllipse) {
-  EXPECT_NEAR(hertz_level(1.0), 0.5 * pi, 1e-12);
-  EXPECT_NEAR(hertz_level(1e-6), 2.0, 1e-9);
-  EXPECT_NEAR(hertz_level(5.0), 0.82, 0.01);
+  EXPECT_NEAR(hertz_relative_curvature(1.0), 0.5 * pi, 1e-12);
+  EXPECT_NEAR(hertz_relative_curvature(1e-6), 2.0, 1e-9);
+  EXPECT_NEAR(hertz_relative_curvature(5.0), 0.82, 0.01);
   Fault fault;
   for (double ratio : {0.2, 0.3, 0.7, 1.0, 2.0, 5.0, 12.0}) {
-    const StripCoefficients strip = coefficients_at(coefficients().nodes(), hertz_level(ratio));
+    const StripCoefficients strip = coefficients_at(coefficients().nodes(), hertz_relative_curvature(ratio));
     const KalkerCoefficients kalker = table().ellipse().at(ratio, fault);
     EXPECT_NEAR(strip.c11 / kalker.c11, 1.0, 1e-3) << ratio;
     EXPECT_NEAR(strip.c22 / kalker.c22, 1.0, 1e-3) << ratio;

@@ -94,20 +94,19 @@ class Pair {
     scratch.along = take(most_strips_of_a_rail);
     scratch.strip = take_n(most_strips_of_a_rail + 64);
     find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, o);
-    SurfacePressure p;
-    for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = take(most);
-    std::vector<double> normal(static_cast<std::size_t>(surface_normal_doubles(o.capacity)));
+    StripPressure p;
+    for (double** a : {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load}) *a = take(most);
+    std::vector<double> normal(static_cast<std::size_t>(pressure_doubles(o.capacity)));
     auto state = std::make_unique<SurfaceState>();
-    SurfaceStart start{state->length_squared, state->shift, state->depth};
-    solve_surface_normal(model_->rail, o, *model_->influence, *model_->kernels,
-                         model_->material.normal_compliance(), {}, normal.data(), start, p);
+    PressureStart start{state->length_squared, state->shift, state->depth};
+    solve_pressure(pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
     std::vector<SurfaceStrip> found;
     points.clear();
     for (std::int32_t i = 0; i < o.count; ++i) {
-      if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+      if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
       const double l = std::sqrt(p.length_squared[i]);
       const std::int32_t j = o.strip[i];
-      found.push_back({model_->rail.s[j], model_->rail.width[j], p.centre[i], l, p.strength[i] / l,
+      found.push_back({model_->rail.s[j], model_->rail.width[j], p.centre[i], l, p.line_load[i] / l,
                        o.curvature[i], std::atan2(-o.ny[i], o.nz[i]), 0.0, 0.0, 0.0});
       points.push_back({p.centre[i], o.wy[i], o.wz[i]});
     }
@@ -353,7 +352,7 @@ SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
   rolled.fx = std::exchange(d, d + n);
   rolled.fy = std::exchange(d, d + n);
   rolled.mz = std::exchange(d, d + n);
-  roll_on_surface(in, d, fields, rolled);
+  const SurfaceRollingTotals totals = roll_on_surface(in, d, fields, rolled);
   SurfaceForces f{};
   const double middle = mean(c.strips, &SurfaceStrip::place);
   for (std::size_t j = 0; j < n; ++j) {
@@ -363,8 +362,8 @@ SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
     f.fz += rolled.fy[j] * std::sin(s.angle);
     f.mz += rolled.mz[j] + s.centre * rolled.fy[j] - (s.place - middle) * rolled.fx[j];
   }
-  f.power = rolled.power_per_speed;
-  f.adhesion = rolled.adhesion_fraction;
+  f.power = totals.power_per_speed;
+  f.adhesion = totals.adhesion_fraction;
   f.converged = true;
   return f;
 }

@@ -12,7 +12,7 @@ namespace {
 /// decides the path of the search.
 double cube_root(double x) {
   if (!(x > 0.0)) return 0.0;
-  // A power of two within a factor of two of the root, then Newton's rule.
+  // A power of two within about a factor of two of the root, then Newton's rule.
   int exponent = 0;
   std::frexp(x, &exponent);
   double root = std::ldexp(1.0, exponent / 3);
@@ -73,18 +73,13 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
   const double share = solution.normal_force / most;
   for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
   solution.peak_pressure *= share;
-  return {
-      .status = WRC_FLAG_BEYOND_GAP,
-      .field = load ? "load.normal_force" : "load.approach",
-      .value = load ? problem.normal_force : problem.approach,
-      .unit = load ? "N" : "m",
-      .low = 0.0,
-      .high = load ? most : deepest,
-      .cause =
-          load ? "the gap given, or config.planar.gap_limit, carries no more: continued with the last "
-                 "stiffness"
-               : "the gap given, or config.planar.gap_limit, ends there: continued with the last stiffness; "
-                 "did you pass mm?"};
+  return Fault::beyond_gap(
+      load ? "load.normal_force" : "load.approach",
+      {load ? problem.normal_force : problem.approach, load ? "N" : "m", 0.0, load ? most : deepest},
+      load ? "the gap given, or config.planar.gap_limit, carries no more: continued with the last "
+             "stiffness"
+           : "the gap given, or config.planar.gap_limit, ends there: continued with the last stiffness; "
+             "did you pass mm?");
 }
 
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
@@ -94,11 +89,7 @@ void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_e
   solution.area = sum.area;
   solution.y_contact = lowest.y;
   if (at_edge)
-    keep_worst(fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
-                       .field = "gap",
-                       .value = lowest.y,
-                       .unit = "m",
-                       .cause = "give the gap over a wider range"});
+    keep_worst(fault, Fault::patch_at_edge("gap", {lowest.y, "m"}, "give the gap over a wider range"));
 }
 
 }  // namespace wrc

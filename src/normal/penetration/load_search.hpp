@@ -95,12 +95,12 @@ void narrow_jump(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
   constexpr int secants = 6;  // 3 to 5 are used
   constexpr int cap = 40;
   const double width = 1e-5 * high.approach;
-  // Sign of the search: least overlap over the barrier, above 0 once the regions have joined [m].
   const auto overlap_at = [&](double approach) {
     return Overlap<decltype(scale_at(approach))>{rows, lowest, scale_at(approach), approach};
   };
   auto at_high = overlap_at(high.approach), at_low = overlap_at(low.approach);
   const RowRange barrier = barrier_between(at_high, low.span, high.span);
+  // Function whose root is sought: least overlap over the barrier, above 0 once the regions have joined [m].
   const auto least = [&](auto& overlap) {
     double g = high.approach;
     for (std::int32_t j = barrier.first; j <= barrier.last; ++j) g = std::min(g, overlap.at_row(j));
@@ -172,7 +172,8 @@ class LoadSearch {
       const double x = straightened(trial.normal_force);
       take_slope(approach, x);
       if (std::abs(trial.normal_force / target_ - 1.0) <= tolerance && i > 0) return arrive(trial, x);
-      // Too little: from below, or at the ceiling, where the rows end. Too much: from above.
+      // Too little load: the lower end of the bracket, or the ceiling, where the rows end. Too much: the
+      // upper end.
       if (trial.normal_force < target_) {
         if (approach >= ceiling_) {
           settle(ceiling_);
@@ -184,7 +185,7 @@ class LoadSearch {
         bracketed_ = true;
         if (high_.approach < least_share * ceiling_) break;  // a needle of a gap: any approach carries more
       }
-      // The load may jump inside the bracket: a secant would then only halve it.
+      // The load may jump inside the bracket: the jump is narrowed, a few times at most; then bisection.
       const bool steep = bracketed_ && jumps_between(low_, high_);
       if (steep && jumps_ < most_jumps) {
         ++jumps_;
@@ -200,10 +201,7 @@ class LoadSearch {
     // The cap: the patch of the last bracket, scaled to the load.
     settle(bracketed_ ? high_.approach : approach);
     scale_to_target(solution_.normal_force);
-    return {.status = WRC_FLAG_ITERATION_CAP,
-            .field = "config.normal.max_iterations",
-            .value = static_cast<double>(problem_.max_iterations),
-            .unit = "steps"};
+    return Fault::iteration_cap("config.normal.max_iterations", {problem_.max_iterations, "steps"});
   }
 
  private:
@@ -283,13 +281,10 @@ class LoadSearch {
         solution_.normal_force = target_;
       else
         scale_to_target(after.normal_force);
-      return {.status = WRC_FLAG_LOAD_JUMPS,
-              .field = "load.normal_force",
-              .value = target_,
-              .unit = "N",
-              .cause =
-                  "as the approach grows a second region joins the patch, or its curvature changes, at once; "
-                  "the patch after that carries the load, and more iterations do not help"};
+      return Fault::load_jumps(
+          "load.normal_force", {target_, "N"},
+          "as the approach grows a second region joins the patch, or its curvature changes, at once; "
+          "the patch after that carries the load, and more iterations do not help");
     }
     // The load lies beside the jump.
     if (reached_before_) {

@@ -48,7 +48,7 @@ double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, doubl
       leave_out(outer - inner, level);
       outer = inner;
     }
-    // Along the slope: growth in excess of the quickest, outer quickest d(ln depth).
+    // Growth of the chord in excess of quickest * outer * d ln(depth).
     const double rise = 2.0 * (level - h) / (level + h);  // about the logarithm of the ratio
     leave_out(outer - here - quickest * outer * rise, 0.5 * (level + h));
     outer = here;

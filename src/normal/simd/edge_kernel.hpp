@@ -28,7 +28,7 @@ void edge_displacements_kernel(const EdgeTask& task) {
   constexpr std::int32_t near = 4;  // strips to each side that are taken one by one
   static_assert(near < beyond_sources - most_lanes);
   for (std::int32_t a = 0; a < task.count; a += native_lanes) {
-    // Edges a, a + 1, ..., each beside itself: a pack sees two of its sources, one below and one above.
+    // As many edges as a vector holds, each twice: a pack sees two sources of each edge at a time.
     const Native x = load_lanes(task.x + a), y = load_lanes(task.y + a);
     const Edges edges{{x, x}, {y, y}};
     Native below = broadcast(0.0), above = below;

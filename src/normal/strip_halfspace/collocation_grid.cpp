@@ -79,7 +79,7 @@ void sample(const GapRows& rows, const Extent& extent, double depth, Samples& s)
     s.height[static_cast<std::size_t>(i)] = gap.height(s.y_from + (i - curvature_reach) * s.step);
 
   // Width of a contact ~ root of its radius: density ~ sqrt(|h''|), h'' a second difference over the reach
-  // [1/m]. The floor, h'' of a parabola that is `depth` deep over the half extent, keeps strips in flats.
+  // [1/m]. The floor, h'' of a parabola that rises by `depth` over the extent, keeps strips in flats.
   const double reach = curvature_reach * s.step;
   const double floor_curvature = 2.0 * depth / (length * length);
   std::array<double, samples + 1> local;

@@ -215,7 +215,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
   if (workspace.bytes < strip_halfspace_workspace(problem.strips) || start.capacity < problem.strips)
-    return {.status = WRC_ERROR_BUFFER, .field = "workspace", .value = static_cast<double>(workspace.bytes)};
+    return Fault::buffer("workspace", {workspace.bytes});
 
   // Lowest point, and the deepest approach the rows describe [m].
   const GapRows& rows = problem.gap;
@@ -241,19 +241,14 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   const double approach = state.approach;
   solution.iterations = state.iterations;
   if (!(approach > 0.0))
-    return {.status = WRC_ERROR_GAP,
-            .field = "gap.height",
-            .value = approach,
-            .unit = "m",
-            .cause = "heights leap from row to row: the gap between them dips below the rows"};
+    return Fault::gap("gap.height", {approach, "m"},
+                      "heights leap from row to row: the gap between them dips below the rows");
   // The rows do not describe the gap that deep: nothing is extrapolated.
   if (approach > ceiling || s.active_count == 0)
-    return {.status = WRC_ERROR_LOAD,
-            .field = load ? "load.normal_force" : "load.approach",
-            .value = load ? problem.normal_force : problem.approach,
-            .unit = load ? "N" : "m",
-            .cause = load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
-                          : "the gap given, or the profiles, are too narrow for it; did you pass mm?"};
+    return Fault::load(load ? "load.normal_force" : "load.approach",
+                       {load ? problem.normal_force : problem.approach, load ? "N" : "m"},
+                       load ? "the gap given, or the profiles, are too narrow to carry it; did you pass kN?"
+                            : "the gap given, or the profiles, are too narrow for it; did you pass mm?");
 
   remember(s, start);
   solution.normal_force = hand_out(s, problem.strips, strips);
@@ -269,10 +264,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   complete_solution(strips, lowest, at_edge, solution, fault);
   solution.stiffness = punch_stiffness(state.stiffness, totals(strips));
   if (!state.converged)
-    keep_worst(fault, {.status = WRC_FLAG_ITERATION_CAP,
-                       .field = "config.planar.max_sweeps",
-                       .value = static_cast<double>(options.max_sweeps),
-                       .unit = "sweeps"});
+    keep_worst(fault, Fault::iteration_cap("config.planar.max_sweeps", {options.max_sweeps, "sweeps"}));
   return fault;
 }
 

@@ -17,14 +17,14 @@ struct StripRange {
 /// Arrays in the workspace, each over the grid's strips j or the active strips a, in whole packs;
 /// `grid.count` and `active_count` are in use, and the elements that kernels read behind them are zero.
 ///
-///   symbol (strip_halfspace.hpp)   array           unit
-///   y_j, width                     grid.y, width   m       fitted to the border for a patch's outermost strips
-///   h(x_cj, y_j) - lowest          height          m       at the lowest point of the row
-///   d2h/dx2                        curvature       1/m
-///   x of that lowest point         gap_centre      m
-///   l_j, 1 / l_j                   half_length, inverse_length
-///   x_cj                           centre          m
-///   p_j                            peak            Pa
+///   symbol (strip_halfspace.hpp)   array                         unit
+///   y_j, width                     grid.y, grid.width            m       of outermost strips: fitted to the border
+///   least h of the row             height                        m       over the lowest of the gap
+///   x of that least h              gap_centre                    m
+///   d2h/dx2                        curvature                     1/m
+///   l_j, 1 / l_j                   half_length, inverse_length   m, 1/m
+///   x_cj                           centre                        m
+///   p_j                            peak                          Pa
 struct StripSystem {
   CollocationGrid grid;
   double *cell_y = nullptr, *cell_width = nullptr;  ///< the strips as the grid has them [m]

@@ -14,12 +14,6 @@
 
 namespace wrc {
 
-/// A strip's overlap, by the names of Overlaps; lean: what the rail falls along its normal per distance.
-template <class Number>
-struct StripOverlap {
-  Number depth, centre, curvature, ny, nz, wy, wz, lean;
-};
-
 /// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
 inline constexpr double least_curvature_left = 0.2;
 

@@ -45,11 +45,8 @@ Fault make_curve(std::int32_t points, const double* y, const double* z, double* 
     ++n;
   }
   if (n < 4)
-    return {.status = WRC_ERROR_PROFILE,
-            .field = "profile.count",
-            .value = static_cast<double>(n),
-            .unit = "points",
-            .cause = "fewer than four points that lie further than 50 um apart"};
+    return Fault::profile("profile.count", {n, "points"},
+                          "fewer than four points that lie further than 50 um apart");
   second_derivatives(n, ks, ky, my, scratch);
   second_derivatives(n, ks, kz, mz, scratch);
 

@@ -14,7 +14,6 @@
 #include "kernels/kernels.hpp"
 #include "surface/geometry/curve.hpp"
 #include "surface/geometry/rail_strips.hpp"
-#include "surface/wrench/wheel_on_rail.hpp"
 
 namespace wrc {
 
@@ -53,6 +52,17 @@ struct Overlaps {
   double *wy = nullptr, *wz = nullptr;  ///< the wheel's point, from its reference point, rail axes [m]
   double* lean = nullptr;  ///< how much the rail falls along its normal per distance; nullptr: nowhere [-]
 };
+
+/// The overlap of one strip, by the names of Overlaps. Number is double, or one that carries derivatives.
+template <class Number>
+struct StripOverlap {
+  Number depth, centre, curvature, ny, nz, wy, wz, lean;
+};
+
+inline StripOverlap<double> strip_of(const Overlaps& o, std::int32_t i) {
+  return {o.depth[i], o.centre[i], o.curvature[i], o.ny[i],
+          o.nz[i],    o.wy[i],     o.wz[i],        o.lean ? o.lean[i] : 0.0};
+}
 
 /// Scratch of a search.
 struct OverlapScratch {

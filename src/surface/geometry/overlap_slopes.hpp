@@ -13,10 +13,8 @@ enum PlaceInput : std::int32_t { place_y, place_z, turn_x, turn_z, place_inputs 
 
 using PlaceDual = Dual<place_inputs>;
 
-/// Overlaps of one strip, with derivatives.
-struct OverlapSlopes {
-  PlaceDual depth, centre, curvature, ny, nz, wy, wz;
-  PlaceDual lean;     ///< 0 where the rail is the same everywhere (along_track.hpp)
+/// The overlap of one strip with its derivatives; `lean` is 0 where the rail is the same everywhere.
+struct OverlapSlopes : StripOverlap<PlaceDual> {
   PlaceDual y_wheel;  ///< on the wheel's profile [m]
 };
 

@@ -42,15 +42,6 @@ struct Pairing {
   }
 };
 
-Fault unpaired(std::int32_t section, const char* field, double value, const char* unit, const char* cause) {
-  return {.status = WRC_ERROR_PROFILE,
-          .index = section,
-          .field = field,
-          .value = value,
-          .unit = unit,
-          .cause = cause};
-}
-
 /// Lengths along a section's outline at its marks.
 Fault find_marks(const RailSection& section, std::int32_t index, const Curve& curve, double cosine,
                  double sine, double (&length)[most_rail_marks]) {
@@ -63,16 +54,16 @@ Fault find_marks(const RailSection& section, std::int32_t index, const Curve& cu
   for (std::int32_t m = 0; m < section.marks; ++m) {
     double low = 0.0, high = curve.s[curve.pieces];
     if (!(section.mark[m] > own_y(low) && section.mark[m] < own_y(high)))
-      return unpaired(index, "config.rail_section.mark", section.mark[m], "m",
-                      "a mark lies between the ends of its profile");
+      return Fault::profile({"config.rail_section.mark", index}, {section.mark[m], "m"},
+                            "a mark lies between the ends of its profile");
     for (int n = 0; n < 60; ++n) {
       const double middle = 0.5 * (low + high);
       (own_y(middle) < section.mark[m] ? low : high) = middle;
     }
     constexpr double nearest = 1e-3;
     if (!(low > before + nearest && low < curve.s[curve.pieces] - nearest))
-      return unpaired(index, "config.rail_section.mark", section.mark[m], "m",
-                      "marks increase, further than 1 mm from each other and from the ends");
+      return Fault::profile({"config.rail_section.mark", index}, {section.mark[m], "m"},
+                            "marks increase, further than 1 mm from each other and from the ends");
     length[m] = before = low;
   }
   return {};
@@ -114,9 +105,9 @@ Fault pair_with_first(const RailSection& section, std::int32_t index, const Curv
     if (i == 0) continue;
     const double stretch = (pairing.s[i] - pairing.s[i - 1]) / (pairing.u[i] - pairing.u[i - 1]);
     if (!(stretch < largest_stretch && stretch > 1.0 / largest_stretch))
-      return unpaired(index,
-                      "config.rail_section: length between marks or ends over that of the first, of section",
-                      stretch, "", "these profiles cannot be paired: do they end at the same places?");
+      return Fault::profile(
+          {"config.rail_section: length between marks or ends over that of the first, of section", index},
+          {stretch, ""}, "these profiles cannot be paired: do they end at the same places?");
   }
   pairing.find_slopes();
   return {};
@@ -170,9 +161,9 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
                    bz = b[3 * rail.room + j];
       const double cosine = (ay * by + az * bz) / std::sqrt((ay * ay + az * az) * (by * by + bz * bz));
       if (!(cosine > least_cosine))
-        return unpaired(
-            k + 1, "config.rail_section: cosine between the surfaces of the one before and of section",
-            cosine, "", "points that differ so much are no pair: give marks, or a section between them");
+        return Fault::profile(
+            {"config.rail_section: cosine between the surfaces of the one before and of section", k + 1},
+            {cosine, ""}, "points that differ so much are no pair: give marks, or a section between them");
     }
   }
   return {};
@@ -363,13 +354,8 @@ Fault place_strips(const Kernels& kernels, const VaryingRail& rail, double* memo
     }
   }
   if (distance == asked) return {};
-  return {.status = WRC_FLAG_BEYOND_SECTIONS,
-          .field = "input.distance",
-          .value = asked,
-          .unit = "m",
-          .low = rail.begin,
-          .high = rail.end,
-          .cause = "the nearest section is used"};
+  return Fault::beyond_sections("input.distance", {asked, "m", rail.begin, rail.end},
+                                "the nearest section is used");
 }
 
 }  // namespace wrc

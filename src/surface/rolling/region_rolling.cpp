@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
-#include "base/cutter.hpp"
+#include "base/arena.hpp"
 #include "base/number.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
@@ -13,157 +14,172 @@
 namespace wrc {
 namespace {
 
-constexpr double least_variance = 1e-12;  // [m^2]: of a load on one line
+constexpr double least_variance = 1e-12;        // [m^2]: of a load on one line
+constexpr double pressure_centre_share = 0.75;  // mean place of an SDEC's load from its joint, over psi b
 
-struct Memory {
-  double *line_load, *load, *shares;
-  double *cold, *heat_share, *hot;  ///< of friction over temperature: of a part, of a part, of all
-  Strips strips;
-  void* method;
+struct Scratch {
+  double* line_load;          ///< half length times peak [N/m], all strips
+  double *load, *shares;      ///< of a part: load [N], friction over its mean [-]
+  double *cold, *heat_share;  ///< of a part: coefficient of cold surfaces, its share that heat leaves [-]
+  double* hot;                ///< coefficient of friction with heat [-], all strips
+  Strips strips;              ///< of a part, as the method sees them
+  void* method;               ///< the method's own
 };
 
-Memory cut(double* memory, std::int32_t count) {
-  Cutter cutter{memory};
-  const auto take = [&] { return cutter(count); };
-  Memory m{take(), take(), take(), take(), take(), take(), {}, nullptr};
-  m.strips = {count, 0, take(), take(), take(), take(), take()};
-  m.method = cutter.at;
-  return m;
+Scratch cut(Arena& arena, std::int32_t strips, const RegionRolling& method) {
+  Scratch s{};
+  arena.each(strips, {&s.line_load, &s.load, &s.shares, &s.cold, &s.heat_share, &s.hot, &s.strips.y,
+                      &s.strips.width, &s.strips.centre, &s.strips.half_length, &s.strips.peak});
+  s.strips.capacity = strips;
+  s.method = arena.take<std::byte>(method.workspace_bytes);
+  return s;
 }
 
-/// Sums over the load of a part.
+/// Means over the load of a part.
 struct Means {
-  double load = 0.0;  ///< [N]
-  double place = 0.0, along = 0.0;
+  double load = 0.0;   ///< [N]
+  double place = 0.0;  ///< arc length [m]
+  double along = 0.0;  ///< x [m]
   Creepage creepage;
-  double friction = 0.0;
+  double friction = 0.0;  ///< [-]
   Sdec shape;
 };
 
 class Roller {
  public:
-  Roller(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
-         const SlopeFall& slope, double slope_reduction, double* workspace, const TangentialFields& fields,
-         const SurfaceRollingForces& forces, HeatedFriction* heat)
-      : in_(in),
-        along_(along),
-        method_(method),
-        fields_(fields),
-        forces_(forces),
-        heat_(heat),
-        memory_(cut(workspace, in.count)) {
-    contact_.shear_modulus = in.shear_modulus;
+  Roller(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
+         const TangentialFields& fields, const SurfaceRollingForces& forces)
+      : in_(in), strips_(in.strips), method_(method), fields_(fields), forces_(forces) {
+    Arena arena(workspace);
+    scratch_ = cut(arena, strips_.count, method);
+    contact_.shear_modulus = strips_.shear_modulus;
     contact_.linear_theory = method.linear_theory;
-    contact_.grid = in.grid;
+    contact_.grid = strips_.grid;
     contact_.bound = method.bound;
     contact_.form = method.form;
-    contact_.slope = slope;
-    contact_.slope_reduction = slope_reduction;
+    contact_.slope = in.slope;
+    contact_.slope_reduction = in.slope_reduction;
     contact_.model = method.model;
     contact_.force_table = method.force_table;
-    contact_.workspace = memory_.method;
+    contact_.workspace = scratch_.method;
   }
 
   Fault roll() {
-    for (double* const f : {forces_.fx, forces_.fy, forces_.mz, memory_.hot}) std::fill_n(f, in_.count, 0.0);
-    for (std::int32_t j = 0; j < in_.count; ++j) memory_.line_load[j] = in_.half_length[j] * in_.peak[j];
-    for (std::int32_t first = 0, end = 0; first < in_.count; first = end) {
+    for (double* const f : {forces_.fx, forces_.fy, forces_.mz, scratch_.hot})
+      std::fill_n(f, strips_.count, 0.0);
+    for (std::int32_t j = 0; j < strips_.count; ++j)
+      scratch_.line_load[j] = strips_.half_length[j] * strips_.peak[j];
+    for (std::int32_t first = 0, end = 0; first < strips_.count; first = end) {
+      // a run of strips side by side: middles less than 1.5 mean widths apart
       end = first + 1;
-      while (end < in_.count &&
-             in_.place[end] - in_.place[end - 1] < 0.75 * (in_.width[end] + in_.width[end - 1]))
+      while (end < strips_.count && strips_.place[end] - strips_.place[end - 1] <
+                                        0.75 * (strips_.width[end] + strips_.width[end - 1]))
         ++end;
-      const LobeCuts cuts = find_lobes(in_.place, memory_.line_load, first, end);
+      // Its patches are the parts between valleys of the line load. Where a valley is neither deep nor
+      // shallow both partitions roll, each by its share.
+      const LobeCuts cuts = find_lobes(strips_.place, scratch_.line_load, first, end);
       for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
         roll_part(first, end, share, low, high);
       });
     }
+    if (in_.heat) std::copy_n(scratch_.hot, strips_.count, in_.hot);
     return fault_;
   }
 
-  const double* hot() const { return memory_.hot; }
-
  private:
-  /// Loads of the strips within the part; of one across its border, what lies inside.
+  /// Loads of the strips within the part (a strip across its border counts with its width inside), and means
+  /// over them.
   Means take_part(std::int32_t first, std::int32_t end, const LobeCut* low, const LobeCut* high) {
+    // First moments, weights N = pi/2 l p times the width inside the part.
     Means m;
     for (std::int32_t j = first; j < end; ++j) {
-      const double from = in_.place[j] - 0.5 * in_.width[j], to = from + in_.width[j];
+      const double from = strips_.place[j] - 0.5 * strips_.width[j], to = from + strips_.width[j];
       const double inside =
           larger((high ? smaller(to, high->place) : to) - (low ? larger(from, low->place) : from), 0.0);
-      const double N = 0.5 * pi * inside * memory_.line_load[j];
-      memory_.load[j] = N;
+      const double N = 0.5 * pi * inside * scratch_.line_load[j];
+      scratch_.load[j] = N;
       m.load += N;
-      m.place += N * in_.place[j];
-      m.along += N * along_[j];
-      m.creepage.longitudinal += N * in_.slip_x[j];
-      m.creepage.lateral += N * in_.slip_y[j];
-      m.creepage.spin += N * in_.spin[j];
-      m.friction += N * in_.friction[j];
+      m.place += N * strips_.place[j];
+      m.along += N * in_.along[j];
+      m.creepage.longitudinal += N * strips_.slip_x[j];
+      m.creepage.lateral += N * strips_.slip_y[j];
+      m.creepage.spin += N * strips_.spin[j];
+      m.friction += N * strips_.friction[j];
     }
     if (!(m.load > 0.0)) return m;
     for (double* const mean :
          {&m.place, &m.along, &m.creepage.longitudinal, &m.creepage.lateral, &m.creepage.spin, &m.friction})
       *mean /= m.load;
+    // <l^2>, variance and third moment of the load give the double ellipse. A strip's load is spread over its
+    // width h, which adds h^2 / 12 to the variance.
     double squares = 0.0, variance = 0.0, third = 0.0;
     for (std::int32_t j = first; j < end; ++j) {
-      const double share = memory_.load[j] / m.load, y = in_.place[j] - m.place;
-      squares += share * in_.half_length[j] * in_.half_length[j];
-      variance += share * (y * y + in_.width[j] * in_.width[j] / 12.0);
+      const double share = scratch_.load[j] / m.load, y = strips_.place[j] - m.place;
+      squares += share * strips_.half_length[j] * strips_.half_length[j];
+      variance += share * (y * y + strips_.width[j] * strips_.width[j] / 12.0);
       third += share * y * y * y;
     }
     m.shape = sdec_of_load(squares, variance, third);
     return m;
   }
 
-  /// The strips the tractions live on, y from `origin`; shares of the friction.
+  /// Sets the strips that tractions live on, about y = `origin` from the mean place of the load, and the
+  /// shares of the friction.
   void fill_strips(std::int32_t first, std::int32_t end, const Means& m, double origin) {
-    Strips& strips = memory_.strips;
+    // The part's own strips: a width inside that carries the strip's load there.
+    Strips& strips = scratch_.strips;
     strips.count = 0;
     for (std::int32_t j = first; j < end; ++j) {
-      if (!(memory_.load[j] > 0.0)) continue;
+      if (!(scratch_.load[j] > 0.0)) continue;
       const std::int32_t k = strips.count++;
-      strips.y[k] = in_.place[j] - m.place - origin;
-      strips.width[k] = memory_.load[j] / (0.5 * pi * memory_.line_load[j]);
-      strips.centre[k] = along_[j] - m.along;
-      strips.half_length[k] = in_.half_length[j];
-      strips.peak[k] = in_.peak[j];
-      memory_.shares[k] = in_.friction[j] / m.friction;
+      strips.y[k] = strips_.place[j] - m.place - origin;
+      strips.width[k] = scratch_.load[j] / (0.5 * pi * scratch_.line_load[j]);
+      strips.centre[k] = in_.along[j] - m.along;
+      strips.half_length[k] = strips_.half_length[j];
+      strips.peak[k] = strips_.peak[j];
+      scratch_.shares[k] = strips_.friction[j] / m.friction;
     }
-    contact_.friction = {m.friction, memory_.shares};
+    contact_.friction = {m.friction, scratch_.shares};
     if (!method_.model.on_ellipse) return;
+    // Methods on the equivalent ellipse get as many strips of that, with one coefficient of friction.
     sdec_strips({m.shape.a, m.shape.b, 0.0}, 0.0, 0.0, m.load, strips.count, strips);
     contact_.friction = {m.friction};
   }
 
+  /// Solves the part by the method; with heat, as often as friction over temperature takes to settle.
   TangentialForces solve() {
     Fault fault;
-    const auto once = [&] { return method_.solve(contact_, fields_, fault, nullptr); };
     TangentialForces found;
-    if (heat_) {
+    const auto once = [&] { found = method_.solve(contact_, fields_, fault, nullptr); };
+    if (in_.heat) {
       const Strips& region = contact_.region;
-      for (std::int32_t k = 0; k < region.count; ++k) memory_.cold[k] = contact_.friction[k];
-      const Fault unsettled = solve_heated(*heat_, region, fields_, fields_.slip_x, memory_.heat_share, [&] {
-        for (std::int32_t k = 0; k < region.count; ++k)
-          memory_.shares[k] = memory_.cold[k] * memory_.heat_share[k];
-        contact_.friction = shared_out(region, memory_.shares);
-        found = once();
-      });
+      for (std::int32_t k = 0; k < region.count; ++k) scratch_.cold[k] = contact_.friction[k];
+      const Fault unsettled =
+          solve_heated(*in_.heat, region, fields_, fields_.slip_x, scratch_.heat_share, [&] {
+            for (std::int32_t k = 0; k < region.count; ++k)
+              scratch_.shares[k] = scratch_.cold[k] * scratch_.heat_share[k];
+            contact_.friction = shared_out(region, scratch_.shares);
+            once();
+          });
       keep_worst(fault, unsettled);
     } else {
-      found = once();
+      once();
     }
     keep_worst(fault_, fault);
     return found;
   }
 
+  /// Rolls one part and adds its forces, times its share, to those of its strips.
   void roll_part(std::int32_t first, std::int32_t end, double share, const LobeCut* low,
                  const LobeCut* high) {
     const Means m = take_part(first, end, low, high);
     if (!(m.load > 0.0 && m.friction > 0.0)) return;
+    // Methods count y from the joint of the double ellipse, or from the middle of its width, psi b further.
+    // Creepages at the mean place of the load become those at that origin, forces come back from there.
     const double joint = -pressure_centre_share * m.shape.psi * m.shape.b;
     const double origin = joint + (method_.model.at_middle ? m.shape.psi * m.shape.b : 0.0);
     fill_strips(first, end, m, origin);
-    contact_.region = memory_.strips;
+    contact_.region = scratch_.strips;
     contact_.a = m.shape.a;
     contact_.b = m.shape.b;
     contact_.shape_number = m.shape.psi;
@@ -171,28 +187,27 @@ class Roller {
     contact_.normal_force = m.load;
     TangentialForces found = solve();
     refer_back(origin, found, nullptr);
+    // Strips share force and moment by load. With heat a strip has the mean over its parts of their
+    // coefficients; on the ellipse, whose strips are others, that of the whole part.
     std::int32_t k = 0;
     for (std::int32_t j = first; j < end; ++j) {
-      const double part = share * memory_.load[j] / m.load;
+      const double part = share * scratch_.load[j] / m.load;
       forces_.fx[j] += part * found.fx;
       forces_.fy[j] += part * found.fy;
       forces_.mz[j] += part * found.mz;
-      if (!(heat_ && memory_.load[j] > 0.0)) continue;
-      const double whole = 0.5 * pi * in_.width[j] * memory_.line_load[j];
+      if (!(in_.heat && scratch_.load[j] > 0.0)) continue;
+      const double whole = 0.5 * pi * strips_.width[j] * scratch_.line_load[j];
       const double coefficient = method_.model.on_ellipse ? contact_.friction.mean : contact_.friction[k++];
-      memory_.hot[j] += share * memory_.load[j] / whole * coefficient;
+      scratch_.hot[j] += share * scratch_.load[j] / whole * coefficient;
     }
   }
 
-  static constexpr double pressure_centre_share = 0.75;  // of psi b: mean place of the load from the joint
-
-  const SurfaceRollingInput& in_;
-  const double* along_;
+  const RegionRollingInput& in_;
+  const SurfaceRollingInput& strips_;
   const RegionRolling& method_;
   const TangentialFields& fields_;
   const SurfaceRollingForces& forces_;
-  HeatedFriction* heat_;
-  Memory memory_;
+  Scratch scratch_;
   RollingContact contact_;
   Fault fault_;
 };
@@ -200,36 +215,34 @@ class Roller {
 }  // namespace
 
 std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& method) {
-  return 11 * static_cast<std::int64_t>(most) +
-         (method.workspace_bytes + static_cast<std::int64_t>(sizeof(double)) - 1) /
-             static_cast<std::int64_t>(sizeof(double));
+  Arena arena;
+  cut(arena, most, method);
+  return arena.doubles();
 }
 
 Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept {
+  // Skewness = psi (0.05 - psi^2 / 160) / (0.2 + 3/80 psi^2)^(3/2) grows with psi: Newton's method, whose
+  // eight steps settle |psi| <= 0.95, of skewness up to 0.365.
   Sdec shape;
   const double spread = larger(variance, least_variance);
   const double skewness = third_moment / (spread * std::sqrt(spread));
   double psi = 0.0;
-  for (int i = 0; i < 8; ++i) {  // Newton's rule; the skewness of |psi| = 0.95 is 0.365
+  for (int i = 0; i < 8; ++i) {
     const double square = psi * psi, width = std::sqrt(0.2 + 0.0375 * square);
     const double off = psi * (0.05 - 0.00625 * square) - skewness * width * width * width;
     const double slope = 0.05 - 0.01875 * square - 0.1125 * skewness * width * psi;
     psi = smaller(larger(psi - off / larger(slope, 0.01), -largest_psi), largest_psi);
   }
   shape.psi = psi;
+  // a^2 = 5/4 <l^2>, b^2 = variance / (1/5 + 3/80 psi^2)
   shape.a = std::sqrt(larger(1.25 * mean_length_squared, least_variance));
   shape.b = std::sqrt(spread / (0.2 + 0.0375 * psi * psi));
   return shape;
 }
 
-Fault roll_by_region(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
-                     const SlopeFall& slope, double slope_reduction, double* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces, HeatedFriction* heat,
-                     double* hot) noexcept {
-  Roller roller(in, along, method, slope, slope_reduction, workspace, fields, forces, heat);
-  const Fault fault = roller.roll();
-  if (heat) std::copy_n(roller.hot(), in.count, hot);
-  return fault;
+Fault roll_by_region(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
+                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept {
+  return Roller(in, method, workspace, fields, forces).roll();
 }
 
 }  // namespace wrc

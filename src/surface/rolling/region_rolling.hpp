@@ -7,8 +7,8 @@
 ///
 ///     a^2 = 5/4 <l^2>,   <(y - <y>)^2> = b^2 (1/5 + 3/80 psi^2),   <(y - <y>)^3> = b^3 psi (1/20 - psi^2/160),
 ///
-/// with its joint at <y> - 3/4 psi b: what follows from sums over the load cannot leap while a patch stays
-/// one. Its forces are shared among the strips by their loads and act along the strips' own directions.
+/// with its joint at <y> - 3/4 psi b: sums over the load are continuous, and so is the shape while a patch
+/// stays one. Its forces are shared among the strips by their loads and act along the strips' own directions.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,18 @@ struct RegionRolling {
   FlexibilityForm form = FlexibilityForm::separate;
   const SdecTable* linear_theory = nullptr;
   const ForceTable* force_table = nullptr;
-  std::int64_t workspace_bytes = 0;  ///< of the method for `most` strips
+  std::int64_t workspace_bytes = 0;  ///< the method's working memory for as many strips as there may be
+};
+
+/// Strips to be rolled patch by patch.
+struct RegionRollingInput {
+  const SurfaceRollingInput& strips;  ///< without its method, coefficients and curvatures
+  const double* along;                ///< x of the strips' middles [m]
+  SlopeFall slope{};
+  double slope_reduction = 1.0;  ///< the factor that is in the shear modulus already [-]
+  HeatedFriction* heat =
+      nullptr;            ///< friction over temperature; strips.friction is then that of cold surfaces
+  double* hot = nullptr;  ///< with heat, result: coefficients of friction; may be strips.friction
 };
 
 /// Doubles of working memory for at most so many strips.
@@ -38,12 +49,8 @@ std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& meth
 /// The double ellipse of a load with these moments [m^2], [m^2], [m^3].
 Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept;
 
-/// Rolls the strips of `in`, its method apart, forwards. `along`: x of the strips' middles [m]. `fields`: in
-/// memory for `most` strips, for methods that need it; not results. `heat`: friction over temperature; then
-/// the coefficients of `in` are cold ones, and `hot`, which may be the same array, gets the hot ones.
-Fault roll_by_region(const SurfaceRollingInput& in, const double* along, const RegionRolling& method,
-                     const SlopeFall& slope, double slope_reduction, double* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces,
-                     HeatedFriction* heat = nullptr, double* hot = nullptr) noexcept;
+/// Rolls the strips forwards. `fields`: memory for as many strips, for methods that need it; not results.
+Fault roll_by_region(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
+                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept;
 
 }  // namespace wrc

@@ -17,17 +17,19 @@
 namespace wrc {
 namespace {
 
+/// Slips that make tractions: along x what neighbours share, plus the local part times gain.
 Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::int32_t j) {
   return {a.mean[RollingArrays::slip][j] + a.own[j], in.slip_y[j], in.spin[j]};
 }
 
 /// FASTSIM over all strips; `joint`: with the common flexibility in place of the separate ones.
-void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, const TangentialFields& fields,
-           SurfaceRollingForces& forces) {
+SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint,
+                           const TangentialFields& fields, const SurfaceRollingForces& forces) {
   const double G = in.shear_modulus;
   const bool parabolic = in.parabolic && !joint;
   const double of_peak = parabolic ? 3.0 * pi / 8.0 : 1.0;  // parabola and semi-ellipse of one area
   for (std::int32_t j = 0; j < in.count; ++j) {
+    // Flexibilities [m/Pa] as above. l13 plays no part: slip along x has the spin of each strip in it.
     const double l = std::max(in.half_length[j], least_strip_length);
     const Creepage slips = slips_of(in, a, j);
     Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]), 8.0 * l / (9.0 * G * a.c23[j])};
@@ -36,6 +38,8 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
       const double common = common_flexibility(L, l, l, 0.0, slips);
       L = {common, common, common, common};
     }
+    // Growth of adhesion tractions (nu_x / L11, nu_y / L22 + phi x / L23) over bound / l, at the leading edge
+    // x = l, and its fall along the strip; flexibilities as slip per traction of the size of the bound.
     const double bound = a.load[j] > 0.0 ? of_peak * in.friction[j] * in.peak[j] : 0.0;
     const double scale = bound > 0.0 ? l / bound : 0.0, turn = slips.spin * l / L.l23;
     a.bound[j] = bound;
@@ -52,28 +56,29 @@ void march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint, co
   task.soft_x = a.turn_x;
   task.soft_y = a.turn_y;
   const Kernels& kernels = *in.grid->kernels;
-  run(fields.any() ? kernels.tangential.surface_march_fields : kernels.tangential.surface_march, task,
-      forces);
+  return run(fields.any() ? kernels.tangential.surface_march_fields : kernels.tangential.surface_march, task);
 }
 
 }  // namespace
 
-void roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
-                     SurfaceRollingForces& forces) {
-  march(in, a, false, fields, forces);
+SurfaceRollingTotals roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
+                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
+  return march(in, a, false, fields, forces);
 }
 
-void roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
-                     SurfaceRollingForces& forces) {
+SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a,
+                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
   constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
+  // FASTSIM's tractions with the common flexibility: directions of slip, of strips that slip in part or as a
+  // whole alike. roll_strip() reads them cell by cell where it then writes its own.
   march(in, a, true, {fields.traction_x, fields.traction_y, nullptr, nullptr}, forces);
-  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(in.count) * in.grid->cells;
-  std::copy_n(fields.traction_x, cells, fields.slip_x);  // the direction of strips that slip as a whole
-  std::copy_n(fields.traction_y, cells, fields.slip_y);
+  const SlipDirections directions{fields.traction_x, fields.traction_y, fields.traction_x, fields.traction_y};
   const double G = in.shear_modulus;
   RolledStrip total;
-  double balance = 0.0;
+  double balance = 0.0;  // of power, over the rolling speed [N]
   for (std::int32_t j = 0; j < in.count; ++j) {
+    // closed form of the strip, about its own middle: growth of strip theory [Pa] against t' = mu p / l
+    // [Pa/m]
     const double l = std::max(in.half_length[j], least_strip_length);
     const Creepage slips = slips_of(in, a, j);
     const StripGrowth growth{2.0 * G * a.c11[j] / (pi * pi) * slips.longitudinal, 0.0,
@@ -81,21 +86,19 @@ void roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a, cons
                              3.0 * G * a.c23[j] / (2.0 * pi) * slips.spin, 1.0};
     const StripSolution strip = solve_strip(growth, std::max(a.bound[j], least_stress) / l, 0.0, 0.0, l);
     const Creepage rigid{in.slip_x[j], in.slip_y[j], in.spin[j]};
-    const RolledStrip rolled =
-        roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid,
-                   {fields.traction_x, fields.traction_y, fields.slip_x, fields.slip_y}, in.count, j, fields);
+    const RolledStrip rolled = roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid,
+                                          directions, in.count, j, fields);
     forces.fx[j] = rolled.fx;
     forces.fy[j] = rolled.fy;
     forces.mz[j] = rolled.mz;
     balance -= rolled.fx * rigid.longitudinal + rolled.fy * rigid.lateral + rolled.mz * rigid.spin;
     total += rolled;
   }
+  // Carter's form of slip, scaled to dissipate the power of forces and rigid slips
   balance = std::max(0.0, balance);
-  const double scale = total.power > 0.0 ? balance / total.power : 0.0;
-  for (double* slip : {fields.slip_x, fields.slip_y})
-    std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
-  forces.power_per_speed = balance;
-  forces.adhesion_fraction = total.adhesion_fraction();
+  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(in.count) * in.grid->cells;
+  scale_slips(total.power > 0.0 ? balance / total.power : 0.0, cells, fields);
+  return {balance, total.adhesion_fraction()};
 }
 
 }  // namespace wrc

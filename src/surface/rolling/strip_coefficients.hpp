@@ -1,6 +1,7 @@
 /// Linear theory of a strip on its own: Kalker's coefficients as functions of the strip's own numbers.
 ///
-/// In Hertz's contact every strip along x has the same level lambda (peak pressure over half length), and
+/// In Hertz's contact every strip along x has the same peak per length lambda (peak pressure over half
+/// length), and
 ///
 ///     m = kappa / (pi C lambda),   C = (1 - nu) / (pi G),
 ///
@@ -17,9 +18,9 @@
 
 namespace wrc {
 
-/// m of Hertz's ellipse of the axis ratio a/b > 0: 2 Int_0^{pi/2} cos^2 t / sqrt(cos^2 t + (a/b)^2 sin^2 t)
-/// dt.
-double hertz_level(double ratio);
+/// m of Hertz's ellipse of the axis ratio a/b > 0:
+///     m = 2 Int_0^{pi/2} cos^2 t / sqrt(cos^2 t + (a/b)^2 sin^2 t) dt.
+double hertz_relative_curvature(double ratio);
 
 template <class Number>
 struct StripCoefficientsOf {
@@ -36,7 +37,8 @@ struct StripCoefficientNodes {
   double node[steps + 1][quantities][2];  ///< value, slope per step
 };
 
-/// A quantity `t` of a step behind its first node; `beyond` the table's end, negative before its begin.
+/// A quantity at the share `t` of a step behind its first node (cubic Hermite), or `beyond` the table's end
+/// [steps], negative before its begin, where it goes on along the end's slope.
 template <class Number, class Plain>
 Number between_nodes(const Plain& first, const Plain& first_slope, const Plain& second,
                      const Plain& second_slope, const Number& t, const Number& beyond) {
@@ -47,7 +49,7 @@ Number between_nodes(const Plain& first, const Plain& first_slope, const Plain& 
          beyond * select(value_of(beyond) < 0.0, first_slope, second_slope);
 }
 
-/// Where m lies in the table: its place in steps, within it, and how far beyond, which fades out.
+/// Place of m in the table [steps]: the part within it, and the part beyond it, which tends to one step.
 template <class Number>
 struct PlaceInTable {
   Number inside, beyond;
@@ -85,9 +87,10 @@ class StripCoefficientTable {
   StripCoefficientNodes nodes_{.low = 0.0, .step = 1.0, .node = {}};
 };
 
-/// The coefficients of a strip; of packs of them in simd/strip_numbers_kernel.hpp.
+/// The coefficients of a strip; those of packs of them: surface/simd/strip_numbers_kernel.hpp.
 template <class Number>
 StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, const Number& m) {
+  // the step m lies in, the last one for its end; t: share of the step behind the node
   constexpr int quantities = StripCoefficientNodes::quantities;
   const PlaceInTable<Number> place(table, m);
   const int i = std::min(static_cast<int>(value_of(place.inside)), StripCoefficientNodes::steps - 1);
@@ -98,7 +101,8 @@ StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, 
     product[k] = between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
   return coefficients_of(product, m);
 }
-/// By m alone first.
+
+/// Derivatives by m, then by all inputs.
 template <std::size_t n>
 requires(n > 1) StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoefficientNodes& table,
                                                              const Dual<n>& m) {

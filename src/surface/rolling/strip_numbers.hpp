@@ -1,6 +1,7 @@
-/// The numbers strip FASTSIM on the surface has of every strip (surface_rolling.hpp), from loads, slips and
-/// coefficients: for packs of strips (simd/strip_numbers_kernel.hpp, whose units may not share functions of
-/// plain numbers with others), and for numbers that carry derivatives.
+/// The numbers of every strip that strip FASTSIM on the surface marches with (surface_rolling.hpp), in three
+/// steps: link(), linear_theory(), fill_arrays(). Templates, for packs of strips
+/// (surface/simd/strip_numbers_kernel.hpp, whose units may not share functions of plain numbers with others),
+/// and for numbers that carry derivatives. Symbols: rolling_arrays.hpp.
 #pragma once
 
 #include "base/dual.hpp"
@@ -10,40 +11,19 @@
 
 namespace wrc::strip_numbers {
 
-inline constexpr double least_force2 = 1e-30;       // [N^2]: neither friction nor slips
+inline constexpr double least_limit2 = 1e-30;       // [-]: neither friction nor slips
 inline constexpr double least_variance = 1e-10;     // [m^2]: of the places of strips that have no neighbours
-inline constexpr double largest_slenderness = 0.9;  // of what the calibration was fitted to
+inline constexpr double largest_slenderness = 0.9;  // the calibration was fitted up to here
 inline constexpr double reach2 = 0.5;               // beta^2
 
-/// FASTSIM's tractions v (creepage) instead of sqrt(v/u): their integrals over a semi-ellipse
-/// (strip_fastsim.cpp).
-inline constexpr double creepage_area = 9.0 * pi * pi / 128.0;
-/// The elastic slip of a strip that slips as a whole at its edge: this times mu p / (G C).
+/// Elastic slip at the edge of a strip that slips as a whole, over mu p / (G C).
 inline constexpr double edge_slip = 32.0 / 9.0;
 
 using Mean = RollingMeans::Mean;
 using enum RollingMeans::Mean;
 
-template <class Number>
-RollingArraysOf<Number> arrays(Number* workspace, std::int32_t count) {
-  const auto array = [&] {
-    Number* const begin = workspace;
-    workspace += count;
-    return begin;
-  };
-  RollingArraysOf<Number> a{};
-  a.load = array();
-  a.link = array();
-  a.pivot = array();
-  for (Number*& p : a.mean) p = array();
-  for (Number** p : {&a.c11, &a.c22, &a.c23, &a.own, &a.bound, &a.growth_x, &a.growth_y, &a.curvature,
-                     &a.slip_x, &a.slip_y, &a.elastic, &a.turn_x, &a.turn_y, &a.edge_x, &a.edge_y})
-    *p = array();
-  return a;
-}
-
-/// Where the functions below read and write the strips' numbers: at one strip, or
-/// (simd/strip_numbers_kernel.hpp) at as many as a pack has lanes.
+/// Place of a strip's numbers in the arrays: one strip, or (simd/strip_numbers_kernel.hpp) as many as a pack
+/// has lanes.
 template <class Any>
 struct OneStrip {
   using Number = Any;
@@ -61,7 +41,7 @@ struct OneStrip {
   static bool positive(const Number& x) { return value_of(x) > 0.0; }
 };
 
-/// What all strips share.
+/// Numbers all strips have in common.
 struct Shared {
   double shear_modulus, normal_shear_modulus, poisson;
   const StripCoefficientNodes* coefficients;
@@ -74,30 +54,36 @@ Shared shared(const SurfaceRollingInputOf<Number>& in) {
           in.calibration};
 }
 
-/// Loads of the strips, how strongly neighbours share their means, and the pivots of that: (N + K) A = N a
-/// with K the diffusion between strips side by side, eliminated from the first strip to the last.
+/// Loads of the strips, coupling of neighbours and pivots of the means' equations
+///     (N + K) A = N a,   K A = - d/ds (beta^2 l^2 N dA/ds),   K tridiagonal,
+/// eliminated from the first strip to the last.
 template <class At, class Element>
 void link(const SurfaceRollingInputOf<Element>& in, const RollingArraysOf<Element>& a) {
   using Number = typename At::Number;
   const std::int32_t n = in.count;
-  Element* const flow = a.pivot;  // of each strip, until its pivot is known
+  // N = pi/2 l p h [N], h the width, and the conductivity N l^2 / h of a strip [N m].
+  Element* const conductivity = a.pivot;  // until the pivots are known
   At::each(n, [&](const At& at) {
     const auto& l = at.get(in.half_length);
     const auto& width = at.get(in.width);
     const Number load =
         select(value_of(l) > least_strip_length, 0.5 * pi * width * at.get(in.peak) * l, Number(0.0));
     at.put(a.load, load);
-    at.put(flow, load / width * (l * l));
+    at.put(conductivity, load / width * (l * l));
   });
+  // Link of two strips [N]: beta^2 times the harmonic mean of their conductivities, which stops where either
+  // is without load, over their distance; none between strips that do not touch.
   At::each(n - 1, [&](const At& at) {
     const auto apart = at.get(in.place + 1) - at.get(in.place);
     const auto touching = 0.5 * (at.get(in.width) + at.get(in.width + 1));
-    const auto &here = at.get(flow), &there = at.get(flow + 1);
+    const auto &here = at.get(conductivity), &there = at.get(conductivity + 1);
     const Number sum = here + there, none = 0.0;
-    const Number shared = here * there / select(value_of(sum) > 0.0, sum, Number(1.0));
-    at.put(a.link, select(apart < 1.5 * touching, reach2 * 2.0 * shared / apart, none));
+    const Number joint = here * there / select(value_of(sum) > 0.0, sum, Number(1.0));
+    at.put(a.link, select(apart < 1.5 * touching, reach2 * 2.0 * joint / apart, none));
   });
-  Element before = 0.0;  // what is left of the link to the strips before
+  // Pivots N_j + link_j + the part of link_{j-1} that elimination leaves of it: no differences, so that none
+  // of them cancels. Strips without load and links have the inverse 0.
+  Element before = 0.0;
   for (std::int32_t j = 0; j < n; ++j) {
     if (j + 1 == n) a.link[j] = 0.0;
     const Element held = a.load[j] + before, pivot = held + a.link[j];
@@ -106,9 +92,10 @@ void link(const SurfaceRollingInputOf<Element>& in, const RollingArraysOf<Elemen
   }
 }
 
-/// Replaces quantities times load by their means.
+/// Replaces the quantities `first` .. `end` - 1, which are N a, by their means A.
 template <class At, int first, int end, class Element>
 void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
+  // forwards: the right side with the share that comes over from the strips before
   Element flow[end - first] = {};
   for (std::int32_t j = 0; j < count; ++j)
     for (int k = first; k < end; ++k) {
@@ -116,6 +103,7 @@ void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
       m[j] = (m[j] + flow[k - first]) * a.pivot[j];
       flow[k - first] = a.link[j] * m[j];
     }
+  // backwards: A_j takes its share of A_{j+1}
   for (std::int32_t j = count - 1; j-- > 0;)
     for (int k = first; k < end; ++k) {
       Element* const m = a.mean[k];
@@ -123,8 +111,8 @@ void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
     }
 }
 
-/// How much more than what neighbours share the difference of a strip's slip to them counts in full adhesion:
-/// what gives an ellipse under spin C33 of linear theory, fitted to that for a/b = 0.3 to 20 (theory.md).
+/// Gain g of the local part of slip along x in full adhesion [-]: with it an ellipse under spin has C33 of
+/// linear theory. Fitted to C33 for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
   const Number u2 = u * u;
@@ -132,60 +120,59 @@ Number gain(const Number& u, double poisson) {
   return (1.218 - 1.751 * off + 0.2043 * u - (0.696 + 0.760 * off) * u2) / (1.0 - 0.7343 * u2);
 }
 
-/// By u alone first.
+/// The derivative by u, then by all inputs.
 template <std::size_t n>
 requires(n > 1) Dual<n> gain(const Dual<n>& u, double poisson) {
   const Dual<1> g = gain(Dual<1>::input(u.value, 0), poisson);
   return u.chain(g.value, g.d[0]);
 }
 
-/// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
+/// lambda: peak pressure over half length [Pa/m].
 template <class Number>
-Number factor(const Number& q) {
-  return q + root(1.0 + q * q);
-}
-
-/// Peak pressure over half length [Pa/m].
-template <class Number>
-Number strip_level(const Number& peak, const Number& half_length) {
+Number peak_per_length(const Number& peak, const Number& half_length) {
   constexpr double least_pressure = 1.0;  // [Pa]
   return larger(peak, Number(least_pressure)) / larger(half_length, Number(least_strip_length));
 }
 
-/// Slenderness within what the calibration holds for.
+/// Slenderness within the range of the calibration.
 template <class Number>
 Number held_slenderness(const Number& u) {
   return smaller(larger(u, Number(-largest_slenderness)), Number(largest_slenderness));
 }
 
-/// Coefficients, forces of linear theory and their means.
+/// Coefficients of linear theory, forces of each strip by it, and the means over neighbours.
 template <class At, class Element>
 void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                    const RollingArraysOf<Element>& a) {
   using Number = typename At::Number;
   const double G = shared.shear_modulus, poisson = shared.poisson;
-  const double per_level = shared.normal_shear_modulus / (1.0 - poisson);  // 1 / (pi C)
+  const double stiffness = shared.normal_shear_modulus / (1.0 - poisson);  // 1 / (pi C) [Pa]
   const auto area_of = [&](const At& at, const Number& load) {
     return select(value_of(load) > 0.0, at.get(in.half_length) * at.get(in.width), Number(0.0));
   };
+  // C11, C22, C23' of m = kappa / (pi C lambda); quantities of the first means times load: w_x, u, mu, place,
+  // and forces of linear theory, e N = (2/pi) G C22 w_y l h and s N = (3/4) G C23' phi l^2 h [N], h the
+  // width. 0.884 is the mean of l / a over the load of an ellipse: its mean edge slip is that of its middle
+  // strip.
   At::each(in.count, [&](const At& at) {
     const auto &l = at.get(in.half_length), &N = at.get(a.load);
-    const Number area = area_of(at, N), lambda = strip_level<Number>(at.get(in.peak), l);
-    const Number m = at.get(in.curvature) * per_level / lambda;
+    const Number area = area_of(at, N), lambda = peak_per_length<Number>(at.get(in.peak), l);
+    const Number m = at.get(in.curvature) * stiffness / lambda;
     const StripCoefficientsOf<Number> c = coefficients_at(*shared.coefficients, m);
     at.put(a.c11, c.c11);
     at.put(a.c22, c.c22);
     at.put(a.c23, c.c23);
     at.put(a.mean[slip], at.get(in.slip_x) * N);
     at.put(a.mean[slender], c.slenderness * N);
-    at.put(a.mean[edge],  // 0.884: of an ellipse
-           edge_slip / 0.884 * at.get(in.friction) * lambda * l / (G * c.c22) * N);
+    at.put(a.mean[edge], edge_slip / 0.884 * at.get(in.friction) * lambda * l / (G * c.c22) * N);
     at.put(a.mean[lateral], 2.0 / pi * G * c.c22 * at.get(in.slip_y) * area);
     at.put(a.mean[spin], 0.75 * G * c.c23 * at.get(in.spin) * l * area);
     at.put(a.mean[friction], at.get(in.friction) * N);
     at.put(a.mean[location], at.get(in.place) * N);
   });
   take_means<At, slip, longitudinal>(in.count, a);
+  // With W and u known: the local part g (w_x - W) of slip along x, the force of both parts
+  // x N = (2/pi) G C11 (W + g (w_x - W)) l h [N], and squared distances from the mean place [m^2].
   At::each(in.count, [&](const At& at) {
     const auto &N = at.get(a.load), &shared_slip = at.get(a.mean[slip]);
     const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
@@ -198,7 +185,7 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
   take_means<At, longitudinal, means>(in.count, a);
 }
 
-/// One over a number, 0 for 0.
+/// Inverse of a number, 0 for 0.
 template <class Number>
 Number inverse_or_none(const Number& x) {
   const auto any = value_of(x) > 0.0;
@@ -210,7 +197,8 @@ struct Terms {
   Number of[SurfaceCalibration::terms];
 };
 
-/// The terms of the calibration; x, e, s and the friction limit as forces, Q the sum of their squares.
+/// The terms of the calibration (saturation_terms.hpp) of forces over load: x, e, s, the limit mu; Q the sum
+/// of their squares.
 template <class Number>
 Terms<Number> calibration_terms(const Number& u, const Number& x, const Number& e, const Number& s,
                                 const Number& limit2, const Number& Q) {
@@ -221,8 +209,7 @@ Terms<Number> calibration_terms(const Number& u, const Number& x, const Number& 
            u * unison, ss * ss, ee * ss, xx * ss}};
 }
 
-/// What the calibration says of a strip: its quantities, flexibilities and turning as the factors they stand
-/// for.
+/// The calibrated quantities of a strip: flexibilities and turning as factors, the others as elastic slips.
 template <class Number>
 struct Fitted {
   Number of[SurfaceCalibration::quantities];
@@ -234,6 +221,7 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
                    const Number& s, const Number& limit2) {
   const Number Q = limit2 + x * x + e * e + s * s;
   const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
+  // quantity = sum of constants times terms; zeros, which most of them are, are left out
   Fitted<Number> fitted;
   fitted.per_size = Number(1.0) / root(Q);
   for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
@@ -244,6 +232,7 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
     }
     fitted.of[quantity] = sum;
   }
+  // Flexibilities and turning as factors; at small slips those of creepages keep the forces of linear theory.
   constexpr int creepages[] = {SurfaceCalibration::flexibility_x, SurfaceCalibration::flexibility_y,
                                SurfaceCalibration::flexibility_spin_x};
   for (const int quantity : creepages) fitted.of[quantity] = creepage_area * factor(fitted.of[quantity]);
@@ -253,7 +242,7 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   return fitted;
 }
 
-/// By the five numbers it depends on first: there are more inputs than these.
+/// Derivatives by the five numbers of the fit, then by all inputs, which are more.
 template <std::size_t n>
 requires(n > 5) Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
                                     const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
@@ -272,18 +261,20 @@ requires(n > 5) Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const
   return fitted;
 }
 
-/// Fills the arrays that the kernel reads of every strip.
+/// Fills the arrays that the kernel reads of every strip: numbers relative to the half length l and, growths,
+/// to the bound mu p over l.
 template <class At, class Element>
 void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                  const RollingArraysOf<Element>& a) {
   using Number = typename At::Number;
   At::each(in.count, [&](const At& at) {
+    // factors of the calibration, by means over neighbours
     const Number l = larger(at.get(in.half_length), Number(least_strip_length));
     const auto &mu = at.get(in.friction), &peak = at.get(in.peak);
     const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
     const auto &x = at.get(a.mean[longitudinal]), &e = at.get(a.mean[lateral]), &s = at.get(a.mean[spin]);
     const auto& held = at.get(a.mean[friction]);
-    const Number limit2 = held * held + least_force2;
+    const Number limit2 = held * held + least_limit2;
     const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],
@@ -291,10 +282,12 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                  &by_spin_y = fitted.of[SurfaceCalibration::flexibility_spin_y],
                  &turning = fitted.of[SurfaceCalibration::turning];
 
-    // Elastic slip at the edge of a strip that slips as a whole, and one over it, without the coefficients.
+    // Elastic slip at the edge of a strip that slips as a whole, 32 mu lambda l / (9 G C), and its inverse,
+    // without C. Growth of adhesion tractions 4 G C11 w / (pi^2 mu lambda l) is slip over that slip and over
+    // the factor on its flexibility; spin changes the growth along the strip by -psi_k.
     const auto &c11 = at.get(a.c11), &c22 = at.get(a.c22), &slip_y = at.get(in.slip_y);
     const Number soft =
-        edge_slip * strip_level<Number>(peak, at.get(in.half_length)) * mu * l / shared.shear_modulus;
+        edge_slip * peak_per_length<Number>(peak, at.get(in.half_length)) * mu * l / shared.shear_modulus;
     const Number none = 0.0, stiff = inverse_or_none(soft);
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
@@ -307,6 +300,9 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     at.put(a.edge_x, 2.0 * by_x * soft_x);
     at.put(a.edge_y, 2.0 * by_y * soft_y);
 
+    // Rigid slip and the elastic slip from tractions beside: torsion, an even lateral slip of contact that
+    // spins; twist, slip across the force in proportion to the distance from the middle, 1 at the border of
+    // an ellipse.
     const Number across = (at.get(in.place) - at.get(a.mean[location])) /
                           root(5.0 * larger(at.get(a.mean[variance]), Number(least_variance)));
     const Number elastic = at.get(a.mean[edge]) * fitted.per_size;

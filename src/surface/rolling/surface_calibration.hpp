@@ -1,6 +1,6 @@
 /// The fitted constants of strip FASTSIM on the rail's surface: how contact of finite width deviates from
 /// strip theory as it saturates. Strip by strip; x, e, s are means over neighbouring strips
-/// (surface_rolling.hpp), and u is of the ellipse whose strips are held alike.
+/// (rolling_arrays.hpp), and u is that of the ellipse whose strips are held alike.
 #pragma once
 
 #include "tangential/methods/saturation_terms.hpp"
@@ -17,9 +17,9 @@ struct SurfaceCalibration {
     terms
   };
   enum Quantity {
-    flexibility_x,       ///< factor on that of slip along x which neighbours share
+    flexibility_x,       ///< factor on the flexibility of slip along x that neighbours share
     flexibility_y,       ///< factor on that of lateral slip
-    flexibility_spin_x,  ///< factor on that of slip along x by which a strip differs from its neighbours
+    flexibility_spin_x,  ///< factor on that of the local part of slip along x
     flexibility_spin_y,  ///< factor on that of spin across
     turning,             ///< factor on the flexibility with which slip turns the traction
     torsion,  ///< lateral elastic slip, in units of that of a slipping strip's edge, for s^2 / Q = 1

@@ -1,26 +1,19 @@
 #include "surface/rolling/surface_rolling.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "kernels/kernels.hpp"
-#include "patch/material.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
-#include "tangential/methods/strip_fastsim.hpp"
 
 namespace wrc {
-
-using namespace strip_numbers;
-
 namespace {
 
-void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
-                           const TangentialFields& fields, SurfaceRollingForces& forces) {
+SurfaceRollingTotals roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
+                                           const TangentialFields& fields,
+                                           const SurfaceRollingForces& forces) {
   auto task = surface_task<simd::SurfaceStripsTask>(in, a, fields, forces);
   task.inverse_weight = in.grid->inverse_weight;
+  // slips that drive the march: rigid ones plus torsion and twist; and how they turn the traction
   task.curvature = a.curvature;
   task.slip_x = a.slip_x;
   task.slip_y = a.slip_y;
@@ -30,33 +23,37 @@ void roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a
   task.turn_y = a.turn_y;
   task.edge_x = a.edge_x;
   task.edge_y = a.edge_y;
+  // power is force times rigid slip: elastic slip from the tractions beside takes none
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;
   const Kernels& kernels = *in.grid->kernels;
-  run(fields.any() ? kernels.tangential.surface_strips_fields : kernels.tangential.surface_strips, task,
-      forces);
+  return run(fields.any() ? kernels.tangential.surface_strips_fields : kernels.tangential.surface_strips,
+             task);
 }
 
 }  // namespace
 
 std::size_t surface_rolling_workspace(std::int32_t capacity) {
-  return static_cast<std::size_t>(capacity) * RollingArrays::count;
+  return static_cast<std::size_t>(rolling_doubles<double>(capacity));
 }
 
-void roll_on_surface(const SurfaceRollingInput& in, double* workspace, const TangentialFields& fields,
-                     SurfaceRollingForces& forces) {
-  const RollingArrays a = strip_numbers::arrays(workspace, in.count);
-  const Shared shared = strip_numbers::shared(in);
+SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* workspace,
+                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
+  Arena arena(workspace);
+  const RollingArrays a = cut_rolling_arrays<double>(arena, in.count);
+  const strip_numbers::Shared shared = strip_numbers::shared(in);
+  // Loads, coefficients and means serve all methods; the rest of the arrays strip FASTSIM alone.
   in.grid->kernels->surface.strip_numbers(
       {&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
   switch (in.method) {
     case SurfaceRollingMethod::strip_fastsim:
-      return roll_by_strip_fastsim(in, a, fields, forces);
+      break;
     case SurfaceRollingMethod::fastsim:
       return roll_by_fastsim(in, a, fields, forces);
     case SurfaceRollingMethod::fastrip:
       return roll_by_fastrip(in, a, fields, forces);
   }
+  return roll_by_strip_fastsim(in, a, fields, forces);
 }
 
 }  // namespace wrc

@@ -4,15 +4,15 @@
 /// It is the model of tangential/methods/strip_fastsim.hpp with the patch taken out of it, so that nothing
 /// jumps when regions of contact meet, part, appear or vanish:
 ///
-///  - Coefficients are the strip's own, by its level peak / half length and its curvature
+///  - Coefficients are the strip's own, by its peak per length lambda = peak / half length and its curvature
 ///    (strip_coefficients.hpp). All lengths of a patch drop out: adhesion tractions grow by
 ///    4 G C11 / (pi^2 mu lambda l) per unit of slip relative to the bound, and likewise along y and for spin.
 ///  - The rigid slip of a strip is (slip_x, slip_y + spin (x - centre)), as kinematics gives it: rolling
-///    radius and turning over the width are in slip_x. Neighbours hold back what a strip's slip_x differs by
-///    from theirs less than what they share: that difference counts more than once (`gain`).
-///  - Numbers a patch had - slenderness, saturation, what neighbours share of their slip - are means over
-///    neighbouring strips that fade where contact gets thin: the mean A of a quantity a with the weights N
-///    (load) solves
+///    radius and turning over the width are in slip_x. Tractions of its
+///    neighbours move a strip, too. That helps where their slips are alike, not where they differ: the local
+///    part of slip_x counts more than once (gain() of strip_numbers.hpp).
+///  - Numbers of a patch - slenderness, saturation, common slip - are replaced by means over neighbouring
+///    strips that fade where contact gets thin: the mean A of a quantity a with the weights N (load) solves
 ///        N (A - a) = d/ds (beta^2 l^2 N dA/ds),
 ///    a diffusion over a part of the half length which stops where l vanishes. Three bands, one elimination
 ///    for all means; smooth in all loads and lengths, also through a neck that opens. Strips that enter have
@@ -40,7 +40,7 @@ namespace wrc {
 enum class SurfaceRollingMethod {
   strip_fastsim,
   fastsim,  ///< FASTSIM with separate flexibilities, the bound mu p or the parabola of the same force in each
-            ///< strip (`parabolic`); power is what the march dissipates
+            ///< strip (`parabolic`); power is that of the march's slip
   fastrip,  ///< strip theory where a strip sticks, directions of FASTSIM with the common flexibility
             ///< where it slips (tangential/methods/fastrip.hpp); all four fields must be given
 };
@@ -54,14 +54,14 @@ struct SurfaceRollingInputOf {
   const double* width = nullptr;        ///< [m]
   const Number* half_length = nullptr;  ///< [m]
   const Number* peak = nullptr;         ///< pressure at the strip's middle [Pa]
-  const Number* curvature = nullptr;    ///< of the undeformed gap along x [1/m], > 0
+  const Number* curvature = nullptr;    ///< curvature of the undeformed gap along x [1/m], > 0
   const Number* slip_x = nullptr;       ///< rigid slip of the wheel over the rail at the strip's middle, over
   const Number* slip_y = nullptr;       ///< the rolling speed, in the strip's own axes [-]
   const Number* spin = nullptr;         ///< rotation about the strip's normal over the rolling speed [1/m]
   const Number* friction = nullptr;     ///< coefficient of every strip [-], >= 0
   double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
-  const StripCoefficientTable* coefficients = nullptr;  ///< of the bodies' Poisson ratio
+  const StripCoefficientTable* coefficients = nullptr;  ///< table of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;                      ///< cells along each strip
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
   bool parabolic = false;  ///< bound of FASTSIM
@@ -69,23 +69,27 @@ struct SurfaceRollingInputOf {
 };
 using SurfaceRollingInput = SurfaceRollingInputOf<double>;
 
-/// Results, arrays of the caller: forces on the wheel in each strip's axes (x, and y along the surface),
-/// moment about the strip's normal through its middle.
+/// Forces on the wheel in each strip's own axes (x, and y along the surface) and moments about the strip's
+/// normal through its middle: arrays of the caller.
 struct SurfaceRollingForces {
-  double* fx = nullptr;            ///< [N]
-  double* fy = nullptr;            ///< [N]
-  double* mz = nullptr;            ///< [N m]
-  double power_per_speed = 0.0;    ///< frictional power over the rolling speed [N], all strips
-  double adhesion_fraction = 0.0;  ///< area that sticks over the area, all strips
+  double* fx = nullptr;  ///< [N]
+  double* fy = nullptr;  ///< [N]
+  double* mz = nullptr;  ///< [N m]
+};
+
+/// Totals over all strips.
+struct SurfaceRollingTotals {
+  double power_per_speed = 0.0;    ///< frictional power over the rolling speed [N]
+  double adhesion_fraction = 0.0;  ///< area that sticks over the area [-]
 };
 
 /// Doubles of working memory for `capacity` strips.
 std::size_t surface_rolling_workspace(std::int32_t capacity);
 
-/// Rolls the strips. `fields`: element (cell i, strip j) at i * count + j (tangential/problem.hpp), or null
-/// pointers. Real-time: no memory but `workspace`, work proportional to strips times cells. Finite input
-/// within the stated ranges gives finite results.
-void roll_on_surface(const SurfaceRollingInput& input, double* workspace, const TangentialFields& fields,
-                     SurfaceRollingForces& forces);
+/// Rolls the strips: fills `forces`, and `fields`, element (cell i, strip j) at i * count + j
+/// (tangential/problem.hpp), or null pointers. Real-time: no memory but `workspace`, work proportional to
+/// strips times cells. Finite input within the stated ranges gives finite results.
+SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& input, void* workspace,
+                                     const TangentialFields& fields, const SurfaceRollingForces& forces);
 
 }  // namespace wrc

@@ -1,4 +1,4 @@
-/// Sums of rows of a matrix (surface/pressure/normal_slopes.hpp).
+/// Sums of rows of a matrix (surface/pressure/pressure_jacobian.hpp).
 #pragma once
 
 #include "base/pack.hpp"

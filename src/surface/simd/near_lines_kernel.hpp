@@ -1,4 +1,4 @@
-/// Lines through what neighbouring strips have, read at strips (surface/pressure/surface_means.hpp).
+/// Lines through what neighbouring strips have, read at strips (surface/pressure/smoothing.hpp).
 #pragma once
 
 #include "base/pack.hpp"

@@ -1,4 +1,4 @@
-/// A row of the differentiated equations of the normal problem (surface/pressure/normal_slopes.hpp): one
+/// A row of the differentiated equations of the normal problem (surface/pressure/pressure_jacobian.hpp): one
 /// source per lane for the row, one direction per lane for the sums, which run in the order of the sources.
 #pragma once
 

@@ -25,6 +25,7 @@ struct StripLanes {
 };
 
 inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& table, const Pack& m) {
+  // Each lane reads its own step of the table: indices of the products at the node, one column after another.
   constexpr int quantities = StripCoefficientNodes::quantities;
   const PlaceInTable<Pack> place(table, m);
   const Pack node = smaller(whole_part(place.inside), StripCoefficientNodes::steps - 1.0);
@@ -41,6 +42,8 @@ inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& ta
 
 /// SurfaceKernels::strip_numbers.
 inline void strip_numbers_kernel(const StripNumbersTask& task) {
+  // Loads and their means' equations, coefficients and means; the numbers of the march where it is strip
+  // FASTSIM's.
   const SurfaceRollingInput& in = *task.in;
   const RollingArrays& a = *task.arrays;
   strip_numbers::link<StripLanes>(in, a);

@@ -90,11 +90,11 @@ struct Lengths {
 
 /// Moves the start of a solve at `height` to where the lengths of the last one, at `last`, lead: along the
 /// line through those of the one before.
-void lead_on(const Lengths& before, double last, double height, const WheelWork& w, SurfaceStart& start) {
+void lead_on(const Lengths& before, double last, double height, const WheelWork& w, PressureStart& start) {
   const Overlaps& o = w.overlaps;
   const double* const squared = w.pressure.length_squared;
-  start.led = start.set && before.count > 0 && before.height != last;
-  if (!start.led) return;
+  start.extrapolated = start.set && before.count > 0 && before.height != last;
+  if (!start.extrapolated) return;
   const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
   for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
@@ -111,11 +111,11 @@ void lead_on(const Lengths& before, double last, double height, const WheelWork&
 /// Heights on the way are solved only so far as their loads are of use: those are known about as well as the
 /// lengths of the strips are.
 Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSearch search, bool found,
-                    WheelWork& w, SurfaceStart& start, double& height, Wrench& out) {
+                    WheelWork& w, PressureStart& start, double& height, Wrench& out) {
   constexpr double coarse = 2e-3;  // where nothing is known yet
   const double asked = in.vertical_load;
-  const SurfaceNormalOptions exact;
-  SurfaceNormalOptions options;
+  const PressureOptions exact;
+  PressureOptions options;
   if (!found) options.tolerance = coarse;
   Lengths before;
   double miss_before = 0.5;
@@ -144,8 +144,7 @@ Fault search_height(const SurfaceModel& model, const WheelOnRail& in, HeightSear
     if (expected < load_tolerance) options = exact;
     miss_before = miss;
   }
-  keep_worst(fault,
-             {.status = WRC_FLAG_ITERATION_CAP, .field = "input.vertical_load", .value = asked, .unit = "N"});
+  keep_worst(fault, Fault::iteration_cap("input.vertical_load", {asked, "N"}));
   return fault;
 }
 
@@ -191,7 +190,7 @@ constexpr double way_tolerance = 1e-4;
 
 /// Looks at heights each twice as far below first touch as the one before, down to the deepest overlap that
 /// is solved, or until many times the load presses.
-WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                   Wrench& out) {
   constexpr double first_step = 4e-6;  // [m]
   constexpr double counts = 1e-3;      // of the load: what a fall is told from rounding by
@@ -207,7 +206,7 @@ WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w
   for (std::int32_t k = 1; k < WayDown::most && !way.falls_again; ++k) {
     const double height = smaller(touch + first_step * static_cast<double>(1 << (k - 1)), border);
     if (!(height > way.height[k - 1]) || pressed > enough * asked) break;
-    SurfaceNormalOptions options;
+    PressureOptions options;
     options.tolerance = way_tolerance;
     solve_at(model, in, height, false, w, start, options, out);
     const double load = -out.force[2];
@@ -230,7 +229,7 @@ WayDown look_down(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w
 
 /// The wrench where the vertical force is largest between two heights.
 Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double low, double high, WheelWork& w,
-                      SurfaceStart& start, double& height, Wrench& out) {
+                      PressureStart& start, double& height, Wrench& out) {
   constexpr int steps = 20;
   const auto load_at = [&](double at) {
     solve_at(model, in, at, false, w, start, {}, out);
@@ -245,7 +244,7 @@ Fault solve_at_summit(const SurfaceModel& model, const WheelOnRail& in, double l
 
 double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }
 
-Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                        double& height, Wrench& out) {
   const double asked = in.vertical_load;
   const Fault found = search_height(model, in, HeightSearch(asked), false, w, start, height, out);
@@ -259,11 +258,7 @@ Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWo
 
   const WayDown way = look_down(model, in, w, start, out);
   const auto climbing = [&](const char* cause, const Fault& beside) {
-    Fault fault{.status = WRC_FLAG_CLIMBING,
-                .field = "input.vertical_load",
-                .value = asked,
-                .unit = "N",
-                .cause = cause};
+    Fault fault = Fault::climbing("input.vertical_load", {asked, "N"}, cause);
     keep_worst(fault, beside);
     return fault;
   };

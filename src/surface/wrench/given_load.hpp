@@ -16,7 +16,7 @@ double usual_approach(double load);
 /// that it does not matter where the search begins: taken is the highest that carries the load with a force
 /// that grows downwards, and where none does, the first at which the force ceases to grow: the end of the
 /// branch that begins at first touch, in which the former goes over without a jump as the load grows.
-Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+Fault solve_given_load(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                        double& height, Wrench& out);
 
 }  // namespace wrc

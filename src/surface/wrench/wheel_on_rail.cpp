@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
-#include "surface/pressure/normal_slopes.hpp"
+#include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/wrench/given_load.hpp"
 #include "surface/wrench/wrench_at_height.hpp"
 #include "surface/wrench/wrench_sum.hpp"
@@ -40,10 +40,9 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
   w.scratch.part = doubles(most_strips_of_a_rail);
   w.scratch.along = doubles(most_strips_of_a_rail);
   w.scratch.piece = integers(most_strips_of_a_rail);
-  SurfacePressure& p = w.pressure;
-  for (double** a : {&p.length_squared, &p.level, &p.centre, &p.strength}) *a = doubles(most);
-  w.normal =
-      doubles(std::max(surface_normal_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
+  StripPressure& p = w.pressure;
+  for (double** a : {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load}) *a = doubles(most);
+  w.normal = doubles(std::max(pressure_doubles(most), wrench_slopes_doubles(most_differentiated_strips)));
   w.slopes = w.normal;  // which is done with by then
   w.rolling = doubles(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   for (double** a :
@@ -59,7 +58,7 @@ std::int64_t cut(void* memory, std::int32_t wheel_pieces, const SurfaceMethods& 
     w.rail_strips = doubles(rail_strip_doubles(most_strips_of_a_rail));
   }
   w.along = w.planar = w.region = nullptr;
-  if (methods.planar.solve) w.planar = doubles(planar_normal_doubles(most, methods.planar));
+  if (methods.planar.solve) w.planar = doubles(planar_pressure_doubles(most, methods.planar));
   if (methods.region.solve) {
     w.along = doubles(most);
     w.region = doubles(region_rolling_doubles(most, methods.region));
@@ -137,7 +136,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   cut(workspace, model.wheel.curve.pieces, model.methods, model.grid->cells, varies(model), w);
   const Fault outside = place_rail(model, in, w);
   warm = warm && state.set > 0.0;
-  SurfaceStart start{state.length_squared, state.shift, state.depth, warm};
+  PressureStart start{state.length_squared, state.shift, state.depth, warm};
   out = {};
   Fault fault;
   if (in.load_prescribed) {

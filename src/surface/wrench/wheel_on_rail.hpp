@@ -2,7 +2,7 @@
 ///
 /// Nothing here chooses a contact point. The rail's cross section is cut once into strips at fixed arc
 /// lengths (rail_strips.hpp); a pose gives every strip its own overlap with the wheel (overlap.hpp), the
-/// half-space solver their pressures (surface_normal.hpp), rigid-body kinematics of the wheel their slips
+/// half-space solver their pressures (pressure.hpp), rigid-body kinematics of the wheel their slips
 /// (surface_rolling.hpp). Forces are summed strip by strip in the rail's axes and turned into track axes
 /// once.
 ///

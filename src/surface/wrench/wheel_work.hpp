@@ -5,7 +5,7 @@
 
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/rail_direction.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/pressure.hpp"
 #include "surface/rolling/surface_rolling.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
@@ -31,7 +31,7 @@ struct WheelWork {
   SectionBlend blend[most_rail_faces];  ///< of the rail's faces there
   Overlaps overlaps;
   OverlapScratch scratch;
-  SurfacePressure pressure;
+  StripPressure pressure;
   RelativeMotion seen;              ///< of the last solve
   double* normal;                   ///< scratch of the normal problem
   double* rolling;                  ///< scratch of rolling

@@ -200,8 +200,8 @@ Fault roll(const SurfaceModel& model, const WheelOnRail& in, std::int32_t count,
       const double x = w.pressure.centre[w.candidate[k]];
       w.along[k] = backwards ? -x : x;
     }
-    fault = roll_by_region(rolls, w.along, methods.region, in.slope, in.slope_reduction, w.region, w.fields,
-                           forces, heat, w.friction);
+    const RegionRollingInput patches{rolls, w.along, in.slope, in.slope_reduction, heat, w.friction};
+    fault = roll_by_region(patches, methods.region, w.region, w.fields, forces);
   } else {
     const bool in_fields = methods.strips == SurfaceRollingMethod::fastrip;
     roll_on_surface(rolls, w.rolling, in_fields ? w.fields : fields, forces);
@@ -264,9 +264,9 @@ struct Loaded {
 Loaded take_loaded_strips(const WheelOnRail& in, const RelativeMotion& seen, WheelWork& w) {
   Loaded loaded;
   const Overlaps& o = w.overlaps;
-  const SurfacePressure& p = w.pressure;
+  const StripPressure& p = w.pressure;
   for (std::int32_t i = 0; i < o.count; ++i) {
-    if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+    if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     const std::int32_t j = o.strip[i];
     const double l = std::sqrt(p.length_squared[i]);
     double v[3];
@@ -280,7 +280,7 @@ Loaded take_loaded_strips(const WheelOnRail& in, const RelativeMotion& seen, Whe
       v[0] = along;
     }
     const double damped = damping_factor(approach_velocity, in.damping);
-    const double peak = damped * p.strength[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
+    const double peak = damped * p.line_load[i] / l, N = 0.5 * pi * w.rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
     const std::int32_t k = loaded.count++;
     w.candidate[k] = i;
@@ -346,11 +346,10 @@ bool at_end(const RailStrips& rail, std::int32_t strip) {
   return false;
 }
 
-constexpr Fault on_the_back{.status = WRC_FLAG_PATCH_AT_EDGE,
-                            .field = "contact behind the flange's tip",
-                            .cause =
-                                "the flange's back is against the rail's field side: is the wheel beside "
-                                "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?"};
+constexpr Fault on_the_back =
+    Fault::patch_at_edge("contact behind the flange's tip",
+                         "the flange's back is against the rail's field side: is the wheel beside "
+                         "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?");
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
 Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
@@ -372,41 +371,31 @@ Fault apart_or_inside(const SurfaceModel& model, const WheelWork& w) {
       knot = k;
     }
   }
-  if (knot < 0) return {.status = WRC_FLAG_NO_CONTACT};
-  return {.status = WRC_FLAG_NO_CONTACT,
-          .field = "depth of the wheel inside the rail",
-          .value = deepest,
-          .unit = "m",
-          .high = most,
-          .cause = knot < flange_tip(model.wheel)
-                       ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
-                         "beside its rail (input.wheel.y)?"
-                       : "the flange is inside the rail's side, where no contact is looked for: did you pass "
-                         "mm for input.wheel.y, or another gauge?"};
+  if (knot < 0) return Fault::no_contact();
+  return Fault::no_contact(
+      "depth of the wheel inside the rail", {deepest, "m", 0.0, most},
+      knot < flange_tip(model.wheel)
+          ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
+            "beside its rail (input.wheel.y)?"
+          : "the flange is inside the rail's side, where no contact is looked for: did you pass "
+            "mm for input.wheel.y, or another gauge?");
 }
 
 /// What of a solution lies beyond what is known of the bodies, or has no room.
 Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelWork& w) {
   const Overlaps& o = w.overlaps;
   if (o.full)
-    return {.status = WRC_FLAG_MORE_PATCHES,
-            .field = "strips that overlap",
-            .value = 1.0 + most_overlapping_strips,
-            .unit = "",
-            .high = 1.0 * most_overlapping_strips,
-            .cause = "those beyond, on the field side, carry nothing"};
+    return Fault::more_patches("strips that overlap",
+                               {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},
+                               "those beyond, on the field side, carry nothing");
   const Curve& wheel = model.wheel.curve;
   const bool alone = model.varying.faces < 2;  // another face may be there for the flange's back
   for (std::int32_t k = 0; k < loaded.count; ++k) {
     constexpr double rounding = 1e-9;  // [m]
     const double depth = o.depth[w.candidate[k]];
     if (depth > deepest_overlap + rounding)
-      return {.status = WRC_FLAG_BEYOND_GAP,
-              .field = "overlap",
-              .value = depth,
-              .unit = "m",
-              .high = deepest_overlap,
-              .cause = "the load is far beyond what steel carries there"};
+      return Fault::beyond_gap("overlap", {depth, "m", 0.0, deepest_overlap},
+                               "the load is far beyond what steel carries there");
     const std::int32_t j = o.strip[w.candidate[k]];
     constexpr double falling = 0.5;  // to the field side
     if (alone && w.rail.tz[j] > falling && w.scratch.piece[j] < flange_tip(model.wheel)) return on_the_back;
@@ -414,29 +403,27 @@ Fault extrapolated(const SurfaceModel& model, const Loaded& loaded, const WheelW
     // rays beyond the wheel's end meet nothing
     const double at = wheel.s[w.scratch.piece[j]] + w.scratch.along[j], near = w.rail.width[j];
     const bool wheel_ends = at < near || at > wheel.s[wheel.pieces] - near;
-    if (rail_ends || wheel_ends)
-      return {.status = WRC_FLAG_PATCH_AT_EDGE, .field = rail_ends ? "config.rail" : "config.wheel"};
+    if (rail_ends || wheel_ends) return Fault::patch_at_edge(rail_ends ? "config.rail" : "config.wheel");
   }
   return {};
 }
 
 /// Pressures at the overlaps, by the model's method.
-Fault press(const SurfaceModel& model, WheelWork& w, SurfaceStart& start, const SurfaceNormalOptions& options,
+Fault press(const SurfaceModel& model, WheelWork& w, PressureStart& start, const PressureOptions& options,
             Wrench& out) {
   if (model.methods.planar.solve) {
-    const PlanarResult planar = solve_planar_normal(w.rail, w.overlaps, model.methods.planar, model.material,
-                                                    *model.kernels, w.planar, w.pressure);
+    const PlanarResult planar = solve_planar_pressure(w.rail, w.overlaps, model.methods.planar,
+                                                      model.material, *model.kernels, w.planar, w.pressure);
     out.sweeps += planar.iterations;
     Fault fault = planar.fault;
-    if (planar.jumps) keep_worst(fault, {.status = WRC_FLAG_FORCE_JUMPS, .field = "config.normal.method"});
+    if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
   }
-  const SurfaceNormalResult normal =
-      solve_surface_normal(w.rail, w.overlaps, *model.influence, *model.kernels,
-                           model.material.normal_compliance(), options, w.normal, start, w.pressure);
-  out.sweeps += normal.sweeps;
+  const PressureResult normal =
+      solve_pressure(pressure_model(model), w.rail, w.overlaps, options, w.normal, start, w.pressure);
+  out.sweeps += normal.iterations;
   if (normal.converged) return {};
-  return {.status = WRC_FLAG_ITERATION_CAP, .field = "sweeps", .value = 1.0 * normal.sweeps};
+  return Fault::iteration_cap("sweeps", {normal.iterations});
 }
 
 /// All forces times a factor.
@@ -458,7 +445,7 @@ void scale(double factor, Wrench& out) {
 double margin_of(const SurfaceModel& model) { return model.methods.planar.solve ? planar_margin : 0.0; }
 
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,
-               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out) {
+               PressureStart& start, const PressureOptions& options, Wrench& out) {
   const std::int32_t sweeps_before = out.sweeps;
   w.factor = 1.0;
   out = {};
@@ -477,7 +464,7 @@ Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, 
   keep_worst(fault, sum_up(in, seen, loaded.count, reference.divisor, w, out));
   keep_worst(fault, extrapolated(model, loaded, w));
   if (in.friction > 0.0 && reference.reverse_share > 0.0)
-    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED, .field = "rolling speed"});
+    keep_worst(fault, Fault::creepages_limited("rolling speed"));
   if (model.methods.region.solve) out.power = larger(out.power, 0.0);
   return fault;
 }
@@ -500,7 +487,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
   return height;
 }
 
-Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                          Wrench& out) {
   constexpr double step = 2e-6;  // [m]
   const double asked = in.wheel.position[2], border = height_at_border(model, in, asked, w);
@@ -520,12 +507,9 @@ Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, Wheel
     scale(w.factor, out);
   }
   out.height = asked;
-  keep_worst(fault, {.status = WRC_FLAG_BEYOND_GAP,
-                     .field = "overlap",
-                     .value = deepest_overlap + asked - border,
-                     .unit = "m",
-                     .high = deepest_overlap,
-                     .cause = "did you pass millimetres?"});
+  keep_worst(fault,
+             Fault::beyond_gap("overlap", {deepest_overlap + asked - border, "m", 0.0, deepest_overlap},
+                               "did you pass millimetres?"));
   return fault;
 }
 

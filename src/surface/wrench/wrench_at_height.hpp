@@ -48,7 +48,7 @@ Fault roll_heated(const SurfaceModel& model, const WheelOnRail& in, std::int32_t
 /// Solves at a height; the wrench is complete but for the sweeps of earlier calls, which stay in it. `found`:
 /// the overlaps at this height stand in w.overlaps already.
 Fault solve_at(const SurfaceModel& model, const WheelOnRail& in, double height, bool found, WheelWork& w,
-               SurfaceStart& start, const SurfaceNormalOptions& options, Wrench& out);
+               PressureStart& start, const PressureOptions& options, Wrench& out);
 
 /// The greatest height, no greater than `height`, at which no overlap is deeper than `deepest_overlap` [m].
 /// Leaves the overlaps at that height where it is the one.
@@ -56,7 +56,7 @@ double height_at_border(const SurfaceModel& model, const WheelOnRail& in, double
 
 /// The wrench at the height given. Beyond the deepest overlap that is solved the load goes on with the
 /// stiffness it had, in the directions it had.
-Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, SurfaceStart& start,
+Fault solve_given_height(const SurfaceModel& model, const WheelOnRail& in, WheelWork& w, PressureStart& start,
                          Wrench& out);
 
 /// The height [m] at which the wheel first touches: lowered from the one given, or from above the rail where

@@ -8,7 +8,7 @@
 #include "geometry/creepages.hpp"
 #include "kernels/kernels.hpp"
 #include "surface/geometry/along_track.hpp"
-#include "surface/pressure/normal_slopes.hpp"
+#include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wrench/wheel_work.hpp"
@@ -56,11 +56,11 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
         reinterpret_cast<Each*>(take(most * each * static_cast<std::int64_t>(sizeof(Each) / sizeof(double))));
   };
   PressedStrips& p = w.pressed;
-  for (double** a : {&p.place, &p.width, &p.strength, &p.length_squared, &p.centre}) *a = take(most);
-  for (PlaceDual** a : {&p.changed_strength, &p.changed_length_squared, &p.changed_centre}) numbers(*a, 1);
+  for (double** a : {&p.place, &p.width, &p.line_load, &p.length_squared, &p.centre}) *a = take(most);
+  for (PlaceDual** a : {&p.line_load_dual, &p.length_squared_dual, &p.centre_dual}) numbers(*a, 1);
   numbers(p.overlap, 1);
   double* const shared = take.at;
-  w.normal = take(normal_slopes_doubles(most));
+  w.normal = take(pressure_jacobian_doubles(most));
   double* const end = take.at;
   take.at = shared;
   LoadedStrips& s = w.loaded;
@@ -70,7 +70,7 @@ std::int64_t cut(double* memory, std::int32_t most, Scratch& w) {
   for (Number** a : {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
                      &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz})
     numbers(*a, 1);
-  numbers(w.numbers, RollingArraysOf<Number>::count);
+  w.numbers = reinterpret_cast<Number*>(take(rolling_doubles<Number>(most)));
   w.values = take(most * kernel_numbers);
   w.slopes = take(most * 3 * simd::strip_inputs);
   return std::max(take.at, end) - memory;
@@ -111,7 +111,8 @@ void roll(const SurfaceModel& model, const WheelOnRail& in, bool backwards, cons
     mirror(s.slip_x);
     mirror(s.spin);
   }
-  const RollingArraysOf<Number> a = strip_numbers::arrays(w.numbers, n);
+  Arena scratch(w.numbers);
+  const RollingArraysOf<Number> a = cut_rolling_arrays<Number>(scratch, n);
   using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   strip_numbers::link<Each>(rolls, a);
@@ -325,31 +326,28 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   Scratch w;
   cut(work.slopes, most_differentiated_strips, w);
   const Overlaps& o = work.overlaps;
-  const SurfacePressure& p = work.pressure;
+  const StripPressure& p = work.pressure;
   PressedStrips& s = w.pressed;
   s.count = 0;
   const RelativePoseOf<PlaceDual> pose =
       by == SlopesBy::place ? moving_pose(seen.pose) : resting_pose(seen.pose);
   const OutlineAttitudeOf<PlaceDual> attitude = attitude_of(pose);
   for (std::int32_t i = 0; i < o.count; ++i) {
-    if (!(p.length_squared[i] > 0.0 && p.strength[i] > 0.0)) continue;
+    if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
     if (s.count == most_differentiated_strips) {
-      return {.status = WRC_FLAG_MORE_PATCHES,
-              .field = "strips in contact",
-              .value = 1.0 + most_differentiated_strips,
-              .unit = "",
-              .high = most_differentiated_strips,
-              .cause = "there is no room for the derivatives of so many"};
+      return Fault::more_patches("strips in contact",
+                                 {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
+                                 "there is no room for the derivatives of so many");
     }
     const std::int32_t k = s.count++, j = o.strip[i];
     s.place[k] = work.rail.s[j];
     s.width[k] = work.rail.width[j];
-    s.strength[k] = p.strength[i];
+    s.line_load[k] = p.line_load[i];
     s.length_squared[k] = p.length_squared[i];
     s.centre[k] = p.centre[i];
     s.overlap[k] = strip_overlap(model, in, work, by, pose, attitude, j);
   }
-  differentiate_pressures(*model.influence, *model.kernels, model.material.normal_compliance(), w.normal, s);
+  differentiate_pressures(pressure_model(model), w.normal, s);
 
   Number velocity[3], turning[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -370,8 +368,8 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   Number load = 0.0, sliding = 0.0, below = 0.0;
   for (std::int32_t k = 0; k < s.count; ++k) {
     const OverlapSlopes& overlap = s.overlap[k];
-    const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
-                 z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
+    const Number x = seen_number(s.centre_dual[k]), y = seen_number(overlap.wy), z = seen_number(overlap.wz),
+                 ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
     Number vx = velocity[0] + turning[1] * z - turning[2] * y;
     if (on_roller) vx += roller * (seen_number(overlap.depth) * nz);
     const Number vy = velocity[1] + turning[2] * x - turning[0] * z;
@@ -383,7 +381,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
       vx = along;
     }
     const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * approach);
-    const Number strength = damped * seen_number(s.changed_strength[k]);
+    const Number strength = damped * seen_number(s.line_load_dual[k]);
     const Number N = (0.5 * pi * s.width[k]) * strength;
     if (!(N.value > 0.0)) continue;
     const std::int32_t i = loaded.count++;
@@ -391,7 +389,7 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
     loaded.place[i] = s.place[k];
     loaded.width[i] = s.width[k];
     loaded.normal[i] = N;
-    loaded.half_length[i] = root(seen_number(s.changed_length_squared[k]));
+    loaded.half_length[i] = root(seen_number(s.length_squared_dual[k]));
     loaded.peak[i] = strength / loaded.half_length[i];
     loaded.curvature[i] = damped * seen_number(overlap.curvature);  // as in wrench_at_height.cpp
     loaded.slip_x[i] = vx;
@@ -413,8 +411,8 @@ Fault differentiate_wrench(const SurfaceModel& model, const WheelOnRail& in, con
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
     const OverlapSlopes& overlap = s.overlap[k];
-    const Number x = seen_number(s.changed_centre[k]), y = seen_number(overlap.wy),
-                 z = seen_number(overlap.wz), ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
+    const Number x = seen_number(s.centre_dual[k]), y = seen_number(overlap.wy), z = seen_number(overlap.wz),
+                 ny = seen_number(overlap.ny), nz = seen_number(overlap.nz);
     const Number &N = loaded.normal[i], &mz = loaded.mz[i];
     Number fx = loaded.fx[i], fy = loaded.fy[i] * nz - N * ny, fz = -(loaded.fy[i] * ny) - N * nz;
     if (work.overlaps.lean) {

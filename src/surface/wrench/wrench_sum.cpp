@@ -118,7 +118,7 @@ Fault sum_up(const WheelOnRail& in, const RelativeMotion& seen, std::int32_t cou
         *open.region = {};
         open.region->first = strip;
       } else {
-        keep_worst(fault, {.status = WRC_FLAG_MORE_PATCHES});
+        keep_worst(fault, Fault::more_patches());
       }
     }
     last_strip = strip;

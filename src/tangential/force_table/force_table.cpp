@@ -138,9 +138,7 @@ CreepageScale weighted(const std::array<CreepageScale, force_table_nodes>& nodes
 }
 
 void flag(const char* field, double value, double low, double high, Fault& fault) {
-  keep_worst(
-      fault,
-      {.status = WRC_FLAG_TABLE_RANGE, .field = field, .value = value, .unit = "", .low = low, .high = high});
+  keep_worst(fault, Fault::table_range(field, {value, "", low, high}));
 }
 
 }  // namespace

@@ -14,9 +14,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-Fault unusable(const char* cause) {
-  return {.status = WRC_ERROR_FILE, .field = "config.tangential.force_table", .cause = cause};
-}
+Fault unusable(const char* cause) { return Fault::file("config.tangential.force_table", cause); }
 
 constexpr const char* ends_early = "the file ends before the table does: is the copy complete?";
 
@@ -56,11 +54,8 @@ Fault open(const char* path, File& file, ForceTableFileHeader& header) {
     return unusable("the file was written on a machine with the other byte order");
   }
   if (header.version != ours.version || header.values != ours.values) {
-    return {.status = WRC_ERROR_FILE,
-            .field = "config.tangential.force_table",
-            .value = static_cast<double>(header.version),
-            .unit = "(version of the file)",
-            .cause = "this library reads version 1: use the file that came with it"};
+    return Fault::file("config.tangential.force_table", {header.version, "(version of the file)"},
+                       "this library reads version 1: use the file that came with it");
   }
   if (!plausible(axes_of(header))) return unusable("the file's header is damaged");
   return {};

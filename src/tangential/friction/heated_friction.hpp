@@ -56,11 +56,8 @@ Fault solve_heated(HeatedFriction& heat, const Strips& region, const TangentialF
   }
   constexpr double settled = 1e-3;
   if (!(change > settled)) return {};
-  return {.status = WRC_FLAG_ITERATION_CAP,
-          .field = "friction.temperature_law",
-          .value = change,
-          .unit = "",
-          .cause = "friction over temperature has not settled: this is its last change"};
+  return Fault::iteration_cap("friction.temperature_law", {change, ""},
+                              "friction over temperature has not settled: this is its last change");
 }
 
 }  // namespace wrc

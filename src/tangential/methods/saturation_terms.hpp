@@ -9,7 +9,20 @@
 /// tools/calibration makes the constants; its README has the commands. Zeros are terms a fit did not need.
 #pragma once
 
+#include "base/elementary.hpp"
+#include "base/number.hpp"
+
 namespace wrc {
+
+/// Linear force of the tractions sqrt(v/u) / 2 over that of v, integrated over a double ellipse: FASTSIM's
+/// flexibilities of creepages times this keep the forces of linear theory.
+inline constexpr double creepage_area = 9.0 * pi * pi / 128.0;
+
+/// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
+template <class Number>
+Number factor(const Number& q) {
+  return q + root(1.0 + q * q);
+}
 
 struct SaturationTerms {
   enum Term {

@@ -90,12 +90,6 @@ std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_
           shape_number * (x * s * inverse)};
 }
 
-/// exp(asinh q): 1 + q for small q, positive for any, 1 / itself for -q.
-template <class T>
-T factor(const T& q) {
-  return q + root(1.0 + q * q);
-}
-
 template <class T>
 Model<T> model(const RollingContact& c, const StripCalibration& calibration, const T& nu_x, const T& nu_y,
                const T& phi, Fault& fault) {
@@ -122,8 +116,8 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   };
 
   // Linear forces of the tractions sqrt(v/u) / 2, sqrt(uv) relative to those of v, uv, integrated over an
-  // SDEC: 9 pi^2 / 128 for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part.
-  constexpr double creepage_area = 9.0 * pi * pi / 128.0, spin_area = pi / 4.0;
+  // SDEC: creepage_area for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part.
+  constexpr double spin_area = pi / 4.0;
   // The centre of an SDEC's length is at 8 / (3 pi) psi b: what shifts the neutral line must stiffen spin.
   constexpr double centre = 8.0 / (3.0 * pi);
   const double neutral = neutral_line(u, c.linear_theory->poisson(), psi);

@@ -1,5 +1,5 @@
-/// The way over a patch that the march and strip FASTSIM share: groups of strips from the leading edge to the
-/// trailing one, two groups in flight where all their strips move. What a step is, each has of its own:
+/// The loop over a patch that the march and strip FASTSIM share: groups of strips from the leading edge to
+/// the trailing one, two groups in flight where all their strips move. Each has steps of its own:
 /// begin_step() up to the turn of the traction's direction, settle() behind it.
 #pragma once
 
@@ -14,9 +14,9 @@ template <bool entering, Output output, class Task, class Cell, class Marching, 
           std::int32_t inputs>
 WRC_IN_LOOP void move(const Task& task, const Cell& cell, Marching& m, Derivative (&derivative)[inputs]) {
   const Mask moves = m.group.stick_cells <= Pack(cell.index);
-  auto moved = begin_step<entering>(m.group, cell, moves, m.state);
-  turn(moved.turn);
-  settle<entering, output>(task, cell, moves, moved, m, derivative);
+  auto step = begin_step<entering>(m.group, cell, moves, m.state);
+  turn(step.turn);
+  settle<entering, output>(task, cell, moves, step, m, derivative);
 }
 
 /// A cell of two groups all of whose strips move.
@@ -24,6 +24,7 @@ template <Output output, class Task, class Cell, class Marching, class Derivativ
 WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_flight],
                            Derivative (&derivative)[in_flight][inputs]) {
   const Mask all = Pack(0.0) <= Pack(0.0);
+  // the turns of both at once hide the time of their roots and divides (TwoPacks of turning.hpp)
   auto first = begin_step<false>(m[0].group, cell, all, m[0].state);
   auto second = begin_step<false>(m[1].group, cell, all, m[1].state);
   turn(first.turn, second.turn);
@@ -31,15 +32,16 @@ WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_
   settle<false, output>(task, cell, all, second, m[1], derivative[1]);
 }
 
-/// Takes all strips of a task over their cells. March has what is particular to a kernel: Marching, a group
-/// on its way, in_flight of them at a time; prepare() a group and its derivatives; cell() number i; stay(), a
-/// cell in the first stick zones of all strips of a group, where March::stays, otherwise such cells are left
-/// out; finish(), a group's part of the results. The number of the first cell in which some strip moves.
+/// Takes all strips of a task over their cells. A kernel's own parts are those of March: Marching, a group
+/// during the march, in_flight of them at a time; prepare() a group and its derivatives; cell() number i;
+/// stay(), a cell in the first stick zones of all strips of a group, where March::stays, otherwise such cells
+/// are left out; finish(), a group's part of the results. Returns the first cell in which some strip moves.
 template <Output output, class March, class Task>
 WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
   constexpr std::int32_t together = March::in_flight;
   std::int32_t first_to_move = task.cells;
   for (std::int32_t first = 0; first < task.strips; first += together * lanes) {
+    // as many groups as are marched side by side; the last ones may be fewer
     typename March::Marching marching[together];
     typename March::Derivative derivative[together][March::inputs];  // not touched without sensitivities
     std::int32_t groups = 0;
@@ -51,6 +53,8 @@ WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
       start = m.group.all_stick < start ? m.group.all_stick : start;
       both_move = m.group.all_move > both_move ? m.group.all_move : both_move;
     }
+    // Cells from the leading edge on. Behind the last strip's first stick zone both groups step at once;
+    // before it each by itself, with or without lanes that still stick.
     first_to_move = start < first_to_move ? start : first_to_move;
     for (std::int32_t i = March::stays ? 0 : start; i < task.cells; ++i) {
       const auto cell = march.cell(i);
@@ -71,6 +75,7 @@ WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
         }
       }
     }
+    // in the order of the strips, which is part of the sums' bits
     for (std::int32_t k = 0; k < groups; ++k) march.finish(marching[k], derivative[k]);
   }
   return first_to_move;

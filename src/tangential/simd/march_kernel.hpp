@@ -10,6 +10,12 @@
 /// them, and those from which on all lanes have left their first stick zones do without selecting lanes.
 ///
 /// Derivatives: in slip the state is one angle, whose change is carried for each input, and `ahead`.
+///
+///     symbol (theory.md)    here                          unit
+///     v                     t                             half lengths, 0 at the leading edge
+///     g, phi / L23          (gx, gy), rate                bound / half length
+///     p / tau, e            size (ex, ey) over bound      -
+///     lambda                lambda                        excess of growth over a cell, bound
 #pragma once
 
 #include "base/pack.hpp"
@@ -23,43 +29,43 @@
 namespace wrc::simd {
 namespace {
 
-/// What the tractions of full adhesion grow by over a cell at t: (x, y - rate t); `bend` is how much larger y
-/// - rate t is at the cell's leading border than at its trailing one.
+/// Growth of the tractions of full adhesion over a cell at t: (x, y - rate t); `bend` is its fall along y
+/// from the cell's leading border to its trailing one.
 struct Growth {
   Pack x, y, rate, bend;
 };
 
-/// What does not change along the strips of a group.
+/// Constants of the strips of a group.
 struct Group : StripGroup {
   Pack gx, gy, rate;  ///< growth of adhesion tractions: (gx, gy - rate t)
   Growth over_cell;
   Pack onset;           ///< t at which the first stick zone ends
   Pack onset_cells;     ///< the same in cells
   Pack onset_bound;     ///< bound there
-  Pack last_share;      ///< of the last stick cell's tractions that is within the bound
+  Pack last_share;      ///< share of the last stick cell's tractions that is within the bound
   Pack stiffness;       ///< bound / half length: unit of growth [Pa/m]
   Pack soft_x, soft_y;  ///< flexibility times that, of strips that each have their own [-]
 };
 
-/// What the march carries from cell to cell.
+/// State that the march carries from cell to cell.
 struct State {
   Pack ex, ey;  ///< direction of the traction
-  Pack ahead;   ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  Pack ahead;   ///< part of a step ahead of the cell where the slip is seen (turning.hpp)
   bool stuck;   ///< in some lane the traction is below the bound:
   Pack size;    ///< then the size of it in each lane, else not set
 };
 
 struct GroupSums {
   ForceSums force;
-  Pack power;   ///< of slip over a cell against the bound
-  Pack unslid;  ///< moved cells that have not slid
+  Pack power;   ///< power of the slip over a cell against the bound
+  Pack unslid;  ///< cells behind the first stick zone that have not slid
 };
 
 /// Derivatives with respect to one input.
 struct GroupDerivative {
   Pack gx, gy, rate, onset, onset_bound;
   Growth over_cell;
-  Pack angle, size, ahead;  ///< of the state; size: of the traction, zero where it is the bound
+  Pack angle, size, ahead;  ///< state: angle of e, traction (zero where it is the bound), ahead
   ForceSums force;
 };
 
@@ -67,9 +73,9 @@ struct GroupDerivative {
 struct Cell {
   std::int32_t index;
   double t;             ///< at its middle
-  double bound_before;  ///< of the cell before
+  double bound_before;  ///< bound of the cell before
   double bound;         ///< mean over the cell
-  double rise;          ///< of the bound along the cell
+  double rise;          ///< growth of the bound along the cell
   double h, per_h;      ///< length, and one over it
 };
 
@@ -91,6 +97,7 @@ inline void adhesion(Pack gx, Pack gy, Pack rate, Pack t, double h, Pack& px, Pa
 
 /// Sums of the tractions of full adhesion over the first n cells.
 inline void adhesion_sums(Pack gx, Pack gy, Pack rate, Pack n, double h, Pack& px, Pack& py, Pack& t_py) {
+  // Sums over the cells i < n, at t = (i + 1/2) h, of adhesion()'s powers of t: each a polynomial in n.
   const Pack n2 = n * n;
   const Pack of_t = 0.5 * h * n2;                                  // sum of t
   const Pack of_t2 = (h * h / 3.0) * (n2 * n);                     // sum of t^2 + h^2/12
@@ -113,19 +120,20 @@ inline void last_stick_cell(const MarchCells& task, const Group& g, double h, Pa
   t = (g.stick_cells - 0.5) * h;
 }
 
-/// Of the cell whose middle lies `middle` cells from the leading edge, the part of the step to it that is
-/// slip.
+/// Part that is slip of the step to the cell whose middle lies `middle` cells from the leading edge.
 inline Pack share_of_cell(const Group& g, Pack middle) {
   return larger(0.0, smaller(1.0, middle - g.onset_cells));
 }
 
-/// The slip of the cell after the onset stands for everything slid since then, half a cell to one and a half;
-/// that of the others for a cell.
+/// Cells for which the slip of a cell stands: behind the onset everything slid since then, half a cell to one
+/// and a half; elsewhere one.
 inline Pack onset_part(Pack share) { return select(share < 1.0, 0.5 + share, 1.0); }
 
 /// Reads the numbers of a group's strips from the task.
 inline void read_strips(const MarchTask& task, std::int32_t first, std::int32_t count, Group& g) {
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
+  // Bound at the middle of the strips [Pa], by one of its three forms; growth [Pa/m] over bound / half
+  // length.
   const Strips& strips = *task.region;
   place(strips, task.cells, first, count, g);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : Pack(1.0);
@@ -154,6 +162,7 @@ inline void read_strips(const SurfaceMarchTask& task, std::int32_t first, std::i
 template <class Task>
 inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Group& g, State& state,
                     GroupSums& sums) {
+  // Growth over a cell, and the onset of slip in closed form, of a bound and a half length of 1.
   const double h = 2.0 / task.cells;
   read_strips(task, first, count, g);
   g.over_cell = growth_over(g.gx, g.gy, g.rate, h);
@@ -168,6 +177,7 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   sums = {};
   adhesion_sums(g.gx, g.gy, g.rate, g.stick_cells, h, sums.force.stick_px, sums.force.stick_py,
                 sums.force.stick_t_py);
+  // the excess of the last cell, taken off the sums again
   Pack t, bound, px, py;
   last_stick_cell(task, g, h, t, bound);
   adhesion(g.gx, g.gy, g.rate, t, h, px, py);
@@ -178,7 +188,7 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   sums.force.stick_px += -(excess * px);
   sums.force.stick_py += -(excess * py);
   sums.force.stick_t_py += -(excess * t * py);
-  // the cell of the onset is slid in part
+  // the cell of the onset stands for onset_part() cells of slip, so that between -1/2 and 1/2 has not slid
   sums.unslid =
       select(g.stick_cells < Pack(task.cells), 1.0 - onset_part(share_of_cell(g, g.stick_cells + 0.5)), 0.0);
 
@@ -194,9 +204,10 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   state.stuck = false;
 }
 
-/// Derivatives of what prepare() sets, for input k.
+/// Derivatives by input k of the numbers that prepare() sets.
 inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g, GroupDerivative& d) {
   const double h = 2.0 / task.cells;
+  // growth, as read_strips() makes it
   const Pack zero = 0.0;
   d = {};
   const Pack unit = 1.0 / (g.stiffness + 1e-6 / g.half_length);
@@ -205,7 +216,8 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   d.rate = task.gy_by_x.d[k] * g.half_length * unit;
   d.over_cell = growth_over(d.gx, d.gy, d.rate, h);
 
-  // onset: |p|^2 = bound^2, p = -v (gx, c)
+  // onset v: F = |p|^2 - bound^2 = 0 with p = -v (gx, c), c = gy - rate v / 2, bound v (2 - v) or its root;
+  // dv = -(dF by the input) / (dF by v), both over v
   const Pack v = g.onset, c = g.gy - 0.5 * g.rate * v, c_input = d.gy - 0.5 * d.rate * v;
   const Pack by_input = 2.0 * v * (g.gx * d.gx + c * c_input);
   const Pack by_v = 2.0 * (g.gx * g.gx + c * c) - c * g.rate * v -
@@ -213,7 +225,7 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   const Mask inside = (v > zero) & (v < 2.0) & (magnitude(by_v) > 1e-280);
   d.onset = select(inside, -(by_input / select(inside, by_v, 1.0)), zero);
 
-  // the state at the onset
+  // state at the onset: angle of -(gx, c), and bound
   const Pack c_change = c_input - 0.5 * g.rate * d.onset;
   const Pack square = g.gx * g.gx + c * c;
   const Mask grows = square > 1e-280;
@@ -236,47 +248,50 @@ inline void differentiate(const MarchTask& task, std::int32_t k, const Group& g,
   d.force.stick_t_py += select(cut, t * (cut_y - dpy), zero);
 }
 
-/// A step on its way, and what it did, for fields and derivatives.
+/// A march step: its numbers up to the turn, and its results for fields and derivatives.
 struct MarchStep {
-  Pack share;                     ///< of the cell that is slip
-  Pack whole_y, bend;             ///< growth along y over a whole cell; of the growth along the step
-  Pack size_before, size;         ///< of the traction
+  Pack share;                     ///< part of the cell that is slip
+  Pack whole_y, bend;             ///< growth along y over a whole cell; its fall along the step
+  Pack size_before, size;         ///< traction before and after
   Pack trial_x, trial_y, trial2;  ///< traction if the cell sticks, and its square
   Mask stick;
   bool any_sticks;
   Pack inverse_trial;  ///< one over the traction of lanes that stick
-  Pack lambda;         ///< excess of growth over what the bound allows, over a whole cell, in slip
+  Pack lambda;         ///< excess of growth over that of the bound, over a whole cell, in slip
   Turn turn;
 };
 
 /// One march step of a group, up to the turn of its direction. With `entering`, lanes may still be in their
-/// first stick zone or just leave it; the others are `moving`. No lane's numbers depend on what the others
-/// do.
+/// first stick zone or just leave it; the others are `moving`. No lane's numbers depend on the other lanes.
 template <bool entering>
 WRC_IN_LOOP MarchStep begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
-  MarchStep moved;
+  // growth over the step, and the tractions it starts from; at the onset only part of a cell is stepped over
+  MarchStep step;
   Pack x = g.over_cell.x, bound_before = cell.bound_before;
-  moved.whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
-  Pack y = moved.whole_y;
-  moved.bend = g.over_cell.bend;
-  moved.size_before = s.stuck ? s.size : bound_before;
+  step.whole_y = g.over_cell.y - g.over_cell.rate * cell.t;
+  Pack y = step.whole_y;
+  step.bend = g.over_cell.bend;
+  step.size_before = s.stuck ? s.size : bound_before;
   if constexpr (entering) {
-    moved.share = share_of_cell(g, cell.index + 0.5);
-    x = moved.share * x;
-    y = moved.share * y;
-    moved.bend = (moved.share * moved.share) * moved.bend;
+    step.share = share_of_cell(g, cell.index + 0.5);
+    x = step.share * x;
+    y = step.share * y;
+    step.bend = (step.share * step.share) * step.bend;
     const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
     bound_before = select(begins, g.onset_bound, bound_before);
-    moved.size_before = select(begins, g.onset_bound, moved.size_before);
+    step.size_before = select(begins, g.onset_bound, step.size_before);
   }
-  moved.trial_x = moved.size_before * s.ex - x;
-  moved.trial_y = moved.size_before * s.ey - (y + 0.5 * moved.bend);
-  moved.trial2 = moved.trial_x * moved.trial_x + moved.trial_y * moved.trial_y;
-  moved.stick = moved.trial2 <= cell.bound * cell.bound;
-  if constexpr (entering) moved.stick = moved.stick & moving;
-  moved.any_sticks = any(moved.stick);
-  moved.turn = begin_turn(x, y + moved.bend * s.ahead, bound_before + cell.bound, s.ex, s.ey);
-  return moved;
+  // Kalker's criterion: a cell sticks if the traction p - growth is within the bound. The growth is its mean
+  // over the step, half the bend ahead of the cell.
+  step.trial_x = step.size_before * s.ex - x;
+  step.trial_y = step.size_before * s.ey - (y + 0.5 * step.bend);
+  step.trial2 = step.trial_x * step.trial_x + step.trial_y * step.trial_y;
+  step.stick = step.trial2 <= cell.bound * cell.bound;
+  if constexpr (entering) step.stick = step.stick & moving;
+  step.any_sticks = any(step.stick);
+  // otherwise the traction turns against the growth, resisted by the mean bound (twice it: turning.hpp)
+  step.turn = begin_turn(x, y + step.bend * s.ahead, bound_before + cell.bound, s.ex, s.ey);
+  return step;
 }
 
 /// Flexibility along a traction of the direction ex; of strips that each have their own, relative.
@@ -287,56 +302,64 @@ WRC_IN_LOOP Pack softness(const SurfaceMarchTask&, const Group& g, Pack ex) {
   return g.soft_y + (g.soft_x - g.soft_y) * (ex * ex);
 }
 
-/// The rest of it.
+/// The rest of a step: state, traction and power of the cell.
 template <bool entering, class Task>
-WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Mask moving, MarchStep& moved,
+WRC_IN_LOOP void end_step(const Task& task, const Group& g, const Cell& cell, Mask moving, MarchStep& step,
                           State& s, GroupSums& sums) {
   const Pack zero = 0.0, one = 1.0;
   const Pack bound = entering ? select(moving, Pack(cell.bound), zero) : Pack(cell.bound);  // zero: no part
-  Pack ex = moved.turn.ex, ey = moved.turn.ey;
-  moved.size = bound;
-  moved.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + moved.whole_y * ey));
-  if constexpr (entering) moved.lambda = onset_part(moved.share) * moved.lambda;
-  s.stuck = moved.any_sticks;
-  if (moved.any_sticks) {
-    s.size = moved.size = select(moved.stick, root(moved.trial2), bound);
-    const Mask turns = moved.stick & (moved.size > 1e-150);
-    moved.inverse_trial = one / select(turns, moved.size, one);
-    ex = select(turns, moved.trial_x * moved.inverse_trial, ex);
-    ey = select(turns, moved.trial_y * moved.inverse_trial, ey);
-    moved.lambda = select(moved.stick, zero, moved.lambda);
-    sums.unslid += select(moved.stick, entering ? onset_part(moved.share) : one, zero);
+  // In slip the traction is the bound, and the excess lambda of growth along e over the rise of the bound is
+  // slip: -rise - g.e, at least 0.
+  Pack ex = step.turn.ex, ey = step.turn.ey;
+  step.size = bound;
+  step.lambda = larger(zero, -cell.rise - (g.over_cell.x * ex + step.whole_y * ey));
+  if constexpr (entering) step.lambda = onset_part(step.share) * step.lambda;
+  // Lanes that stick: the trial traction itself, without slip. A traction that vanishes keeps the direction.
+  s.stuck = step.any_sticks;
+  if (step.any_sticks) {
+    s.size = step.size = select(step.stick, root(step.trial2), bound);
+    const Mask turns = step.stick & (step.size > 1e-150);
+    step.inverse_trial = one / select(turns, step.size, one);
+    ex = select(turns, step.trial_x * step.inverse_trial, ex);
+    ey = select(turns, step.trial_y * step.inverse_trial, ey);
+    step.lambda = select(step.stick, zero, step.lambda);
+    sums.unslid += select(step.stick, entering ? onset_part(step.share) : one, zero);
   }
+  // state of the lanes that moved; lanes without bound add nothing to the sums
   s.ex = entering ? select(moving, ex, s.ex) : ex;
   s.ey = entering ? select(moving, ey, s.ey) : ey;
-  s.ahead = entering ? select(moving, moved.turn.ahead, s.ahead) : moved.turn.ahead;
-  add_cell(moved.size * ex, moved.size * ey, sums.force);
-  sums.power += (moved.lambda * bound) * softness(task, g, ex);
+  s.ahead = entering ? select(moving, step.turn.ahead, s.ahead) : step.turn.ahead;
+  add_cell(step.size * ex, step.size * ey, sums.force);
+  sums.power += (step.lambda * bound) * softness(task, g, ex);
 }
 
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const MarchStep& moved,
+                               const State& after, const MarchStep& step,
                                GroupDerivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
-  const Pack px = moved.size * after.ex, py = moved.size * after.ey;
+  // as far as the inputs share it: how the turn changes with the growth over it, and the traction
+  const TurnSlopes slope = slopes(step.turn, before.ex, before.ey);
+  const Pack px = step.size * after.ex, py = step.size * after.ey;
   [[maybe_unused]] const Mask begins = Pack(cell.index - 0.5) < g.stick_cells;
   for (std::int32_t k = 0; k < inputs; ++k) {
+    // change of the growth over the step, of the bound and of the traction before it; at the onset also by
+    // the share of the cell that is slip
     GroupDerivative& d = derivative[k];
     Pack x = d.over_cell.x, y = d.over_cell.y, bend = d.over_cell.bend;
     if (k == 2) y += -(d.over_cell.rate * cell.t);  // only spin changes the growth along a strip
     Pack bound_before = zero, size_before = before.stuck ? d.size : zero;
     if constexpr (entering) {
-      const Pack share = select((moved.share > zero) & (moved.share < 1.0), -(d.onset * cell.per_h), zero);
-      x = moved.share * x + share * g.over_cell.x;
-      y = moved.share * y + share * (g.over_cell.y - g.over_cell.rate * cell.t);
-      bend = moved.share * (moved.share * bend + 2.0 * share * g.over_cell.bend);
+      const Pack share = select((step.share > zero) & (step.share < 1.0), -(d.onset * cell.per_h), zero);
+      x = step.share * x + share * g.over_cell.x;
+      y = step.share * y + share * (g.over_cell.y - g.over_cell.rate * cell.t);
+      bend = step.share * (step.share * bend + 2.0 * share * g.over_cell.bend);
       bound_before = select(begins, d.onset_bound, zero);
       size_before = select(begins, d.onset_bound, size_before);
     }
-    Pack Vy = y + moved.bend * d.ahead;
+    // the turned angle, and `ahead`, by the chain rule over turn()
+    Pack Vy = y + step.bend * d.ahead;
     if (entering || k == 2) Vy += bend * before.ahead;
     Pack angle = slope.kept * d.angle + slope.by_y * Vy;
     Pack ahead = slope.ahead_by_y * Vy;
@@ -348,18 +371,20 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       angle += slope.by_d * bound_before;
       ahead += slope.ahead_by_d * bound_before;
     }
+    // Lanes that stick: the trial traction p - growth changes in size along e and in angle across it.
     if (before.stuck) d.size = zero;
-    if (moved.any_sticks) {
-      const Pack turned = moved.size_before * d.angle;
+    if (step.any_sticks) {
+      const Pack turned = step.size_before * d.angle;
       const Pack trial_x = size_before * before.ex - turned * before.ey - x;
       const Pack trial_y = size_before * before.ey + turned * before.ex - (y + 0.5 * bend);
-      d.size = select(moved.stick, after.ex * trial_x + after.ey * trial_y, zero);
-      angle = select(moved.stick, (after.ex * trial_y - after.ey * trial_x) * moved.inverse_trial, angle);
+      d.size = select(step.stick, after.ex * trial_x + after.ey * trial_y, zero);
+      angle = select(step.stick, (after.ex * trial_y - after.ey * trial_x) * step.inverse_trial, angle);
     }
+    // the cell's traction: p d(angle) across e, and where it sticks d(size) along it
     d.angle = entering ? select(moving, angle, d.angle) : angle;
     d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
     Pack dpx = -(py * angle), dpy = px * angle;
-    if (moved.any_sticks) {
+    if (step.any_sticks) {
       dpx += d.size * after.ex;
       dpy += d.size * after.ey;
     }
@@ -375,7 +400,7 @@ inline void first_stick(const Group& g, const Cell& cell, Pack& px, Pack& py) {
   py = share * py;
 }
 
-/// One group of strips on its way.
+/// A group of strips during the march.
 struct Marching {
   Group group;
   State state;
@@ -383,19 +408,21 @@ struct Marching {
   Pack slip_x, slip_y;  ///< slip [-] over the excess of growth and the direction of the traction; for fields
 };
 
-/// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
+/// The part of a cell behind the turn: rest of the step, derivatives, fields.
 template <bool entering, Output output, class Task>
-WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, MarchStep& moved, Marching& m,
+WRC_IN_LOOP void settle(const Task& task, const Cell& cell, Mask moving, MarchStep& step, Marching& m,
                         GroupDerivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
-  end_step<entering>(task, m.group, cell, moving, moved, m.state, m.sums);
+  end_step<entering>(task, m.group, cell, moving, step, m.state, m.sums);
   if constexpr (sensitivities)
-    differentiate<entering>(m.group, cell, moving, before, m.state, moved, derivative);
+    differentiate<entering>(m.group, cell, moving, before, m.state, step, derivative);
   if constexpr (output != Output::fields) return;
+  // fields: tractions, and the slip lambda e times flexibility, against the traction; strips still in their
+  // first stick zone have its tractions
   const State& s = m.state;
-  Pack px = moved.size * s.ex, py = moved.size * s.ey, excess = moved.lambda;
+  Pack px = step.size * s.ex, py = step.size * s.ey, excess = step.lambda;
   if constexpr (entering) {
     Pack stick_x, stick_y;
     first_stick(m.group, cell, stick_x, stick_y);
@@ -418,7 +445,7 @@ inline void store_first_stick(const MarchCells& task, const Group& g) {
   }
 }
 
-/// What turns the excess of growth into slip, for fields.
+/// Slip over the excess of growth, for fields: a cell's growth divided by its length, times flexibility [-].
 inline void set_slip(const MarchTask& task, double per_h, Marching& m) {
   m.slip_x = per_h * task.l11 * m.group.stiffness;
   m.slip_y = per_h * task.l22 * m.group.stiffness;
@@ -428,7 +455,7 @@ inline void set_slip(const SurfaceMarchTask&, double per_h, Marching& m) {
   m.slip_y = per_h * m.group.soft_y;
 }
 
-/// Adds a group's strips to the sums.
+/// Adds a group's strips to the sums; power: lambda tau (L11 e_x^2 + L22 e_y^2) over the area [N].
 inline void finish(const MarchTask& task, double per_h, const Marching& m, Sums& total) {
   const Pack power = m.group.bound * m.group.cell * (per_h * m.group.stiffness) * m.sums.power;
   add_forces(m.group, task.cells, m.sums.force, total);
@@ -440,7 +467,7 @@ inline void finish(const SurfaceMarchTask& task, double per_h, const Marching& m
   add_power(m.group, task.cells, m.sums.unslid, power, total);
 }
 
-/// What is particular to this march: see march_groups().
+/// The parts of march_groups() that are this march's own.
 template <Output output, class Task>
 struct March {
   using Marching = simd::Marching;

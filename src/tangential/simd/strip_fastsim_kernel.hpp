@@ -4,6 +4,13 @@
 /// march to the parabolic bound at the strip's middle, which makes that bound u t in every strip. rho is the
 /// traction over the bound, of the march and of the result alike.
 ///
+///     symbol (theory.md)         here                        unit
+///     v, u, u_s                  t, u, slip_end              half lengths
+///     (kappa, lambda), psi_k     kappa, lambda, psi          -
+///     p / tau                    rho_x, rho_y                -
+///     sqrt(1 - t)                StickShape::s (t of theory.md is u_s / u)
+///     w                          wx, wy + spin x             -
+///
 /// The first stick zone needs no march, but per cell the mean of a root: with t_s = u_s / u,
 ///     rho = (kappa, lambda) (1 - s) + (0, psi) s,
 /// s the mean of sqrt(1 - t_s) and a little of its square,
@@ -23,8 +30,8 @@ namespace {
 
 namespace strip {
 
-/// What the first stick zone makes of a cell: tractions over the bound are (1 - s) times the direction in
-/// which slip sets in, and s (0, psi). Beyond its end s is zero; the cell in which it ends has its part.
+/// A cell of the first stick zone: tractions over the bound are (1 - s) times the direction in which slip
+/// sets in, and s (0, psi). Beyond its end s is zero; the cell in which it ends has its part.
 struct StickShape {
   Pack s, by_end, by_form;  ///< slopes of s by u_s and by the form, for derivatives
 };
@@ -38,6 +45,8 @@ WRC_IN_LOOP StickShape stick_shape(const Group& g, const Cell& cell, StickSums& 
   const Pack far = larger(zero, cell.behind - g.slip_end * cell.per_h);
   const Pack root_far = root(far), power_far = far * root_far;
   const Pack whole = (sums.power_near - power_far) * cell.inverse_weight;
+  // from sqrt(1 - t_s) of strip theory to its square 1 - t_s of FASTSIM by the share `form`; the border
+  // between two cells is read once: far here is near of the next
   StickShape shape;
   shape.s = whole * (1.0 - form + form * whole);
   if constexpr (sensitivities) {
@@ -50,7 +59,7 @@ WRC_IN_LOOP StickShape stick_shape(const Group& g, const Cell& cell, StickSums& 
   return shape;
 }
 
-/// What keeps tractions at the bound, which |psi| > 1 could exceed.
+/// Factor that cuts tractions to the bound, which they could exceed where |psi| > 1.
 inline Pack share_within_bound(const Group& g, Pack s, Pack x, Pack y) {
   return select(g.strong & (s > 0.0), 1.0 / root(larger(1.0, x * x + y * y)), 1.0);
 }
@@ -74,6 +83,7 @@ template <bool entering, bool sensitivities, class Changes, std::int32_t count>
 WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const StickShape& shape,
                             bool wanted, StickSums& sums, Sums& strong, Changes (&derivative)[count]) {
   const Pack one = 1.0, zero = 0.0;
+  // Sums of s times bound, of which the forces are made at the end (add_stick), without the cut.
   const Pack s = shape.s, mean = entering ? select(moving, zero, Pack(cell.mean)) : Pack(cell.mean);
   const Pack straight = mean * s;
   sums.mean += mean;
@@ -89,6 +99,8 @@ WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const
   }
   if (!wanted && !g.any_strong) return {};
 
+  // The traction itself: for fields, and where |psi| > 1 for the part beyond the bound, whose forces come
+  // off.
   const Pack x = g.kappa * (one - s), y = g.lambda * (one - s) + g.psi * s;
   if (!g.any_strong) return {x, y};
   const Pack share = share_within_bound(g, s, x, y), less = mean * (share - one);
@@ -111,129 +123,140 @@ WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const
   return {share * x, share * y};
 }
 
-/// A step on its way, and what it did, for fields and derivatives.
+/// A march step: its numbers up to the turn, and its results for fields and derivatives.
 struct MarchStep {
   Mask stick, slips;
   bool any_sticks;
-  Pack dv, part;                  ///< length of the step; of a cell that has slid since the last cell
-  Advance advance;                ///< over it
+  Pack dv, part;                  ///< length of the step; cells of slip that the cell stands for
+  Advance advance;                ///< the step
   Pack rho_x, rho_y;              ///< traction over bound before
   Pack trial_x, trial_y, trial2;  ///< traction of the march if the cell sticks, and its square
-  Pack bound_before, flexibility;
-  Pack inverse_trial;  ///< one over the traction of lanes that stick
-  StickShape shape;    ///< of a cell where strips enter slip
-  Pack x, y;           ///< traction over bound after it
-  Pack share;          ///< of it that is within the bound, where strips enter slip
+  Pack bound_before;              ///< the march's
+  Pack flexibility;               ///< that turns the traction, by its direction [-]
+  Pack inverse_trial;             ///< one over the traction of lanes that stick
+  StickShape shape;               ///< where strips enter slip: the first stick zone's part of the cell
+  Pack x, y;                      ///< traction over bound after it
+  Pack share;                     ///< share of it within the bound, where strips enter slip
   Turn turn;
 };
 
 /// One march step of a group through slip, up to the turn of its direction; see march_kernel.hpp.
 template <bool entering>
 WRC_IN_LOOP MarchStep begin_step(const Group& g, const Cell& cell, Mask moving, const State& s) {
+  // a whole cell from the traction at the cell before, or the part of it behind the onset from the traction
+  // there
   const Pack zero = 0.0, one = 1.0;
-  MarchStep moved;
-  moved.rho_x = s.x();
-  moved.rho_y = s.y();
-  moved.dv = cell.h;
-  moved.advance = g.over_cell;
-  moved.bound_before = cell.shape_before;
+  MarchStep step;
+  step.rho_x = s.x();
+  step.rho_y = s.y();
+  step.dv = cell.h;
+  step.advance = g.over_cell;
+  step.bound_before = cell.shape_before;
   if constexpr (entering) {
-    moved.dv = larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t)));
-    moved.advance = advance_over(g, g.elastic, moved.dv);
-    moved.bound_before = select(Pack(cell.index - 0.5) < g.stick_cells, g.end_bound, moved.bound_before);
+    step.dv = larger(zero, smaller(cell.h, g.slip_end - (2.0 - cell.t)));
+    step.advance = advance_over(g, g.elastic, step.dv);
+    step.bound_before = select(Pack(cell.index - 0.5) < g.stick_cells, g.end_bound, step.bound_before);
   }
-  const Advance& a = moved.advance;
-  moved.trial_x = moved.bound_before * moved.rho_x - a.gx;
-  moved.trial_y = moved.bound_before * moved.rho_y - (a.gy + a.curvature * (2.0 * cell.x + moved.dv));
-  moved.trial2 = moved.trial_x * moved.trial_x + moved.trial_y * moved.trial_y;
-  moved.stick = moved.trial2 <= cell.shape * cell.shape;
-  if constexpr (entering) moved.stick = moved.stick & moving;
-  moved.any_sticks = any(moved.stick);
+  // Kalker's criterion: the cell sticks if the march's traction less its growth is within the bound.
+  const Advance& a = step.advance;
+  step.trial_x = step.bound_before * step.rho_x - a.gx;
+  step.trial_y = step.bound_before * step.rho_y - (a.gy + a.curvature * (2.0 * cell.x + step.dv));
+  step.trial2 = step.trial_x * step.trial_x + step.trial_y * step.trial_y;
+  step.stick = step.trial2 <= cell.shape * cell.shape;
+  if constexpr (entering) step.stick = step.stick & moving;
+  step.any_sticks = any(step.stick);
 
-  moved.flexibility = g.t11 * (one - moved.rho_x * moved.rho_x) + g.t22 * (one - moved.rho_y * moved.rho_y);
+  // Otherwise it turns against rigid plus elastic slip; the flexibility is that across the traction,
+  // t11 (1 - rho_x^2) + t22 (1 - rho_y^2).
+  step.flexibility = g.t11 * (one - step.rho_x * step.rho_x) + g.t22 * (one - step.rho_y * step.rho_y);
   const Pack elastic = a.elastic * cell.x;
-  const Pack Vx = a.wx + elastic * moved.rho_x;
-  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * moved.rho_y + a.bend * s.ahead;
-  moved.turn = begin_turn(Vx, Vy, (moved.bound_before + cell.shape) * moved.flexibility, s.ex, s.ey);
-  return moved;
+  const Pack Vx = a.wx + elastic * step.rho_x;
+  const Pack Vy = (a.wy + a.spin * cell.x) - elastic * step.rho_y + a.bend * s.ahead;
+  step.turn = begin_turn(Vx, Vy, (step.bound_before + cell.shape) * step.flexibility, s.ex, s.ey);
+  return step;
 }
 
-/// The rest of it.
+/// The rest of a step: state, traction and slip of the cell.
 template <bool entering>
-WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, MarchStep& moved, State& s,
+WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, MarchStep& step, State& s,
                           Sums& sums) {
   const Pack zero = 0.0, one = 1.0;
-  Pack ex = moved.turn.ex, ey = moved.turn.ey, ahead = moved.turn.ahead;
-  moved.part = one;
-  moved.slips = !moved.stick;
+  // Lanes that have not left their first stick zones keep their state. The cell behind the onset stands for
+  // half a cell to one and a half of slip.
+  Pack ex = step.turn.ex, ey = step.turn.ey, ahead = step.turn.ahead;
+  step.part = one;
+  step.slips = !step.stick;
   if constexpr (entering) {
-    moved.part = select(moved.dv < cell.h, 0.5 + moved.dv * cell.per_h, one);
-    moved.slips = moving & moved.slips;
-    sums.unslid += select(moving, one - moved.part, zero);
+    step.part = select(step.dv < cell.h, 0.5 + step.dv * cell.per_h, one);
+    step.slips = moving & step.slips;
+    sums.unslid += select(moving, one - step.part, zero);
     ex = select(moving, ex, s.ex);
     ey = select(moving, ey, s.ey);
     ahead = select(moving, ahead, s.ahead);
   }
-  s.stuck = moved.any_sticks;
-  if (moved.any_sticks) {
-    const Pack size = root(moved.trial2), per_shape = 1.0 / cell.shape;
-    const Mask turns = moved.stick & (size > 1e-150);
-    moved.inverse_trial = one / select(turns, size, one);
-    ex = select(turns, moved.trial_x * moved.inverse_trial, ex);
-    ey = select(turns, moved.trial_y * moved.inverse_trial, ey);
-    s.rho_x = select(moved.stick, moved.trial_x * per_shape, ex);
-    s.rho_y = select(moved.stick, moved.trial_y * per_shape, ey);
-    sums.unslid += select(moved.stick, moved.part, zero);
+  // Lanes that stick: the trial traction, and rho as its ratio to the bound.
+  s.stuck = step.any_sticks;
+  if (step.any_sticks) {
+    const Pack size = root(step.trial2), per_shape = 1.0 / cell.shape;
+    const Mask turns = step.stick & (size > 1e-150);
+    step.inverse_trial = one / select(turns, size, one);
+    ex = select(turns, step.trial_x * step.inverse_trial, ex);
+    ey = select(turns, step.trial_y * step.inverse_trial, ey);
+    s.rho_x = select(step.stick, step.trial_x * per_shape, ex);
+    s.rho_y = select(step.stick, step.trial_y * per_shape, ey);
+    sums.unslid += select(step.stick, step.part, zero);
   }
   s.ex = ex;
   s.ey = ey;
   s.ahead = ahead;
-  moved.x = s.x();
-  moved.y = s.y();
+  // traction of the cell over mu p, and the sums
+  step.x = s.x();
+  step.y = s.y();
   if constexpr (entering) {  // the first stick zone's part of the cell in which it ends
-    const Pack near = one - moved.shape.s;
-    moved.x = near * moved.x;
-    moved.y = near * moved.y + g.psi * moved.shape.s;
+    const Pack near = one - step.shape.s;
+    step.x = near * step.x;
+    step.y = near * step.y + g.psi * step.shape.s;
     if (g.any_strong) {
-      moved.share = share_within_bound(g, moved.shape.s, moved.x, moved.y);
-      moved.x = moved.share * moved.x;
-      moved.y = moved.share * moved.y;
+      step.share = share_within_bound(g, step.shape.s, step.x, step.y);
+      step.x = step.share * step.x;
+      step.y = step.share * step.y;
     }
   }
   const Pack mean = entering ? select(moving, Pack(cell.mean), zero) : Pack(cell.mean);
-  add_cell(mean * moved.x, mean * moved.y, sums.force);
+  add_cell(mean * step.x, mean * step.y, sums.force);
 }
 
-/// How the angle of the traction after a step, and `ahead`, change with what goes into the step.
+/// Derivatives of the angle of the traction after a step, and of `ahead`, by the numbers of the step.
 struct StepSlopes {
-  Pack kept, ahead_by_angle;          ///< with the angle before
-  Pack by_ratio, ahead_by_ratio;      ///< with the traction before, where that was below the bound
-  Pack by_turning, ahead_by_turning;  ///< with the flexibility, relative
-  Pack by_t11, by_t22;                ///< with its two parts
+  Pack kept, ahead_by_angle;          ///< by the angle before
+  Pack by_ratio, ahead_by_ratio;      ///< by the traction before, where that was below the bound
+  Pack by_turning, ahead_by_turning;  ///< by the flexibility, relative
+  Pack by_t11, by_t22;                ///< by its two parts
   Pack ahead_by_t11, ahead_by_t22;
-  Pack by_x, by_y, ahead_by_x, ahead_by_y;  ///< with the slip over a whole cell
-  Pack bend, ahead_before;                  ///< by which spin and `ahead` change the slip along the step
-  Pack share;                               ///< of a cell that the step is, where strips enter slip;
-  Mask partial;                             ///< then: it is less than a whole one
-  Pack by_onset, ahead_by_onset;            ///< and with the end of the stick zone,
-  Pack bound_by_onset;                      ///< with which the bound before the step changes, too
+  Pack by_x, by_y, ahead_by_x, ahead_by_y;  ///< by the slip over a whole cell
+  Pack bend, ahead_before;                  ///< fall of the slip along the step by spin; `ahead` before
+  Pack share;                               ///< part of a cell that is stepped over;
+  Mask partial;                             ///< where that is less than a whole one
+  Pack by_onset, ahead_by_onset;            ///< by the end of the stick zone,
+  Pack bound_by_onset;                      ///< by which the bound before the step changes, too
 };
 
-/// Of a step that is part of a cell, the inputs' changes over a whole one are that part; and the part itself
+/// A step over part of a cell: the inputs' changes over a whole cell count by that part; and the part itself
 /// changes with the onset of slip, as does the bound there.
 WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State& before,
-                                   const MarchStep& moved, const TurnSlopes& slope, StepSlopes& s) {
+                                   const MarchStep& step, const TurnSlopes& slope, StepSlopes& s) {
+  // slip per length of the step, d(V) / d(dv); the bound at the onset is u_s (2 - u_s)
   const Pack zero = 0.0;
-  const Pack wx = g.wx + (g.elastic * cell.x) * moved.rho_x;
+  const Pack wx = g.wx + (g.elastic * cell.x) * step.rho_x;
   const Pack wy =
-      g.wy + g.spin * cell.x - (g.elastic * cell.x) * moved.rho_y + (2.0 * moved.advance.spin) * before.ahead;
-  s.partial = (moved.dv > zero) & (moved.dv < cell.h);
+      g.wy + g.spin * cell.x - (g.elastic * cell.x) * step.rho_y + (2.0 * step.advance.spin) * before.ahead;
+  s.partial = (step.dv > zero) & (step.dv < cell.h);
   s.bound_by_onset = select(Pack(cell.index - 0.5) < g.stick_cells, 2.0 * (1.0 - g.slip_end), zero);
-  const Pack d_by_onset = s.bound_by_onset * moved.flexibility;
+  const Pack d_by_onset = s.bound_by_onset * step.flexibility;
   s.by_onset = select(s.partial, s.by_x * wx + s.by_y * wy, zero) + slope.by_d * d_by_onset;
   s.ahead_by_onset =
       select(s.partial, s.ahead_by_x * wx + s.ahead_by_y * wy, zero) + slope.ahead_by_d * d_by_onset;
-  s.share = select(moved.dv < cell.h, moved.dv * cell.per_h, 1.0);
+  s.share = select(step.dv < cell.h, step.dv * cell.per_h, 1.0);
   s.by_x = s.share * s.by_x;
   s.by_y = s.share * s.by_y;
   s.ahead_by_x = s.share * s.ahead_by_x;
@@ -244,30 +267,32 @@ WRC_IN_LOOP void take_part_of_cell(const Group& g, const Cell& cell, const State
 
 template <bool entering>
 WRC_IN_LOOP StepSlopes step_slopes(const Group& g, const Cell& cell, const State& before,
-                                   const MarchStep& moved) {
+                                   const MarchStep& step) {
   const Pack zero = 0.0;
-  const TurnSlopes slope = slopes(moved.turn, before.ex, before.ey);
+  const TurnSlopes slope = slopes(step.turn, before.ex, before.ey);
   StepSlopes s;
   // A change of rho changes the elastic slip and the flexibility: where it turns, and where it grows.
-  const Pack elastic = moved.advance.elastic * cell.x;
-  const Pack elastic_x = elastic * moved.rho_x, elastic_y = elastic * moved.rho_y;
-  const Pack bounds = 2.0 * (moved.bound_before + cell.shape);
-  const Pack d_by_angle = bounds * ((g.t11 - g.t22) * (moved.rho_x * moved.rho_y));
+  const Pack elastic = step.advance.elastic * cell.x;
+  const Pack elastic_x = elastic * step.rho_x, elastic_y = elastic * step.rho_y;
+  const Pack bounds = 2.0 * (step.bound_before + cell.shape);
+  const Pack d_by_angle = bounds * ((g.t11 - g.t22) * (step.rho_x * step.rho_y));
   s.kept = slope.kept - (slope.by_x * elastic_y + slope.by_y * elastic_x) + slope.by_d * d_by_angle;
   s.ahead_by_angle =
       slope.ahead_by_d * d_by_angle - (slope.ahead_by_x * elastic_y + slope.ahead_by_y * elastic_x);
+  // the same where the traction grows along itself, which only one below the bound does
   s.by_ratio = s.ahead_by_ratio = zero;
   if (before.stuck) {
     const Pack x = elastic * before.ex, y = elastic * before.ey;
-    const Pack d = bounds * (g.t11 * (moved.rho_x * before.ex) + g.t22 * (moved.rho_y * before.ey));
+    const Pack d = bounds * (g.t11 * (step.rho_x * before.ex) + g.t22 * (step.rho_y * before.ey));
     s.by_ratio = slope.by_x * x - slope.by_y * y - slope.by_d * d;
     s.ahead_by_ratio = slope.ahead_by_x * x - slope.ahead_by_y * y - slope.ahead_by_d * d;
   }
-  s.by_turning = slope.by_d * moved.turn.d;
-  s.ahead_by_turning = slope.ahead_by_d * moved.turn.d;
-  const Pack half_bounds = moved.bound_before + cell.shape;
-  const Pack d_by_t11 = half_bounds * (1.0 - moved.rho_x * moved.rho_x);
-  const Pack d_by_t22 = half_bounds * (1.0 - moved.rho_y * moved.rho_y);
+  // resistance d = (sum of the bounds) times flexibility: relative, and by each of t11 and t22
+  s.by_turning = slope.by_d * step.turn.d;
+  s.ahead_by_turning = slope.ahead_by_d * step.turn.d;
+  const Pack half_bounds = step.bound_before + cell.shape;
+  const Pack d_by_t11 = half_bounds * (1.0 - step.rho_x * step.rho_x);
+  const Pack d_by_t22 = half_bounds * (1.0 - step.rho_y * step.rho_y);
   s.by_t11 = slope.by_d * d_by_t11;
   s.by_t22 = slope.by_d * d_by_t22;
   s.ahead_by_t11 = slope.ahead_by_d * d_by_t11;
@@ -278,20 +303,21 @@ WRC_IN_LOOP StepSlopes step_slopes(const Group& g, const Cell& cell, const State
   s.ahead_by_y = slope.ahead_by_y;
   s.bend = g.over_cell.bend;
   s.ahead_before = before.ahead;
-  if constexpr (entering) take_part_of_cell(g, cell, before, moved, slope, s);
+  if constexpr (entering) take_part_of_cell(g, cell, before, step, slope, s);
   return s;
 }
 
-/// How the angle and `ahead` after the step change with input k.
+/// Derivatives of the angle and of `ahead` after the step by input k: chain rule over turn().
 template <bool entering>
 WRC_IN_LOOP void turn_derivative(const StepSlopes& s, const Cell& cell, bool stuck, std::int32_t k,
                                  const Derivative& d, Pack& angle, Pack& ahead) {
+  // zero parts are left out: spin alone changes the slip along the strip, lateral creepage none along x
   const Advance& a = d.over_cell;
   Pack wy = a.wy + s.bend * d.ahead;
-  if (k == 2) wy += a.spin * cell.x + a.bend * s.ahead_before;  // only spin turns the slip
+  if (k == 2) wy += a.spin * cell.x + a.bend * s.ahead_before;
   angle = s.kept * d.angle + s.by_y * wy + s.by_turning * d.turning;
   ahead = s.ahead_by_angle * d.angle + s.ahead_by_y * wy + s.ahead_by_turning * d.turning;
-  if (k != 1) {  // the lateral creepage has no part in the slip along x
+  if (k != 1) {
     angle += s.by_x * a.wx;
     ahead += s.ahead_by_x * a.wx;
   }
@@ -310,72 +336,76 @@ struct Growth {
   Pack gx, gy, curvature;
 };
 
-/// How the traction of lanes that stick changes: its ratio to the bound, and its angle.
+/// Derivatives of the traction of lanes that stick: of its ratio to the bound, and of its angle.
 template <bool entering, class Changes>
 WRC_IN_LOOP void stick_derivative(const Group& g, const StepSlopes& s, const Cell& cell, const State& before,
-                                  const State& after, const MarchStep& moved, const Growth& over_cell,
+                                  const State& after, const MarchStep& step, const Growth& over_cell,
                                   const Changes& d, Pack& ratio, Pack& angle) {
+  // change of the growth over the step, at the onset also by the step's length dv
   const Pack zero = 0.0;
-  const Pack middle = 2.0 * cell.x + moved.dv;
+  const Pack middle = 2.0 * cell.x + step.dv;
   Pack gx = over_cell.gx, gy = over_cell.gy, curvature = over_cell.curvature, bound = zero;
   if constexpr (entering) {
     const Pack dv = select(s.partial, d.slip_end, zero);
     gx = s.share * gx + g.gx * dv;
     curvature = s.share * curvature + g.curvature * dv;
-    gy = s.share * gy + (g.gy + moved.advance.curvature) * dv;
+    gy = s.share * gy + (g.gy + step.advance.curvature) * dv;
     bound = s.bound_by_onset * d.slip_end;
   }
-  const Pack dx = d.ratio * before.ex - moved.rho_y * d.angle;
-  const Pack dy = d.ratio * before.ey + moved.rho_x * d.angle;
-  const Pack x = dx * moved.bound_before + moved.rho_x * bound - gx;
-  const Pack y = dy * moved.bound_before + moved.rho_y * bound - (gy + curvature * middle);
-  ratio = select(moved.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
-  angle = select(moved.stick, (after.ex * y - after.ey * x) * moved.inverse_trial, angle);
+  // change of the trial traction: of rho before times the bound there, less growth; along e and across it
+  const Pack dx = d.ratio * before.ex - step.rho_y * d.angle;
+  const Pack dy = d.ratio * before.ey + step.rho_x * d.angle;
+  const Pack x = dx * step.bound_before + step.rho_x * bound - gx;
+  const Pack y = dy * step.bound_before + step.rho_y * bound - (gy + curvature * middle);
+  ratio = select(step.stick, (after.ex * x + after.ey * y) * (1.0 / cell.shape), zero);
+  angle = select(step.stick, (after.ex * y - after.ey * x) * step.inverse_trial, angle);
 }
 
-/// What a cell's tractions are weighted by in the sums.
+/// Weights of a cell's tractions in the sums.
 struct CellMeans {
-  Pack mean;          ///< of the bound, as far as tractions have the march's direction
-  Pack rho_x, rho_y;  ///< the same times the traction over the bound
-  Pack x_by_s, y_by_s, y_by_psi;
+  Pack mean;                      ///< mean of the bound, as far as tractions have the march's direction
+  Pack rho_x, rho_y;              ///< the same times the traction over the bound
+  Pack x_by_s, y_by_s, y_by_psi;  ///< derivatives of the cell's force by s and psi
 };
 
 template <bool entering>
 WRC_IN_LOOP CellMeans cell_means(const Group& g, const Cell& cell, Mask moving, const State& after,
-                                 const MarchStep& moved) {
+                                 const MarchStep& step) {
   const Pack zero = 0.0;
   CellMeans m;
   m.mean = cell.mean;
   if constexpr (entering) {
+    // force over mu p: mean ((1 - s) rho + s (0, psi))
     const Pack mean = select(moving, m.mean, zero);
     m.x_by_s = zero - mean * after.x();
     m.y_by_s = mean * (g.psi - after.y());
-    m.y_by_psi = mean * moved.shape.s;
-    m.mean = mean * (1.0 - moved.shape.s);
+    m.y_by_psi = mean * step.shape.s;
+    m.mean = mean * (1.0 - step.shape.s);
   }
   m.rho_x = m.mean * after.x();
   m.rho_y = m.mean * after.y();
   return m;
 }
 
-/// Takes over how the state changes with an input, and adds how the cell's tractions do.
+/// Derivatives by an input: those of the state are taken over, those of the cell's tractions added.
 template <bool entering, class Changes>
 WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before, const State& after,
-                                const MarchStep& moved, const CellMeans& m, Pack ratio, Pack angle,
-                                Pack ahead, Changes& d) {
-  if (before.stuck || moved.any_sticks) d.ratio = ratio;
+                                const MarchStep& step, const CellMeans& m, Pack ratio, Pack angle, Pack ahead,
+                                Changes& d) {
+  if (before.stuck || step.any_sticks) d.ratio = ratio;
   d.angle = entering ? select(moving, angle, d.angle) : angle;
   d.ahead = entering ? select(moving, ahead, d.ahead) : ahead;
+  // rho turns by d.angle, and grows by ratio where it sticks
   Pack x = -(m.rho_y * d.angle), y = m.rho_x * d.angle;
-  if (moved.any_sticks) {
+  if (step.any_sticks) {
     x += m.mean * ratio * after.ex;
     y += m.mean * ratio * after.ey;
   }
   if constexpr (entering) {
-    const Pack ds = moved.shape.by_end * d.slip_end + moved.shape.by_form * d.form;
+    const Pack ds = step.shape.by_end * d.slip_end + step.shape.by_form * d.form;
     x += m.x_by_s * ds;
     y += m.y_by_s * ds + m.y_by_psi * d.psi;
-    if (g.any_strong) cut_derivative(g, moved.share, moved.x, moved.y, x, y);
+    if (g.any_strong) cut_derivative(g, step.share, step.x, step.y, x, y);
   }
   add_cell(x, y, d.force);
 }
@@ -383,23 +413,23 @@ WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before
 /// The same step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const MarchStep& moved, Derivative (&derivative)[inputs]) {
+                               const State& after, const MarchStep& step, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
-  const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
-  const CellMeans means = cell_means<entering>(g, cell, moving, after, moved);
+  const StepSlopes s = step_slopes<entering>(g, cell, before, step);
+  const CellMeans means = cell_means<entering>(g, cell, moving, after, step);
   for (std::int32_t k = 0; k < inputs; ++k) {
     Derivative& d = derivative[k];
     Pack angle, ahead, ratio = zero;
     turn_derivative<entering>(s, cell, before.stuck, k, d, angle, ahead);
-    if (moved.any_sticks)
-      stick_derivative<entering>(g, s, cell, before, after, moved,
+    if (step.any_sticks)
+      stick_derivative<entering>(g, s, cell, before, after, step,
                                  Growth{d.over_cell.gx, d.over_cell.gy, d.over_cell.curvature}, d, ratio,
                                  angle);
-    end_derivative<entering>(g, moving, before, after, moved, means, ratio, angle, ahead, d);
+    end_derivative<entering>(g, moving, before, after, step, means, ratio, angle, ahead, d);
   }
 }
 
-/// What the slip of a group's strips is made of, for the fields.
+/// Constants of the slip of a group's strips, for the fields.
 struct SlipShape {
   Pack stick;                 ///< 2 - u_s, the length of the first stick zone
   Pack two;                   ///< 2; 0 without friction, where nothing holds the slip's direction
@@ -425,8 +455,9 @@ inline SlipShape slip_shape(const Task& task, const Group& g) {
   return shape;
 }
 
-/// Sets what the pair of cells needs in which `cell` lies: one divide makes two inverses.
+/// Sets the inverses 2 / (v + u_s - u) of the pair of cells in which `cell` lies: one divide makes both.
 inline void enter_pair(const Cell& cell, SlipShape& shape) {
+  // v + (u_s - u) with v = t and u_s - u = t - (2 - u_s), at the middles of both cells
   const std::int32_t even = cell.index - (cell.index & 1);
   const double t_even = (even + 0.5) * cell.h, t_odd = (even + 1.5) * cell.h;
   const Pack of_even = t_even + larger(0.0, t_even - shape.stick);
@@ -437,8 +468,8 @@ inline void enter_pair(const Cell& cell, SlipShape& shape) {
 }
 
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
-/// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times what Carter's solution, in
-/// which s is proportional to sqrt(v (u_s - u)), makes of it when only u < u_s slips.
+/// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times the form of Carter's
+/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u).
 inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
   const Pack zero = 0.0;
   const Pack along = g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y;
@@ -450,6 +481,7 @@ inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, 
 
 /// The first stick zone's share of a group's sums, from the sums over s.
 inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
+  // sums of rho = (kappa, lambda) (1 - s) + (0, psi) s times bound
   const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
   sums.force.stick_px += g.kappa * bent;
   sums.force.stick_py += g.lambda * bent + g.psi * s.straight;
@@ -459,7 +491,8 @@ inline void add_stick(const Group& g, const StickSums& s, Sums& sums) {
 template <class Changes>
 inline void add_stick_derivative(const Group& g, const StickSums& s, Changes& d) {
   const Pack bent = s.mean - s.straight, t_bent = s.t_mean - s.t_straight;
-  const Pack change = d.slip_end * s.slope + d.form * s.form;  // of the sum of s
+  // change of the sum of s times bound, and the same times t
+  const Pack change = d.slip_end * s.slope + d.form * s.form;
   const Pack t_change = d.slip_end * s.t_slope + d.form * s.t_form;
   d.force.stick_px += d.kappa * bent - g.kappa * change;
   d.force.stick_py += d.lambda * bent + d.psi * s.straight + (g.psi - g.lambda) * change;
@@ -480,7 +513,7 @@ inline void store_cell(const StripFastsimMarch& task, const Group& g, const Cell
                    f.slip_y);
 }
 
-/// One group of strips on its way.
+/// A group of strips during the march.
 struct Marching {
   Group group;
   State state;
@@ -489,32 +522,35 @@ struct Marching {
   SlipShape slip;  ///< for fields
 };
 
-/// What follows the turn in a cell: the rest of the step, its derivatives, the fields.
+/// The part of a cell behind the turn: rest of the step, derivatives, fields.
 template <bool entering, Output output>
-WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask moves, MarchStep& moved,
+WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask moves, MarchStep& step,
                         Marching& m, Derivative (&derivative)[inputs]) {
   constexpr bool sensitivities = output == Output::sensitivities;
   [[maybe_unused]] State before;
   if constexpr (sensitivities) before = m.state;
-  if constexpr (entering) moved.shape = stick_shape<sensitivities>(m.group, cell, m.stick);
-  end_step<entering>(m.group, cell, moves, moved, m.state, m.sums);
+  // the march's step; strips whose first stick zone reaches into the cell have that part of the closed form
+  if constexpr (entering) step.shape = stick_shape<sensitivities>(m.group, cell, m.stick);
+  end_step<entering>(m.group, cell, moves, step, m.state, m.sums);
   if constexpr (sensitivities)
-    differentiate<entering>(m.group, cell, moves, before, m.state, moved, derivative);
+    differentiate<entering>(m.group, cell, moves, before, m.state, step, derivative);
   [[maybe_unused]] StickCell stuck;
   if constexpr (entering)
-    stuck = stick<true, sensitivities>(m.group, cell, moves, moved.shape, output == Output::fields, m.stick,
+    stuck = stick<true, sensitivities>(m.group, cell, moves, step.shape, output == Output::fields, m.stick,
                                        m.sums, derivative);
   if constexpr (output == Output::fields) {
+    // Slip against the traction of the march; its power uses the traction of the cell, which the first stick
+    // zone may share. Lanes still in that zone have its traction and no slip.
     const Pack x = m.state.x(), y = m.state.y();
     if ((cell.index & 1) == 0 || cell.index == m.group.all_stick) enter_pair(cell, m.slip);
     Pack slip = slip_size(m.group, m.slip, cell, x, y);
-    if constexpr (entering) slip = moved.part * slip;
-    if (entering || moved.any_sticks) slip = select(moved.slips, slip, 0.0);
-    CellFields f{moved.x, moved.y, 0.0 - slip * x, 0.0 - slip * y, slip};
+    if constexpr (entering) slip = step.part * slip;
+    if (entering || step.any_sticks) slip = select(step.slips, slip, 0.0);
+    CellFields f{step.x, step.y, 0.0 - slip * x, 0.0 - slip * y, slip};
     if constexpr (entering) {
-      f.power = select(moved.shape.s > 0.0, slip * (moved.x * x + moved.y * y), slip);
-      f.rho_x = select(moves, moved.x, stuck.x);
-      f.rho_y = select(moves, moved.y, stuck.y);
+      f.power = select(step.shape.s > 0.0, slip * (step.x * x + step.y * y), slip);
+      f.rho_x = select(moves, step.x, stuck.x);
+      f.rho_y = select(moves, step.y, stuck.y);
     }
     store_cell(task, m.group, cell, f, m.sums);
   }
@@ -573,16 +609,18 @@ inline void scale_slip(const StripFastsimMarch& task, std::int32_t first, double
 
 /// Cell i of all strips.
 inline Cell cell_of(const StripFastsimMarch& task, std::int32_t i) {
+  // The bound of the cell before is computed again: a strip's bits must not depend on the cell at which the
+  // march of its group began.
   const double h = 2.0 / task.cells, per_h = 0.5 * task.cells;
   const double t = (i + 0.5) * h, behind = task.cells - i - 1.0, shape = t * (2.0 - t);
-  const double t_before =
-      (i - 0.5) * h;  // as it was then: a strip's bits do not depend on the others of its group
+  const double t_before = (i - 0.5) * h;
   return {i, t,     1.0 - t, t_before * (2.0 - t_before), shape, task.shape->mean[i],
           h, per_h, behind,  task.inverse_weight[i]};
 }
 
 /// Sums over the first stick zone that begin with its cells.
 inline StickSums first_stick_sums(const StripFastsimMarch& task, const Group& g) {
+  // (u / h - u_s / h) at the leading edge, u = 2
   StickSums sums = {};
   const Pack near = larger(0.0, task.cells - g.slip_end * (0.5 * task.cells));
   sums.root_near = root(near);
@@ -590,7 +628,7 @@ inline StickSums first_stick_sums(const StripFastsimMarch& task, const Group& g)
   return sums;
 }
 
-/// What is particular to strip FASTSIM: see march_groups().
+/// The parts of march_groups() that are strip FASTSIM's own.
 template <Output output, class Task>
 struct March {
   using Marching = strip::Marching;
@@ -630,6 +668,7 @@ struct March {
 template <Output output, class Task>
 void strip_fastsim_kernel(const Task& task, Sums& total) {
   total = {};
+  // fields have the distribution of slip; the balance of forces and creepages gives its size
   const std::int32_t slips = march_groups<output>(task, strip::March<output, Task>{task, total});
   const double power = strip::balance_of_power(task, total);
   if constexpr (output == Output::fields)

@@ -1,5 +1,5 @@
-/// What the strips of a group start with in strip FASTSIM (strip_fastsim_kernel.hpp): their numbers from
-/// either task, relative, the onset of slip, the state there; and the derivatives of all that.
+/// Start of a group of strips in strip FASTSIM (strip_fastsim_kernel.hpp): the strips' numbers from either
+/// task, relative, the onset of slip, the state there; and the derivatives of these.
 #pragma once
 
 #include "base/pack.hpp"
@@ -16,36 +16,37 @@ namespace strip {
 
 constexpr double tiny_stress = 1e-6;  // [Pa]: keeps divisions finite, far below any stress of interest
 
-/// What a step of length dv to a cell at x is made of: tractions of full adhesion grow by (gx, gy + curvature
-/// (2 x + dv)), and the slip times dv at the cell is (wx, wy + spin x), to which comes its elastic part;
-/// `bend` is by how much the slip's y part falls along the step.
+/// A step of length dv to a cell at x: tractions of full adhesion grow by (gx, gy + curvature (2 x + dv));
+/// the rigid slip times dv at the cell is (wx, wy + spin x), and its y part falls by `bend` along the step;
+/// the elastic slip times dv there is elastic x (rho_x, -rho_y).
 struct Advance {
   Pack gx, gy, curvature;
   Pack wx, wy, spin, bend, elastic;
 };
 
-/// What does not change along the strips of a group.
+/// Constants of the strips of a group.
 struct Group : StripGroup {
   bool any_strong;         ///< the stick zone of a strip may reach the bound
   Pack gx, gy, curvature;  ///< growth of adhesion tractions (gx, gy + 2 curvature x)
-  Pack slip_end;           ///< u_s
+  Pack slip_end;           ///< u_s, over the half length
   Pack end_bound;          ///< bound of the march there
-  Pack kappa, lambda, psi;
-  Mask strong;        ///< |psi| > 1
-  Pack wx, wy, spin;  ///< rigid slip (wx, wy + spin x)
-  Pack elastic;       ///< that part of the elastic slip which differs between x and y, at the leading edge
-  Advance over_cell;  ///< a whole one
-  Pack centre;        ///< x of it [m]
-  Pack slope;         ///< B l [Pa/m]
-  Pack near_edge;     ///< tractions of adhesion over the bound at the leading edge, squared; at most 1
-  Pack form;          ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
-  Pack t11, t22;      ///< flexibilities for the turning of slip, relative
-  Pack scale;         ///< of growth, to be relative [m/Pa]
+  Pack kappa, lambda;      ///< direction in which slip sets in
+  Pack psi;                ///< psi_k: part of spin in the traction over the bound
+  Mask strong;             ///< |psi| > 1
+  Pack wx, wy, spin;       ///< rigid slip (wx, wy + spin x)
+  Pack elastic;            ///< part of the elastic slip that differs between x and y, at the leading edge
+  Advance over_cell;       ///< step over a whole cell
+  Pack centre;             ///< x of the strip's middle [m]
+  Pack slope;              ///< B l [Pa/m]
+  Pack near_edge;          ///< tractions of adhesion over the bound at the leading edge, squared; at most 1
+  Pack form;               ///< share of FASTSIM's form 1 - t in strip theory's sqrt(1 - t)
+  Pack t11, t22;           ///< flexibilities for the turning of slip, relative
+  Pack scale;              ///< relative growth over growth [m/Pa]
 };
 
 struct State {
   Pack ex, ey;        ///< direction of the traction
-  Pack ahead;         ///< of a cell, by this part of the step, the slip is seen (turning.hpp)
+  Pack ahead;         ///< part of a step ahead of the cell where the slip is seen (turning.hpp)
   bool stuck;         ///< in some lane the traction is below the bound:
   Pack rho_x, rho_y;  ///< then the traction over the bound in each lane, else not set
 
@@ -55,10 +56,10 @@ struct State {
 
 /// Sums over the first stick zone; those of slopes are for the derivatives.
 struct StickSums {
-  Pack mean, t_mean;           ///< of the bound
-  Pack straight, t_straight;   ///< of s, times the bound as all that follow
-  Pack slope, t_slope;         ///< of ds / du_s
-  Pack form, t_form;           ///< of ds / d(stick form)
+  Pack mean, t_mean;           ///< the bound; as all that follow also times t
+  Pack straight, t_straight;   ///< s times the bound
+  Pack slope, t_slope;         ///< ds / du_s times the bound
+  Pack form, t_form;           ///< ds / d(form) times the bound
   Pack power_near, root_near;  ///< (u / h - u_s / h)^(3/2) and ^(1/2) at the next cell's leading border
 };
 
@@ -72,7 +73,7 @@ struct Derivative {
   Advance over_cell;
   double turning;  ///< relative
   Pack form;
-  Pack angle, ratio, ahead;  ///< of the state; ratio = |rho|
+  Pack angle, ratio, ahead;  ///< state: angle of e, |rho|, ahead
   ForceSums force;
 };
 
@@ -80,13 +81,14 @@ struct Derivative {
 struct Cell {
   std::int32_t index;
   double t, x;                 ///< at its middle
-  double shape_before, shape;  ///< of the march's bound, at the middle of the cell before and of this one
-  double mean;                 ///< of the bound mu p
+  double shape_before, shape;  ///< the march's bound u t at the middle of the cell before and of this one
+  double mean;                 ///< mean of the bound mu p, over its value at the strip's middle
   double h, per_h;
   double behind, inverse_weight;  ///< u / h at its trailing border; of the mean of sqrt(1 - t_s)
 };
 
-template <class G>  // of the group or of its derivatives
+/// G: a group or its derivatives.
+template <class G>
 inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
   const Pack spin = g.spin * dv;
   return {g.gx * dv, g.gy * dv, g.curvature * dv, g.wx * dv, g.wy * dv, spin, spin * dv, elastic * dv};
@@ -94,6 +96,7 @@ inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
 
 /// Reads the numbers of a group's strips from the task; returns the bound of the march at their middle [Pa].
 inline Pack read_strips(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
+  // bounds: that of the result mu p [Pa], that of the march B u v by its value B l^2 at the middle [Pa]
   const Strips& strips = *task.region;
   const Pack one = 1.0;
   place(strips, task.cells, first, count, g);
@@ -103,6 +106,8 @@ inline Pack read_strips(const StripFastsimTask& task, std::int32_t first, std::i
   g.slope = task.B * share * g.half_length;
   const Pack middle = g.slope * g.half_length + tiny_stress;
   g.scale = g.half_length / middle;
+  // growth of adhesion tractions over the march's bound / half length; slips about the strip's middle [-];
+  // flexibilities that turn the slip [-]
   g.gx = (task.gx_constant.value - task.gx_by_y.value * g.y) * g.scale;
   g.gy = (task.gy_constant.value + task.gy_by_x.value * g.centre) * g.scale;
   g.curvature = 0.5 * task.gy_by_x.value * g.half_length * g.scale;
@@ -132,13 +137,13 @@ inline Pack read_strips(const SurfaceStripsTask& task, std::int32_t first, std::
   return g.bound + tiny_stress;
 }
 
-/// Where between the direction of growth (0) and that against the slip (1) a strip starts to slip.
+/// Direction in which a strip starts to slip: 0 that of growth, 1 against the slip, between in proportion.
 inline Pack start_against_slip(const StripFastsimTask&, Pack slip_end) {
   return select(slip_end >= 2.0, Pack(1.0), Pack(0.0));
 }
 
-/// Gradually where the stick zone at the leading edge is shorter than a cell: a strip whose slip reaches that
-/// edge must not leap.
+/// From 0 to 1 as the stick zone at the leading edge shrinks from a cell to none: forces of a strip whose
+/// slip reaches that edge must not jump.
 inline Pack start_against_slip(const SurfaceStripsTask& task, Pack slip_end) {
   const Pack t = larger(0.0, 1.0 - (0.5 * task.cells) * (2.0 - slip_end));
   return t * t * (3.0 - 2.0 * t);
@@ -162,6 +167,8 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
   set_stick_zone((2.0 - g.slip_end) * (0.5 * task.cells), task.cells, g);
 
+  // (kappa, lambda) = -(gx, gy + k u_s) / u_s, the march's traction over its bound where slip sets in, a unit
+  // vector; psi = -k (theory.md, strip FASTSIM). The form of strip theory exceeds the bound where |psi| > 1.
   const Pack per_end = one / (g.slip_end + tiny_stress / middle);
   const Pack gy_end = g.gy + g.curvature * g.slip_end;
   g.kappa = -(g.gx * per_end);
@@ -189,6 +196,7 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
       growth_y = ey;
     }
   }
+  // between the two directions: along the chord, made a unit vector
   if (any(partly)) {
     const Pack x = growth_x + share * (ex - growth_x), y = growth_y + share * (ey - growth_y);
     const Pack inverse = one / (root(x * x + y * y) + 1e-100);
@@ -202,7 +210,7 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   g.end_bound = g.slip_end * (2.0 - g.slip_end);
 }
 
-/// A vector and what a change of it amounts to in its angle: (turn_x dx + turn_y dy).
+/// Change of a vector's angle by changes of its components: turn_x dx + turn_y dy.
 struct Angle {
   Pack turn_x, turn_y;
 
@@ -217,13 +225,14 @@ struct Angle {
   Pack change(Pack dx, Pack dy) const { return turn_x * dx + turn_y * dy; }
 };
 
-/// What the onset of slip changes with: what costs a root or a divide is the same for all inputs.
+/// Derivatives of the onset of slip: the parts that cost a root or a divide, which all inputs share.
 struct Onset {
   Pack u, c;  ///< u_s: gx^2 + c^2 = u^2, c = gy + curvature u
   Pack lead, form_by_near, per_by_u, per_end;
   Angle at_end;
 
   explicit Onset(const Group& g) {
+    // slope of form = near^4; 1 / (dF/du_s / 2) of F = u^2 - gx^2 - c^2, 0 where u_s is an end of the strip
     const Pack zero = 0.0, one = 1.0;
     lead = g.gy + 2.0 * g.curvature;
     const Pack near = select(g.near_edge < one, g.near_edge, zero);
@@ -237,9 +246,10 @@ struct Onset {
     at_end = Angle(g.gx, c);
   }
 
-  /// Sets what changes with the growth of adhesion tractions.
+  /// Derivatives by the growth of adhesion tractions, whose changes are given.
   template <class Changes>
   void differentiate(const Group& g, Pack gx, Pack gy, Pack curvature, Changes& d) const {
+    // du_s = (gx dgx + c dc) / (u - c k); then kappa, lambda and the angle of the traction at u_s with it
     d.form = form_by_near * (0.5 * (g.gx * gx + lead * (gy + 2.0 * curvature)));
     const Pack c_input = gy + curvature * u;
     d.slip_end = (g.gx * gx + c * c_input) * per_by_u;
@@ -251,14 +261,15 @@ struct Onset {
   }
 };
 
-/// The direction of a strip that slips from its leading edge on, found by substitutions as in prepare(): how
-/// its angle changes.
+/// Derivatives of the direction of a strip that slips from its leading edge on, found by substitutions as in
+/// prepare().
 struct EdgeDirection {
   static constexpr int substitutions = 3;
   Angle angles[substitutions];
   Pack x[substitutions], y[substitutions];  ///< direction of the slip, with which the elastic slip goes
 
   explicit EdgeDirection(const Group& g) {
+    // the slips of prepare(), against which the traction then lies
     Pack wx = g.wx, wy = g.wy + g.spin;
     for (int n = 0; n < substitutions; ++n) {
       angles[n] = Angle(wx, wy);
@@ -270,7 +281,7 @@ struct EdgeDirection {
     }
   }
 
-  /// With the slip, and with what the elastic slip is multiplied by.
+  /// Change of the angle by changes of the rigid slip and of the factor `elastic` on the elastic slip.
   Pack change(const Group& g, Pack wx, Pack wy, Pack elastic) const {
     Pack angle = angles[0].change(wx, wy);
     for (int n = 1; n < substitutions; ++n)
@@ -280,7 +291,7 @@ struct EdgeDirection {
   }
 };
 
-/// Derivatives of what prepare() sets.
+/// Derivatives of the numbers that prepare() sets.
 inline void differentiate(const StripFastsimTask& task, const Group& g, Derivative (&derivative)[inputs]) {
   const Pack zero = 0.0;
   const Onset onset(g);
@@ -289,6 +300,7 @@ inline void differentiate(const StripFastsimTask& task, const Group& g, Derivati
   const EdgeDirection edge(g);
 
   for (std::int32_t k = 0; k < inputs; ++k) {
+    // growths, slips and the factor on the turning as read_strips() makes them; slips are inputs 0 to 2
     Derivative& d = derivative[k];
     d = {};
     d.gx = (task.gx_constant.d[k] - task.gx_by_y.d[k] * g.y) * g.scale;
@@ -303,6 +315,7 @@ inline void differentiate(const StripFastsimTask& task, const Group& g, Derivati
     }
     d.wy += task.torsion.d[k];
     d.turning = task.turning.d[k] / task.turning.value;
+    // onset; at the leading edge the direction is that of the edge, not of growth
     onset.differentiate(g, d.gx, d.gy, d.curvature, d);
     if (any_at_edge) d.angle = select(at_edge, edge.change(g, d.wx, d.wy + d.spin, zero), d.angle);
     d.over_cell = advance_over(d, zero, 2.0 / task.cells);

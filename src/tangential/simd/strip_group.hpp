@@ -1,5 +1,5 @@
-/// What both marches do with a group of strips, one strip per lane, before and after marching: where the
-/// strips lie, which cells lie in their first stick zones, and what the cells' tractions sum up to.
+/// A group of strips, one strip per lane, before and after marching, for both marches: places of the strips,
+/// cells in their first stick zones, sums of tractions and forces.
 #pragma once
 
 #include "base/pack.hpp"
@@ -8,7 +8,7 @@
 namespace wrc::simd {
 namespace {
 
-/// What a kernel computes, besides the forces: each is a kernel of its own.
+/// Results of a kernel besides the forces: each is a kernel of its own.
 enum class Output { forces, fields, sensitivities };
 
 /// Groups of strips that are marched side by side, so that one computes while another waits for a root.
@@ -49,6 +49,8 @@ inline void place(const double* width, const double* half_length, std::int32_t c
 
 /// Sets the first stick zones, `stick` cells long.
 inline void set_stick_zone(Pack stick, std::int32_t cells, StripGroup& g) {
+  // a cell belongs to the zone if its middle does; the shortest and the longest zone of the strips, not of
+  // lanes without one
   g.stick_cells = nearest_integer(stick);
   double of_strip[lanes];
   store_pack(of_strip, g.stick_cells);
@@ -66,7 +68,7 @@ inline void set_stick_zone(Pack stick, std::int32_t cells, StripGroup& g) {
 struct ForceSums {
   Pack stick_px, stick_py, stick_t_py;
   Pack px, py;
-  Pack py_so_far;  ///< sum over the cells of what py was after each: n - i times the traction of cell i of n
+  Pack py_so_far;  ///< sum over the cells of py after each: n - i times the traction of cell i of n
 };
 
 inline void add_cell(Pack px, Pack py, ForceSums& s) {
@@ -75,12 +77,14 @@ inline void add_cell(Pack px, Pack py, ForceSums& s) {
   s.py_so_far += s.py;
 }
 
-/// Forces and moment of each lane.
+/// Forces [N] and moment [N m] of each lane.
 struct LaneForces {
   double fx[lanes], fy[lanes], mz[lanes];
 };
 
 inline LaneForces lane_forces(const StripGroup& g, std::int32_t cells, const ForceSums& s) {
+  // With t = (i + 1/2) h of cell i of n and sum (n - i) p_i = py_so_far: sum t_i p_i over the cells that
+  // moved is h ((n + 1/2) sum p_i - sum (n - i) p_i). Moment M_z = sum x p_y - y p_x with x = lead - l t.
   const Pack force = g.bound * g.cell, h = 2.0 / cells;
   const Pack px = s.stick_px + s.px, py = s.stick_py + s.py;
   const Pack t_py = s.stick_t_py + h * ((cells + 0.5) * s.py - s.py_so_far);
@@ -94,6 +98,7 @@ inline LaneForces lane_forces(const StripGroup& g, std::int32_t cells, const For
 /// Adds a group's power and areas strip by strip. unslid: cells behind the first stick zone that have not
 /// slid; power: of the slip [N].
 inline void add_power(const StripGroup& g, std::int32_t cells, Pack unslid, Pack power, Sums& total) {
+  // lane by lane, in the order of the strips: the same bits for any width of a pack
   double of_power[lanes], cell[lanes], slid[lanes];
   store_pack(of_power, power);
   store_pack(cell, g.cell);
@@ -145,13 +150,15 @@ inline bool all_wanted(const TangentialFields& fields) {
 WRC_IN_LOOP void store_cell(const TangentialFields& fields, const StripGroup& g, std::int32_t cell,
                             std::int32_t strips, Pack traction_x, Pack traction_y, Pack slip_x, Pack slip_y) {
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) * strips + g.first;
-  if (g.count == lanes && all_wanted(fields)) {  // of most groups: nothing more to ask, field by field
+  // Most groups are full and most calls ask for all fields: one test for four arrays.
+  if (g.count == lanes && all_wanted(fields)) {
     store_pack(fields.traction_x + at, traction_x);
     store_pack(fields.traction_y + at, traction_y);
     store_pack(fields.slip_x + at, slip_x);
     store_pack(fields.slip_y + at, slip_y);
     return;
   }
+  // the last group, or some of the fields
   if (fields.traction_x != nullptr) store(traction_x, fields.traction_x + at, g.count);
   if (fields.traction_y != nullptr) store(traction_y, fields.traction_y + at, g.count);
   if (fields.slip_x != nullptr) store(slip_x, fields.slip_x + at, g.count);

@@ -1,8 +1,8 @@
 /// Derivatives of strip FASTSIM where every strip has numbers of its own: by each of those numbers
 /// (SurfaceStripInput), strip by strip.
 ///
-/// The steps, and what their results change with, are those of strip_fastsim_kernel.hpp. Each input enters a
-/// step in its own way, known when this is compiled.
+/// The steps and their derivatives are those of strip_fastsim_kernel.hpp. The place where an input enters a
+/// step is known at compile time: parts that are zero cost nothing.
 #pragma once
 
 #include "tangential/simd/strip_fastsim_kernel.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 namespace strip {
 
-/// Changes with an input: of the onset of slip, of the state, of the sums.
+/// Derivatives by an input: of the onset of slip, of the state, of the sums.
 struct InputChanges {
   Pack slip_end, kappa, lambda, psi, form;
   Pack angle, ratio, ahead;
@@ -33,13 +33,14 @@ WRC_IN_LOOP void for_inputs(const Act& act) {
   }
 }
 
-/// Derivatives of what prepare() sets.
+/// Derivatives of the numbers that prepare() sets.
 inline void differentiate(const SurfaceStripsTask& task, const Group& g,
                           InputChanges (&changes)[strip_inputs]) {
   const Pack zero = 0.0, one = 1.0;
   const Onset onset(g);
   const EdgeDirection edge(g);
-  // from the direction of growth to that of the edge: start_against_slip()
+  // start_against_slip(): share = t^2 (3 - 2 t), d(share) / d(u_s) = 6 t (1 - t) cells / 2; the chord from
+  // the direction of growth to that of the edge
   const Pack share = start_against_slip(task, g.slip_end);
   const Pack t = larger(zero, one - (0.5 * task.cells) * (2.0 - g.slip_end));
   const Pack share_by_end = select(t > zero, (3.0 * task.cells) * (t * (one - t)), zero);
@@ -56,6 +57,8 @@ inline void differentiate(const SurfaceStripsTask& task, const Group& g,
       onset.differentiate(g, k == strip_growth_x ? 1.0 : 0.0, k == strip_growth_y ? 1.0 : 0.0,
                           k == strip_curvature ? 1.0 : 0.0, d);
     }
+    // angle at the edge by the slips; then of the point on the chord, whose ends turn and which moves along
+    // it
     Pack at_edge = zero;
     if constexpr (k == strip_slip_x) at_edge = edge.change(g, 1.0, 0.0, 0.0);
     if constexpr (k == strip_slip_y || k == strip_spin) at_edge = edge.change(g, 0.0, 1.0, 0.0);
@@ -71,24 +74,25 @@ inline void differentiate(const SurfaceStripsTask& task, const Group& g,
 /// A step for the derivatives; `before`: the state it began with.
 template <bool entering>
 WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, const State& before,
-                               const State& after, const MarchStep& moved,
+                               const State& after, const MarchStep& step,
                                InputChanges (&changes)[strip_inputs]) {
-  const StepSlopes s = step_slopes<entering>(g, cell, before, moved);
-  const CellMeans means = cell_means<entering>(g, cell, moving, after, moved);
+  const StepSlopes s = step_slopes<entering>(g, cell, before, step);
+  const CellMeans means = cell_means<entering>(g, cell, moving, after, step);
   const double h = cell.h;
   for_inputs([&](auto which) {
     constexpr std::int32_t k = decltype(which)::number;
     InputChanges& d = changes[k];
+    // chain rule over the turn: by the state before, then by the input's own part in slip and flexibility
     const Pack bent = s.bend * d.ahead;
     Pack angle = s.kept * d.angle + s.by_y * bent;
     Pack ahead = s.ahead_by_angle * d.angle + s.ahead_by_y * bent;
-    Pack x = 0.0, y = 0.0;  // of the slip over a whole cell
+    Pack x = 0.0, y = 0.0;  // change of the slip over a whole cell
     if constexpr (k == strip_slip_x) x = h;
     if constexpr (k == strip_slip_y) y = h;
     if constexpr (k == strip_spin) y = h * cell.x + (h * h) * s.ahead_before;
     if constexpr (k == strip_elastic) {
-      x = (h * cell.x) * moved.rho_x;
-      y = (-h * cell.x) * moved.rho_y;
+      x = (h * cell.x) * step.rho_x;
+      y = (-h * cell.x) * step.rho_y;
     }
     if constexpr (k == strip_slip_x || k == strip_elastic) {
       angle += s.by_x * x;
@@ -106,6 +110,7 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       angle += s.by_t22;
       ahead += s.ahead_by_t22;
     }
+    // only growths move the onset; the traction before counts where it was below the bound
     if constexpr (entering && k <= strip_curvature) {
       angle += s.by_onset * d.slip_end;
       ahead += s.ahead_by_onset * d.slip_end;
@@ -114,26 +119,27 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       angle += s.by_ratio * d.ratio;
       ahead += s.ahead_by_ratio * d.ratio;
     }
+    // lanes that stick: the traction by its growth over the cell
     Pack ratio = 0.0;
-    if (moved.any_sticks) {
+    if (step.any_sticks) {
       const Growth over_cell{k == strip_growth_x ? h : 0.0, k == strip_growth_y ? h : 0.0,
                              k == strip_curvature ? h : 0.0};
-      stick_derivative<entering>(g, s, cell, before, after, moved, over_cell, d, ratio, angle);
+      stick_derivative<entering>(g, s, cell, before, after, step, over_cell, d, ratio, angle);
     }
-    end_derivative<entering>(g, moving, before, after, moved, means, ratio, angle, ahead, d);
+    end_derivative<entering>(g, moving, before, after, step, means, ratio, angle, ahead, d);
   });
 }
 
-/// What follows the turn in a cell: settle() of strip_fastsim_kernel.hpp for these derivatives.
+/// The part of a cell behind the turn: settle() of strip_fastsim_kernel.hpp for these derivatives.
 template <bool entering, Output output>
-WRC_IN_LOOP void settle(const StripFastsimMarch&, const Cell& cell, Mask moves, MarchStep& moved, Marching& m,
+WRC_IN_LOOP void settle(const StripFastsimMarch&, const Cell& cell, Mask moves, MarchStep& step, Marching& m,
                         InputChanges (&changes)[strip_inputs]) {
   const State before = m.state;
-  if constexpr (entering) moved.shape = stick_shape<true>(m.group, cell, m.stick);
-  end_step<entering>(m.group, cell, moves, moved, m.state, m.sums);
-  differentiate<entering>(m.group, cell, moves, before, m.state, moved, changes);
+  if constexpr (entering) step.shape = stick_shape<true>(m.group, cell, m.stick);
+  end_step<entering>(m.group, cell, moves, step, m.state, m.sums);
+  differentiate<entering>(m.group, cell, moves, before, m.state, step, changes);
   if constexpr (entering)
-    stick<true, true>(m.group, cell, moves, moved.shape, false, m.stick, m.sums, changes);
+    stick<true, true>(m.group, cell, moves, step.shape, false, m.stick, m.sums, changes);
 }
 
 /// See march_groups().
@@ -159,6 +165,7 @@ struct SlopesMarch {
     stick<false, true>(m.group, cell, none, shape, false, m.stick, m.sums, changes);
   }
   void finish(Marching& m, InputChanges (&changes)[inputs]) const {
+    // rows of `slopes`: fx, fy, mz by each input
     add_stick(m.group, m.stick, m.sums);
     store_forces(m.group, task.cells, m.sums.force, task.fx, task.fy, task.mz);
     for (std::int32_t k = 0; k < inputs; ++k) {

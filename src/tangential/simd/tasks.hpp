@@ -1,4 +1,4 @@
-/// What crosses between the methods and the kernels of an instruction set: plain data, no constructors.
+/// Tasks and results of the kernels of an instruction set: plain data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +22,15 @@ struct Coefficient {
   double d[inputs];
 };
 
-/// What a kernel finds, summed over the strips in their order.
+/// Results of a kernel, summed over the strips in their order.
 struct Sums {
   double fx, fy, mz;       ///< [N], [N m]
   double power_per_speed;  ///< [N]
   double area, slid_area;  ///< [m^2]
-  double d[3][inputs];     ///< of fx, fy, mz; zero if not asked for
+  double d[3][inputs];     ///< derivatives of fx, fy, mz; zero if not asked for
 };
 
-/// What every such march needs, wherever the numbers of its strips come from.
+/// Common part of MarchTask and SurfaceMarchTask.
 struct MarchCells {
   std::int32_t strips, cells;
   bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
@@ -62,15 +62,15 @@ struct SurfaceMarchTask : MarchCells {
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
 };
 
-/// What every march of strip FASTSIM needs, wherever the numbers of its strips come from.
+/// Common part of StripFastsimTask and SurfaceStripsTask.
 struct StripFastsimMarch {
   std::int32_t strips, cells;
   const BoundShape* shape;
-  const double* inverse_weight;  ///< of the cells of the first stick zone (march_grid.hpp)
+  const double* inverse_weight;  ///< weights of the cells of the first stick zone (march_grid.hpp)
   const TangentialFields* fields;
 };
 
-/// Strip FASTSIM (strip_fastsim.hpp): what the patch, its load and the creepages make of the model. Tractions
+/// Strip FASTSIM (strip_fastsim.hpp): its model for a patch, its load and the creepages. Tractions
 /// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
 /// L x, with the flexibilities l11, l22; that part of it which differs between x and y, by 2 elastic x.
 struct StripFastsimTask : StripFastsimMarch {
@@ -78,8 +78,8 @@ struct StripFastsimTask : StripFastsimMarch {
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   double nu_x, nu_y, phi, friction;
   Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
-  double l11, l22;      ///< of the stick zone [m/Pa]
-  double t11, t22;      ///< for the turning of slip [m/Pa]
+  double l11, l22;      ///< flexibilities of the stick zone [m/Pa]
+  double t11, t22;      ///< flexibilities for the turning of slip [m/Pa]
   Coefficient turning;  ///< factor on them
   Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
   double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
@@ -91,18 +91,18 @@ struct StripFastsimTask : StripFastsimMarch {
 struct SurfaceStripsTask : StripFastsimMarch {
   const double *width, *half_length;  ///< [m]
   const double* bound;                ///< traction bound at the strip's middle [Pa]
-  const double *growth_x, *growth_y;  ///< of adhesion tractions at the strip's middle
+  const double *growth_x, *growth_y;  ///< growth of adhesion tractions at the strip's middle
   const double* curvature;            ///< their growth along y changes by 2 curvature per half length
   const double *slip_x, *slip_y;      ///< rigid slip at the strip's middle [-], torsion included
   const double* spin;                 ///< [1/m]
-  const double* elastic;              ///< elastic slip at the leading edge, what differs between x and y [-]
+  const double* elastic;              ///< elastic slip at the leading edge: difference between x and y [-]
   const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
   const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
   const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
 
-/// What the forces of one of these strips depend on, besides its size and bound, to which they are
+/// Numbers that the forces of one of these strips depend on, besides its size and bound, to which they are
 /// proportional.
 enum SurfaceStripInput : std::int32_t {
   strip_growth_x,

@@ -21,7 +21,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Where slip sets in z is small, or e is along the slip already.
+/// `ahead` where slip sets in: z is small there, or e is along the slip already.
 constexpr double first_ahead = 0.5;
 
 /// The packs of two groups of strips. The processor looks some hundred operations ahead, which is no more
@@ -44,7 +44,7 @@ inline TwoPacks larger(TwoPacks x, TwoPacks y) {
   return {larger(x.first, y.first), larger(x.second, y.second)};
 }
 
-/// A step, and what it computes on its way for its derivatives. P: packs of one group or of two.
+/// A step, with the intermediate numbers that its derivatives need. P: packs of one group or of two.
 template <class P>
 struct TurnOf {
   P Vx, Vy;         ///< slip times dv, where it is seen
@@ -56,7 +56,7 @@ struct TurnOf {
 };
 using Turn = TurnOf<Pack>;
 
-/// A step to be turned: slip times dv, what resists, direction.
+/// A step to be turned: slip times dv, resistance d, direction.
 WRC_IN_LOOP Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
   Turn t;
   t.Vx = Vx;
@@ -70,26 +70,30 @@ WRC_IN_LOOP Turn begin_turn(Pack Vx, Pack Vy, Pack d, Pack ex, Pack ey) {
 /// Turns (ex, ey) against the slip V over a step.
 template <class P>
 WRC_IN_LOOP void turn(TurnOf<P>& t) {
+  // r = |V|, s = d + r and the next step's `ahead` 1 / (2 + z) = d / 2s
   t.r = root(t.Vx * t.Vx + t.Vy * t.Vy);
   t.s = larger(t.d + t.r, 1e-150);
   t.ahead = (0.5 * t.d) / t.s;
+  // c half-way between e and its new direction
   const P keep = t.d * t.d + t.r * t.s;
   t.cx = keep * t.ex - t.s * t.Vx;
   t.cy = keep * t.ey - t.s * t.Vy;
-  // c may vanish by rounding where e lies along a V far larger than d: then e is turned round, as it should
-  // be
+  // e' = 2 (e.c / c.c) c - e. c may vanish by rounding where e lies along a V far larger than d: then e is
+  // turned round, as it should be.
   const P square = larger(t.cx * t.cx + t.cy * t.cy, 1e-280);
   const P along = t.ex * t.cx + t.ey * t.cy;
   const P twice = (along + along) / square;
   t.ex = twice * t.cx - t.ex;
   t.ey = twice * t.cy - t.ey;
 
+  // for slopes(); where nobody asks for those the compiler leaves the divides out
   t.per_rs = 1.0 / larger(t.r * t.s, 1e-280);
   t.per_c = 1.0 / square;
 }
 
 /// The same for two groups at once.
 WRC_IN_LOOP void turn(Turn& a, Turn& b) {
+  // one text for both: operations of the two groups alternate
   TurnOf<TwoPacks> t;
   t.Vx = {a.Vx, b.Vx};
   t.Vy = {a.Vy, b.Vy};
@@ -105,8 +109,8 @@ WRC_IN_LOOP void turn(Turn& a, Turn& b) {
   b = part(&TwoPacks::second);
 }
 
-/// How the angle of e after a step changes with its angle before, with V and with d; how `ahead` does.
-/// From angle' = angle + 2 atan2(e x c, e . c).
+/// Derivatives of the angle of e after a step, and of `ahead`, by the angle before, by V and by d. From
+/// angle' = angle + 2 atan2(e x c, e . c).
 struct TurnSlopes {
   Pack kept, by_x, by_y, by_d;
   Pack ahead_by_x, ahead_by_y, ahead_by_d;
@@ -114,6 +118,8 @@ struct TurnSlopes {
 
 /// (ex, ey): the direction before the step.
 WRC_IN_LOOP TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
+  // angle of e: kept = d^2 (d^2 + 2 r s) / c.c of it stays; by V: its turning, 2 s / c.c times c across V,
+  // and its size r and d through the weights of c, times 2 (e x V) / c.c
   TurnSlopes s;
   const Pack twice = t.per_c + t.per_c, d2 = t.d * t.d, rs = t.r * t.s;
   const Pack across = twice * (ex * t.Vy - ey * t.Vx);
@@ -122,6 +128,7 @@ WRC_IN_LOOP TurnSlopes slopes(const Turn& t, Pack ex, Pack ey) {
   s.by_x = along * t.cy + by_r * t.Vx;
   s.by_y = by_r * t.Vy - along * t.cx;
   s.by_d = across * (t.d * (t.s + t.r));
+  // ahead = d / 2s = d / (2 (d + r))
   const Pack ahead_by_r = t.ahead * t.per_rs;  // over r, less than zero
   s.ahead_by_x = -(ahead_by_r * t.Vx);
   s.ahead_by_y = -(ahead_by_r * t.Vy);

@@ -225,40 +225,6 @@ void run_plain_numbers(wrc_contact*, Hash& hash) {
   }
 }
 
-/// A wheel on a rail, even numbers on the right side: tread, two regions, flange, apart; at a given height or
-/// under a given load.
-wrc_wheel_input wheel_on_rail(int i, Numbers& numbers) {
-  wrc_wheel_input input = wrc_wheel_input_default();
-  wrc_wheel_state& wheel = input.wheel;
-  wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
-  wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
-  const double outward = i % 2 == 0 ? 1.0 : -1.0;
-  wheel.y = outward * numbers.between(-6e-3, 6.9e-3);
-  wheel.z = numbers.between(-0.3e-3, 0.4e-3);
-  wheel.roll = numbers.between(-0.2e-3, 0.2e-3);
-  wheel.yaw = numbers.between(-0.02, 0.02);
-  const double speed = i % 8 == 0 ? 0.0 : numbers.between(-60.0, 60.0);
-  wheel.velocity[0] = speed;
-  wheel.velocity[1] = numbers.between(-0.1, 0.1);
-  wheel.velocity[2] = numbers.between(-0.05, 0.05);
-  wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
-  wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
-  wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
-  wrc_rail_state rail = sized<wrc_rail_state>();
-  rail.y = numbers.between(-1e-3, 1e-3);
-  rail.roll = numbers.between(-5e-3, 5e-3);
-  rail.z_velocity = numbers.between(-0.05, 0.05);
-  if (i % 4 != 0) input.rail = rail;
-  if (i % 6 == 0) input.friction.coefficient = 0.0;
-  if (i % 7 == 3) {
-    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-    input.vertical_load = numbers.between(2e4, 1.2e5);
-  } else {
-    input.damping = numbers.between(0.0, 0.3);
-  }
-  return input;
-}
-
 void add_forces(const wrc_wrench& wrench, Hash& hash) {
   for (const double* each : {wrench.force, wrench.moment, wrench.rail_moment})
     for (int k = 0; k < 3; ++k) hash.add(each[k]);
@@ -527,6 +493,38 @@ void run_refused(wrc_contact* contact, Hash& hash) {
 
 }  // namespace
 
+wrc_wheel_input wheel_on_rail(int i, Numbers& numbers) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wheel.reference = i % 3 == 0 ? WRC_REFERENCE_WHEEL : WRC_REFERENCE_WHEELSET;
+  wheel.angular_axes = i % 5 == 0 ? WRC_AXES_TRACK : WRC_AXES_BODY;
+  const double outward = i % 2 == 0 ? 1.0 : -1.0;
+  wheel.y = outward * numbers.between(-6e-3, 6.9e-3);
+  wheel.z = numbers.between(-0.3e-3, 0.4e-3);
+  wheel.roll = numbers.between(-0.2e-3, 0.2e-3);
+  wheel.yaw = numbers.between(-0.02, 0.02);
+  const double speed = i % 8 == 0 ? 0.0 : numbers.between(-60.0, 60.0);
+  wheel.velocity[0] = speed;
+  wheel.velocity[1] = numbers.between(-0.1, 0.1);
+  wheel.velocity[2] = numbers.between(-0.05, 0.05);
+  wheel.angular_velocity[0] = numbers.between(-0.1, 0.1);
+  wheel.angular_velocity[1] = -speed / numbers.between(0.457, 0.463);
+  wheel.angular_velocity[2] = numbers.between(-0.1, 0.1);
+  wrc_rail_state rail = sized<wrc_rail_state>();
+  rail.y = numbers.between(-1e-3, 1e-3);
+  rail.roll = numbers.between(-5e-3, 5e-3);
+  rail.z_velocity = numbers.between(-0.05, 0.05);
+  if (i % 4 != 0) input.rail = rail;
+  if (i % 6 == 0) input.friction.coefficient = 0.0;
+  if (i % 7 == 3) {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = numbers.between(2e4, 1.2e5);
+  } else {
+    input.damping = numbers.between(0.0, 0.3);
+  }
+  return input;
+}
+
 void add_plain_calls(Plan& plan) {
   const std::size_t model = plan.models.size();
   wrc_config& config = plan.models.emplace_back(test_config());
@@ -611,5 +609,6 @@ Plan golden_plan() {
   add_host_data(plan);
   add_laws(plan);
   add_plain_calls(plan);
+  add_exact(plan);
   return plan;
 }

@@ -71,6 +71,11 @@ void add_poses(Plan& plan);        ///< steps from a pose: methods, creepages, g
 void add_host_data(Plan& plan);    ///< gaps, strips and patches of the host
 void add_laws(Plan& plan);         ///< friction over place and speed, sensitivities of the forces
 void add_plain_calls(Plan& plan);  ///< wear, motion, coefficients, profiles, refused input
+void add_exact(Plan& plan);        ///< the exact solver of wrc_offline.h
+
+/// A wheel on a rail, even numbers on the right side: tread, two regions, flange, apart; at a given height or
+/// under a given load.
+wrc_wheel_input wheel_on_rail(int i, Numbers& numbers);
 
 /// How far the stages of a contact have come.
 enum class Reached { gap, tangential, damage };

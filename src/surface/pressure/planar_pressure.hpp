@@ -24,11 +24,11 @@
 #include "normal/problem.hpp"
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/rail_strips.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/pressure.hpp"
 
 namespace wrc {
 
-struct PlanarNormal {
+struct PlanarMethod {
   Fault (*solve)(const NormalProblem& problem, Strips& strips, NormalSolution& solution) = nullptr;
   std::int32_t strips = 0;  ///< to divide a patch into
   std::int32_t max_iterations = 0;
@@ -45,11 +45,12 @@ struct PlanarResult {
 };
 
 /// Doubles of working memory for at most so many candidates.
-std::int64_t planar_normal_doubles(std::int32_t most, const PlanarNormal& method);
+std::int64_t planar_pressure_doubles(std::int32_t most, const PlanarMethod& method);
 
 /// Solves at the depths given; `overlaps` found with planar_margin.
-PlanarResult solve_planar_normal(const RailStrips& rail, const Overlaps& overlaps, const PlanarNormal& method,
-                                 const Material& material, const Kernels& kernels, double* workspace,
-                                 const SurfacePressure& pressure) noexcept;
+PlanarResult solve_planar_pressure(const RailStrips& rail, const Overlaps& overlaps,
+                                   const PlanarMethod& method, const Material& material,
+                                   const Kernels& kernels, double* workspace,
+                                   const StripPressure& pressure) noexcept;
 
 }  // namespace wrc

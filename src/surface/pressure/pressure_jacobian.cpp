@@ -1,10 +1,10 @@
-#include "surface/pressure/normal_slopes.hpp"
+#include "surface/pressure/pressure_jacobian.hpp"
 
 #include <algorithm>
 
 #include "base/cutter.hpp"
 #include "base/number.hpp"
-#include "surface/pressure/surface_means.hpp"
+#include "surface/pressure/smoothing.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc {
@@ -66,7 +66,7 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
   double sum[directions];
-  kernels.surface.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.strength, w.growing, w.direction, row, sum});
+  kernels.surface.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.line_load, w.growing, w.direction, row, sum});
   double* const by_c = row + 2 * n;
   for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
   const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
@@ -79,10 +79,9 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
 }
 
 /// The rows of contact, and those of levels and shifts before the means over neighbours are taken.
-void fill(const InfluenceTables& influence, const Kernels& kernels, const PressedStrips& s, const Size& size,
-          Scratch& w) {
+void fill(const PressureModel& model, const PressedStrips& s, const Size& size, Scratch& w) {
   const std::int32_t n = s.count;
-  const simd::SurfaceTables tables{influence.tables(), influence.mean_under.data()};
+  const simd::SurfaceTables tables{model.influence.tables(), model.influence.mean_under.data()};
   const simd::SurfaceSources sources{n, w.place, w.centre, w.inverse_length, w.half_width, w.factor};
   for (std::int32_t a = 0; a < n; ++a) {
     double* const contact = w.matrix + a * size.stride;
@@ -90,22 +89,22 @@ void fill(const InfluenceTables& influence, const Kernels& kernels, const Presse
     double* const shift = w.matrix + (2 * n + a) * size.stride;
     for (double* row : {contact, level, shift}) std::fill_n(row + 3 * n, size.stride - 3 * n, 0.0);
     const OverlapSlopes& o = s.overlap[a];
-    const double q = s.strength[a], l = w.l[a], kappa = o.curvature.value;
+    const double q = s.line_load[a], l = w.l[a], kappa = o.curvature.value;
     const double aside = s.centre[a] - o.centre.value;
     const double depth = o.depth.value - 0.5 * kappa * aside * aside;  // at the centre
     const double by_centre = -kappa * aside;
     const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x}; };
 
-    kernels.surface.influence_slopes(tables, sources, point(w.centre[a]), w.seen);
-    const Displacement middle = fill_row(kernels, s, w, a, contact);
+    model.kernels.surface.influence_slopes(tables, sources, point(w.centre[a]), w.seen);
+    const Displacement middle = fill_row(model.kernels, s, w, a, contact);
     contact[2 * n + a] -= by_centre;
 
     // Rows of u+ and u-, then of what they mean for level and shift: level = q kappa / (2 drop).
-    kernels.surface.edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
-    const Displacement leading = fill_row(kernels, s, w, a, level);
+    model.kernels.surface.edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
+    const Displacement leading = fill_row(model.kernels, s, w, a, level);
     level[n + a] += leading.by_x * w.growth[a];
-    kernels.surface.edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
-    const Displacement trailing = fill_row(kernels, s, w, a, shift);
+    model.kernels.surface.edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
+    const Displacement trailing = fill_row(model.kernels, s, w, a, shift);
     shift[n + a] -= trailing.by_x * w.growth[a];
 
     const double drop = depth - 0.5 * (leading.value + trailing.value);
@@ -147,10 +146,10 @@ struct Reading {
   double by_value[2 * most_within_reach], by_strength[2 * most_within_reach];
 };
 
-/// Mean of strip a's neighbours (level_reach), or their line (shift_reach, SurfaceKernels::near_lines).
+/// Mean of strip a's neighbours (lambda_reach), or their line (shift_reach, SurfaceKernels::near_lines).
 template <bool line>
 void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* wanted, Reading& r) {
-  const double reach = line ? shift_reach(s.width[a]) : level_reach(s.width[a]);
+  const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a]);
   r.from = a;
   while (r.from > 0 && a - r.from < most_within_reach && w.place[a] - w.place[r.from - 1] < reach) --r.from;
   double y[2 * most_within_reach], near[2 * most_within_reach];
@@ -161,7 +160,7 @@ void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
     if (at >= 1.0) break;
     y[r.several] = at;
     near[r.several] = smoothing_weight(at) * s.width[b];
-    const double weight = near[r.several] * s.strength[b];
+    const double weight = near[r.several] * s.line_load[b];
     weights += weight;
     v += weight * wanted[b];
     if constexpr (line) {
@@ -185,7 +184,7 @@ void read_near(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   for (std::int32_t i = 0; i < r.several; ++i) {
     const double aside = y[i] - mean_y, lever = line ? 1.0 - mean_y * aside / spread : 1.0;
     const double off = wanted[r.from + i] - mean - slope * aside;  // the line
-    r.by_value[i] = near[i] * s.strength[r.from + i] * per * lever;
+    r.by_value[i] = near[i] * s.line_load[r.from + i] * per * lever;
     r.by_strength[i] = near[i] * per * (off * lever + mean_y * slope * least_line_spread / spread);
   }
 }
@@ -253,14 +252,13 @@ void substitute(const Size& size, Scratch& w) {
 
 }  // namespace
 
-std::int64_t normal_slopes_doubles(std::int32_t most) {
+std::int64_t pressure_jacobian_doubles(std::int32_t most) {
   Scratch w;
   double nothing = 0.0;
   return cut(&nothing, most, w);
 }
 
-void differentiate_pressures(const InfluenceTables& influence, const Kernels& kernels, double compliance,
-                             double* memory, const PressedStrips& s) noexcept {
+void differentiate_pressures(const PressureModel& model, double* memory, const PressedStrips& s) noexcept {
   const std::int32_t n = s.count;
   if (n == 0) return;
   Scratch w;
@@ -278,12 +276,12 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     w.centre[a] = pads ? 0.0 : s.centre[a];
     w.inverse_length[a] = inverse;
     w.half_width[a] = 0.5 * width * inverse;
-    w.factor[a] = compliance * width * inverse;
+    w.factor[a] = model.compliance * width * inverse;
     w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
     w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
   }
   for (std::int32_t a = 0; a < n; ++a) {
-    w.growing[a] = w.growth[a] * s.strength[a];
+    w.growing[a] = w.growth[a] * s.line_load[a];
     const OverlapSlopes& o = s.overlap[a];
     double* const direction = w.direction + a * directions;
     direction[0] = w.ny[a];
@@ -292,13 +290,13 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     std::copy_n(o.nz.d.begin(), inputs, direction + 2 + inputs);
     std::fill(direction + 2 + 2 * inputs, direction + directions, 0.0);
   }
-  fill(influence, kernels, s, size, w);
-  smooth(kernels, s, size, w);
+  fill(model, s, size, w);
+  smooth(model.kernels, s, size, w);
   for (std::int32_t a = 3 * n; a < size.rows; ++a) {
     std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
     w.matrix[a * size.stride + a] = 1.0;
   }
-  kernels.normal.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
+  model.kernels.normal.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
   substitute(size, w);
   const auto changed = [&](std::int32_t row, double value) {
     PlaceDual number = value;
@@ -307,9 +305,9 @@ void differentiate_pressures(const InfluenceTables& influence, const Kernels& ke
     return number;
   };
   for (std::int32_t a = 0; a < n; ++a) {
-    s.changed_strength[a] = changed(a, s.strength[a]);
-    s.changed_length_squared[a] = changed(n + a, s.length_squared[a]);
-    s.changed_centre[a] = changed(2 * n + a, s.centre[a]);
+    s.line_load_dual[a] = changed(a, s.line_load[a]);
+    s.length_squared_dual[a] = changed(n + a, s.length_squared[a]);
+    s.centre_dual[a] = changed(2 * n + a, s.centre[a]);
   }
 }
 

@@ -1,10 +1,12 @@
-/// What the tractions of a solution do to the bodies: damage, wear, temperatures, stresses. Calls by index
-/// leave the contact as it is; the stage of damage is of all patches and keeps the power of their strips.
+/// Effects of a solution's tractions on the bodies: damage, wear, temperatures, stresses. Calls by index
+/// leave the contact as it is; the stage of damage takes all patches and keeps the power of their strips.
+#include "contact/assessments.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "contact/region.hpp"
 #include "contact/rolled_region.hpp"
+#include "contact/stages.hpp"
 #include "contact/temperature_sums.hpp"
 #include "damage/cells.hpp"
 #include "damage/fatigue.hpp"
@@ -40,30 +42,29 @@ void for_regions(Contact& contact, std::int32_t index, Use&& use) {
   }
 }
 
-/// The stages' tangential one, and contact.
+/// Refuses stages that have not rolled, and flags bodies that are apart.
 Fault rolling_needed(const Contact& contact) {
   if (contact.reached < Stage::tangential) {
-    return {.status = WRC_ERROR_SEQUENCE, .field = "forces", .cause = "call wrc_planar_tangential first"};
+    return Fault::sequence("forces", "call wrc_planar_tangential first");
   }
-  if (!contact.touching) return {.status = WRC_FLAG_NO_CONTACT};
+  if (!contact.touching) return Fault::no_contact();
   return {};
 }
 
-/// Why nothing can be made of the tractions of a region.
+/// Why the tractions of a region cannot be used; `why_not`: see tractions_needed().
 Fault region_tractions_needed(const Contact& contact, std::int32_t index, const char* why_not) {
   const Fault fault = check_region(contact, index, true);
   if (fault.status != WRC_OK) return fault;
   if (contact.newest == Solution::stages) return tractions_needed(contact, why_not);
   if (has_tractions(contact)) return {};
-  return {.status = WRC_ERROR_UNSUPPORTED,
-          .field = "config.tangential.method",
-          .cause = "whole patches rolled: their strips have no tractions"};
+  return Fault::unsupported("config.tangential.method",
+                            "whole patches rolled: their strips have no tractions");
 }
 
 // ----------------------------------------------------------------------------------------------------------
 // damage
 
-/// The place of a region in the shakedown map.
+/// Copies a point of the shakedown map, its limit and its fatigue index.
 void place_in_map(const ShakedownPoint& point, DamageNumbers& damage) {
   damage.fatigue_index = fatigue_index(point);
   damage.utilisation = point.utilised_friction;
@@ -71,7 +72,7 @@ void place_in_map(const ShakedownPoint& point, DamageNumbers& damage) {
   damage.shakedown_limit = shakedown_limit(point.utilised_friction);
 }
 
-/// Damage of one patch or all; `into(patch, rolled)`: where numbers over a patch's cells go.
+/// Damage of one patch or all; `into(patch, rolled)`: arrays for numbers over a patch's cells.
 template <class Into>
 DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& into) {
   const ModelOptions& options = contact.model->options;
@@ -80,6 +81,7 @@ DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& int
   if (with_cells) damage.local_fatigue_index = no_fatigue_index;
   const PatchRange range(contact, index);
   for (std::int32_t k = range.first; k < range.end; ++k) {
+    // Power [W] and the largest numbers of the cells; without cells the power of the patch as a whole.
     const Patch& patch = contact.patch[k];
     if (with_cells) {
       const RolledRegion rolled(contact, patch);
@@ -97,15 +99,17 @@ DamageNumbers damage_of_patches(Contact& contact, std::int32_t index, Into&& int
                             : patch.extent.peak_pressure;
     const ShakedownPoint point =
         shakedown_point(patch.forces, patch.extent.normal_force, peak, options.shear_yield);
-    // Of several patches the numbers are those of the one nearest to damage.
+    // With several patches the point in the map is that of the one nearest to damage.
     if (k == range.first || fatigue_index(point) > damage.fatigue_index) place_in_map(point, damage);
   }
+  // T-gamma of the sums [N].
   const TangentialForces& forces = index == all_regions ? contact.forces : contact.patch[range.first].forces;
   damage.t_gamma = t_gamma(forces);
   damage.t_gamma_no_spin = t_gamma_without_spin(forces, contact.creepage);
   return damage;
 }
 
+/// Damage of a wheel's region: resultants of its strips in the plane of contact, then its cells.
 DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
   const WheelSums sums = wheel_sums(contact, index);
   DamageNumbers damage;
@@ -115,6 +119,7 @@ DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
   place_in_map(shakedown_point(sums.forces, sums.extent.normal_force, sums.extent.peak_pressure,
                                contact.model->options.shear_yield),
                damage);
+  // A region rolled as a whole has no cells: their numbers stay 0.
   if (!has_tractions(contact)) return damage;
   const RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
   const CellDamage found = assess(contact, rolled, rolled.work);
@@ -126,20 +131,22 @@ DamageNumbers damage_of_wheel(Contact& contact, std::int32_t index) {
 // ----------------------------------------------------------------------------------------------------------
 // wear
 
-/// What friction takes in a cell, over the speed [N/m^2]. That is not negative; the march may leave a trace
-/// of the other sign beside a stick zone.
+/// Frictional power density over the speed, -s . p, in a cell [N/m^2]. It is not negative in theory; the
+/// march may leave a trace of the other sign beside a stick zone.
 double work_in(const TangentialFields& fields, std::int32_t at) {
   return std::max(0.0,
                   -(fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at]));
 }
 
-/// Wear over the cells of one region, of which the largest count.
+/// Largest wear rates over the cells of one region; `per_width`: volume by Sheffield's law, one number per
+/// strip [m^3/m per m].
 void add_wear(const RolledRegion& rolled, const WearLaws& laws, double* per_width, WearNumbers& wear) {
   const TangentialFields& fields = rolled.fields;
   const auto most = [](double& largest, double value) { largest = std::max(largest, value); };
   for (std::int32_t j = 0; j < rolled.strips.count; ++j) {
     per_width[j] = worn_of_strip(rolled, laws.sheffield, j, wear.largest_depth_rate);
     for (std::int32_t i = 0; i < rolled.cells(); ++i) {
+      // Power law: V |s . p|; Archard's: pressure times sliding speed V |s|.
       const std::int32_t at = i * rolled.strips.count + j;
       const double sx = fields.slip_x[at], sy = fields.slip_y[at];
       most(wear.largest_power_depth_velocity,
@@ -150,6 +157,7 @@ void add_wear(const RolledRegion& rolled, const WearLaws& laws, double* per_widt
   }
 }
 
+/// Cross section worn off per distance rolled [m^2/m] by T-gamma [N].
 double worn_area(const Contact& contact, const WearLaws& laws, double t_gamma) {
   return worn_area_rate(laws.t_gamma, t_gamma, 2.0 * contact.model->options.wheelset.nominal_radius);
 }
@@ -176,7 +184,8 @@ BodyStresses stresses_under(const LoadLanes& loads, const double* depths, std::i
   BodyStresses stresses;
   stresses.surface = loads.peaks(0.0);
   double deepest = 0.0;
-  // Of each number the largest below, and the depths on both sides of it.
+  // Largest value of each of the three numbers below the surface, bracketed by the listed depths on both
+  // sides of it.
   constexpr StressPeak StressPeaks::*each[3] = {&StressPeaks::von_mises, &StressPeaks::shear,
                                                 &StressPeaks::tension};
   double low[3] = {}, high[3] = {};
@@ -194,13 +203,14 @@ BodyStresses stresses_under(const LoadLanes& loads, const double* depths, std::i
     stresses.below.take(found);
     deepest = depths[k];
   }
+  // Between the listed depths the largest is refined by golden sections beneath its place.
   const StressPeaks listed = stresses.below;
   for (int number = 0; number < 3 && listed.any; ++number)
     loads.refine(listed.*each[number], each[number], low[number], high[number], stresses.below);
   return stresses;
 }
 
-/// The body that stresses are looked for in, and the depths.
+/// Body and depths of a search for stresses.
 struct StressTask {
   bool in_rail;
   const double* depths;
@@ -211,16 +221,17 @@ struct StressTask {
     const ModelOptions& options = contact.model->options;
     return {in_rail ? options.rail_poisson : options.wheel_poisson, *contact.model->kernels};
   }
-  /// strips_of_all: of all regions that are added.
+  /// strips_of_all: number of strips of all regions that are added.
   void add(const RolledRegion& rolled, std::int32_t strips_of_all, LoadLanes& loads) const {
     loads.add_patch(rolled.strips, rolled.grid->middles.pressure, rolled.fields, rolled.cells(),
-                    strips_of_all, rolled.way, in_rail ? -1.0 : 1.0);
+                    strips_of_all, rolled.way, in_rail ? -1.0 : 1.0);  // tractions act on the wheel
   }
 };
 
 BodyStresses stresses_of_patches(Contact& contact, std::int32_t index, const StressTask& task) {
   const PatchRange range(contact, index);
   std::int32_t strips = 0;
+  // Lanes are shared out among the patches by their numbers of strips.
   for (std::int32_t k = range.first; k < range.end; ++k) strips += contact.patch[k].region_count;
   LoadLanes loads = task.lanes(contact);
   for (std::int32_t k = range.first; k < range.end; ++k)
@@ -229,7 +240,8 @@ BodyStresses stresses_of_patches(Contact& contact, std::int32_t index, const Str
 }
 
 BodyStresses stresses_of_wheel(Contact& contact, std::int32_t index, const StressTask& task) {
-  // The march before the lanes: each of them takes half of the stack that a call may use.
+  // The region marches before the lanes are made: each of the two takes half of the stack that a call may
+  // use.
   const RolledRegion rolled(contact, contact.wheel.wrench.region[index]);
   LoadLanes loads = task.lanes(contact);
   task.add(rolled, rolled.strips.count, loads);
@@ -254,6 +266,7 @@ CellDamage assess(const Contact& contact, const RolledRegion& rolled, const Cell
 
 double worn_of_strip(const RolledRegion& rolled, const SheffieldWearLaw& law, std::int32_t strip,
                      double& largest) {
+  // Depth rates of the cells [m/m], all of one length 2 L / cells.
   double sum = 0.0;
   for (std::int32_t i = 0; i < rolled.cells(); ++i) {
     const double rate = wear_depth_rate(law, work_in(rolled.fields, i * rolled.strips.count + strip));
@@ -274,6 +287,7 @@ Fault region_damage(Contact& contact, std::int32_t index, DamageNumbers& damage)
     damage = damage_of_wheel(contact, index);
     return {};
   }
+  // Numbers over cells go to work space: the stage's own results stay.
   if (fault = rolling_needed(contact); fault.status != WRC_OK) return fault;
   damage =
       damage_of_patches(contact, index, [](const Patch&, const RolledRegion& rolled) { return rolled.work; });
@@ -287,6 +301,7 @@ Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, We
   const TangentialForces forces = contact.newest == Solution::wheel ? wheel_sums(contact, index).forces
                                   : index == all_regions            ? contact.forces
                                                                     : contact.patch[index].forces;
+  // T-gamma takes the resultants, the other laws take the cells.
   wear.worn_area_rate = worn_area(contact, laws, t_gamma(forces));
   for_regions(contact, index,
               [&](RolledRegion& rolled) { add_wear(rolled, laws, rolled.work.strip_power, wear); });
@@ -319,12 +334,12 @@ Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const 
 }
 
 // ----------------------------------------------------------------------------------------------------------
-// of the stages
+// stages
 
 Fault tractions_needed(const Contact& contact, const char* why_not) {
   const Fault fault = rolling_needed(contact);
   if (fault.failed() || gives_fields(contact)) return fault;
-  return {.status = WRC_ERROR_UNSUPPORTED, .field = "config.tangential.method", .cause = why_not};
+  return Fault::unsupported("config.tangential.method", why_not);
 }
 
 Fault assess_damage(Contact& contact) {
@@ -333,6 +348,7 @@ Fault assess_damage(Contact& contact) {
   if (fault.status != WRC_OK) return fault;
   contact.damage =
       damage_of_patches(contact, all_regions, [&](const Patch& patch, const RolledRegion& rolled) {
+        // The power of each strip per width [W/m] is kept for accumulate().
         CellNumbers into = rolled.work;
         into.strip_power = array(contact, Array::strip_power) + patch.region_first;
         return into;

@@ -1,4 +1,4 @@
-#include "surface/pressure/planar_normal.hpp"
+#include "surface/pressure/planar_pressure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,8 +38,8 @@ struct Part {
 
 class Solver {
  public:
-  Solver(const RailStrips& rail, const Overlaps& overlaps, const PlanarNormal& method,
-         const Material& material, const Kernels& kernels, double* workspace, const SurfacePressure& pressure)
+  Solver(const RailStrips& rail, const Overlaps& overlaps, const PlanarMethod& method,
+         const Material& material, const Kernels& kernels, double* workspace, const StripPressure& pressure)
       : rail_(rail),
         overlaps_(overlaps),
         method_(method),
@@ -50,7 +50,8 @@ class Solver {
 
   PlanarResult solve() {
     const std::int32_t n = overlaps_.count;
-    for (double* const a : {pressure_.length_squared, pressure_.level, pressure_.centre, pressure_.strength})
+    for (double* const a :
+         {pressure_.length_squared, pressure_.peak_per_length, pressure_.centre, pressure_.line_load})
       std::fill_n(a, n, 0.0);
     for (std::int32_t i = 0; i < n; ++i) memory_.place[i] = rail_.s[overlaps_.strip[i]];
     for (Run run; run.end < n && !result_.fault.failed();) {
@@ -63,9 +64,9 @@ class Solver {
       });
     }
     for (std::int32_t i = 0; i < n; ++i) {
-      if (!(pressure_.strength[i] > 0.0 && pressure_.length_squared[i] > 0.0)) continue;
-      pressure_.level[i] = pressure_.strength[i] / pressure_.length_squared[i];
-      pressure_.centre[i] /= pressure_.strength[i];
+      if (!(pressure_.line_load[i] > 0.0 && pressure_.length_squared[i] > 0.0)) continue;
+      pressure_.peak_per_length[i] = pressure_.line_load[i] / pressure_.length_squared[i];
+      pressure_.centre[i] /= pressure_.line_load[i];
     }
     return result_;
   }
@@ -184,39 +185,38 @@ class Solver {
         if (!(covered > 0.0)) continue;
         const double part = share * covered / width;
         pressure_.length_squared[i] += part * l * l;
-        pressure_.strength[i] += part * q;
+        pressure_.line_load[i] += part * q;
         pressure_.centre[i] += part * q * patch.centre[k];
         lost -= q * covered;
       }
     }
     if (lost > 1e-6 * all)
-      keep_worst(result_.fault, {.status = WRC_FLAG_PATCH_AT_EDGE,
-                                 .field = "load beyond the strips that may touch, share",
-                                 .value = lost / all,
-                                 .unit = "",
-                                 .cause = "the method's patch is wider than the overlap it stands for"});
+      keep_worst(result_.fault,
+                 Fault::patch_at_edge("load beyond the strips that may touch, share", {lost / all, ""},
+                                      "the method's patch is wider than the overlap it stands for"));
   }
 
   const RailStrips& rail_;
   const Overlaps& overlaps_;
-  const PlanarNormal& method_;
+  const PlanarMethod& method_;
   const Material& material_;
   const Kernels& kernels_;
-  const SurfacePressure& pressure_;
+  const StripPressure& pressure_;
   Memory memory_;
   PlanarResult result_;
 };
 
 }  // namespace
 
-std::int64_t planar_normal_doubles(std::int32_t most, const PlanarNormal& method) {
+std::int64_t planar_pressure_doubles(std::int32_t most, const PlanarMethod& method) {
   return most + 4 * static_cast<std::int64_t>(most + 2 * beyond) +
          5 * static_cast<std::int64_t>(method.strips);
 }
 
-PlanarResult solve_planar_normal(const RailStrips& rail, const Overlaps& overlaps, const PlanarNormal& method,
-                                 const Material& material, const Kernels& kernels, double* workspace,
-                                 const SurfacePressure& pressure) noexcept {
+PlanarResult solve_planar_pressure(const RailStrips& rail, const Overlaps& overlaps,
+                                   const PlanarMethod& method, const Material& material,
+                                   const Kernels& kernels, double* workspace,
+                                   const StripPressure& pressure) noexcept {
   return Solver(rail, overlaps, method, material, kernels, workspace, pressure).solve();
 }
 

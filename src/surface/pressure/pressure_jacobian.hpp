@@ -1,4 +1,4 @@
-/// How the pressures of surface_normal.hpp change with the overlaps: the equations a solution stands for,
+/// How the pressures of pressure.hpp change with the overlaps: the equations a solution stands for,
 /// differentiated where it stands.
 ///
 /// With M, E+, E- the displacement at a strip's middle and edges per unit of q = lambda L, the unknowns q, L
@@ -17,7 +17,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "surface/geometry/overlap_slopes.hpp"
-#include "surface/pressure/surface_normal.hpp"
+#include "surface/pressure/pressure.hpp"
 
 namespace wrc {
 
@@ -27,15 +27,15 @@ inline constexpr std::int32_t most_differentiated_strips = 160;
 /// Strips in contact, by increasing place; one element per strip.
 struct PressedStrips {
   std::int32_t count = 0;
-  double *place, *width, *strength, *length_squared, *centre;  ///< as the solution has them
+  double *place, *width, *line_load, *length_squared, *centre;  ///< as the solution has them
   OverlapSlopes* overlap;
-  PlaceDual *changed_strength, *changed_length_squared, *changed_centre;  ///< results
+  PlaceDual *line_load_dual, *length_squared_dual, *centre_dual;  ///< results
 };
 
-std::int64_t normal_slopes_doubles(std::int32_t most);
+std::int64_t pressure_jacobian_doubles(std::int32_t most);
 
-/// Differentiates the solution. `workspace` has normal_slopes_doubles(strips.count) or more.
-void differentiate_pressures(const InfluenceTables& influence, const Kernels& kernels, double compliance,
-                             double* workspace, const PressedStrips& strips) noexcept;
+/// Differentiates the solution. `workspace` has pressure_jacobian_doubles(strips.count) or more.
+void differentiate_pressures(const PressureModel& model, double* workspace,
+                             const PressedStrips& strips) noexcept;
 
 }  // namespace wrc

@@ -1,9 +1,9 @@
-/// The tangential stage: which region a method works on, and the frames around it.
+/// Tangential stage: rolls the patches one by one, in the frame of each, and adds up their forces.
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact.hpp"
 #include "contact/methods.hpp"
+#include "contact/stages.hpp"
 #include "kernels/kernels.hpp"
 #include "tangential/friction/heated_friction.hpp"
 #include "tangential/methods/strip_memory.hpp"
@@ -12,30 +12,32 @@
 namespace wrc {
 namespace {
 
-// Every method rolls along x. Rolling backwards is its mirror image: x, what points along it and what turns
-// about y or z change sign, on the way in and on the way out.
+// Every method rolls along x. Rolling backwards is its mirror image in the plane x = 0: x, vectors along x
+// and rotations about y or z change sign, before the solution and after it.
 
-double mirrored(double along_x, double way) { return way < 0.0 ? 0.0 - along_x : along_x; }
+double mirrored(double along_x, double direction) { return direction < 0.0 ? 0.0 - along_x : along_x; }
 
-Creepage mirrored(const Creepage& creepage, double way) {
-  return {mirrored(creepage.longitudinal, way), creepage.lateral, mirrored(creepage.spin, way)};
+Creepage mirrored(const Creepage& creepage, double direction) {
+  return {mirrored(creepage.longitudinal, direction), creepage.lateral, mirrored(creepage.spin, direction)};
 }
 
-void mirror(TangentialForces& forces, double way) {
-  forces.fx = mirrored(forces.fx, way);
-  forces.mz = mirrored(forces.mz, way);
+void mirror(TangentialForces& forces, double direction) {
+  forces.fx = mirrored(forces.fx, direction);
+  forces.mz = mirrored(forces.mz, direction);
 }
 
-void mirror(TangentialSensitivities& sensitivities, double way) {
+void mirror(TangentialSensitivities& sensitivities, double direction) {
+  // Rows Fx, Fy, Mz; columns longitudinal and lateral creepage, spin, load, friction. A derivative changes
+  // sign where one of row and column does.
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 5; ++c) {
       const bool force_changes = r != 1, input_changes = c == 0 || c == 2;
-      if (force_changes != input_changes) sensitivities.d[r][c] = mirrored(sensitivities.d[r][c], way);
+      if (force_changes != input_changes) sensitivities.d[r][c] = mirrored(sensitivities.d[r][c], direction);
     }
   }
 }
 
-/// What callers see of a patch that rolled backwards: its strips and cells.
+/// Turns strips and cells of a patch that rolled backwards to the caller's x.
 void mirror_region(Contact& contact, const Patch& patch) {
   const Strips region = region_strips(contact, patch);
   for (std::int32_t j = 0; j < region.count; ++j) region.centre[j] = mirrored(region.centre[j], -1.0);
@@ -49,19 +51,21 @@ void mirror_region(Contact& contact, const Patch& patch) {
 
 /// Fills the region's strips of one patch, about its initial contact point or, of an ellipse that replaces
 /// it, about the ellipse's own centre.
-void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, double way) {
+void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, double direction) {
   patch.region_first = patch.first;
   patch.region_count = patch.count;
   Strips region = region_strips(contact, patch);
+  // The equivalent ellipse, symmetric about its own centre, in the place of the strips.
   if (model.on_ellipse) {
     const Sdec ellipse{patch.sdec.a, patch.sdec.b, 0.0};
     sdec_strips(ellipse, 0.0, 0.0, patch.extent.normal_force, patch.count, region);
     patch.region_count = region.count;
     return;
   }
+  // The patch's own strips, y counted from its contact point.
   const Strips own = patch_strips(contact, patch);
   for (std::int32_t j = 0; j < own.count; ++j) region.y[j] = own.y[j] - patch.y_contact;
-  for (std::int32_t j = 0; j < own.count; ++j) region.centre[j] = mirrored(own.centre[j], way);
+  for (std::int32_t j = 0; j < own.count; ++j) region.centre[j] = mirrored(own.centre[j], direction);
   std::copy_n(own.width, own.count, region.width);
   std::copy_n(own.half_length, own.count, region.half_length);
   std::copy_n(own.peak, own.count, region.peak);
@@ -69,19 +73,21 @@ void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, dou
 
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
 StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin,
-                             double way) {
+                             double direction) {
+  // Zones over a profile: y there = y of its contact point + cos(contact angle) times y of the contact frame;
+  // profiles on the left are mirror images.
   FrictionFrame frame{.origin = origin};
   if (friction.zone_frame != ZoneFrame::contact) {
     frame.zone_origin = friction.zone_frame == ZoneFrame::rail ? contact.point.y_rail : contact.point.y_wheel;
     frame.zone_slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
   }
   const SlidingSpeed sliding = friction.slope.falls() ? SlidingSpeed::of_patch : SlidingSpeed::of_strip;
-  return evaluate(friction.law, region_strips(contact, patch), frame, mirrored(contact.creepage, way),
+  return evaluate(friction.law, region_strips(contact, patch), frame, mirrored(contact.creepage, direction),
                   contact.rolling.speed, sliding, array(contact, Array::strip_friction) + patch.region_first);
 }
 
-/// Makes of the method's strips, whose y is counted from `origin`, what callers see: y in the contact frame
-/// and each strip's coefficient of friction.
+/// Turns the method's strips, whose y is counted from `origin`, to y in the contact frame, and their shares
+/// of the mean friction to coefficients.
 void show_region(Contact& contact, const Patch& patch, double origin) {
   Strips region = region_strips(contact, patch);
   double* const friction_of_strip = array(contact, Array::strip_friction) + patch.region_first;
@@ -103,6 +109,8 @@ TangentialForces roll_heated(Contact& contact, const Patch& patch, const Frictio
   for (std::int32_t j = 0; j < region.count; ++j) cold[j] = rolling.friction[j];
   HeatedFriction heat(law, options.effusivities, options.sizes.cells, contact.rolling.speed);
   TangentialForces forces;
+  // One solution at given shares of the cold coefficients, which solve_heated() repeats until friction and
+  // temperature agree.
   const auto solve = [&] {
     for (std::int32_t j = 0; j < region.count; ++j) shares[j] = cold[j] * share[j];
     rolling.friction = shared_out(region, shares);
@@ -114,8 +122,9 @@ TangentialForces roll_heated(Contact& contact, const Patch& patch, const Frictio
   return forces;
 }
 
-/// What the contact remembers, for a patch: over the rail's y where a pose says where that is.
+/// The contact's memory of its tractions, for a patch: over the rail's y where a pose is known.
 RollingMemory memory_of(Contact& contact, const Patch& patch) {
+  // y of the rail = origin + slope * y of the patch.
   RollingMemory memory{.at = array(contact, Array::rolling_memory), .rolled = contact.rolled};
   if (contact.posed) {
     memory.slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
@@ -129,28 +138,25 @@ RollingMemory memory_of(Contact& contact, const Patch& patch) {
 Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
   if (!contact.model->options.non_steady) return {};
   if (friction.law.heated()) {
-    return {
-        .status = WRC_ERROR_UNSUPPORTED,
-        .field = "friction.temperature_law",
-        .cause =
-            "config.planar.non_steady rolls on once a step, friction over temperature would several times"};
+    return Fault::unsupported(
+        "friction.temperature_law",
+        "config.planar.non_steady rolls on once a step, friction over temperature would several times");
   }
-  if (rolling.way > 0.0 && rolling.reverse_share == 0.0) return {};
-  return {
-      .status = WRC_ERROR_UNSUPPORTED,
-      .field = "creepage.speed",
-      .value = rolling.way * rolling.speed,
-      .unit = "m/s",
-      .cause = "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill"};
+  if (rolling.direction > 0.0 && rolling.reverse_share == 0.0) return {};
+  return Fault::unsupported(
+      "creepage.speed", {rolling.direction * rolling.speed, "m/s"},
+      "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill");
 }
 
-/// One patch, rolling along x times `way`. `sensitivities`: see solve_tangential().
-Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
+/// One patch, rolling along x times `direction`. `sensitivities`: see solve_tangential().
+Fault roll(Contact& contact, Patch& patch, const Friction& friction, double direction,
            TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
   const TangentialMethod& method = *model.options.tangential_method;
   const PatchModel& shape = model.options.patch_model;
-  prepare_region(contact, patch, shape, way);
+  prepare_region(contact, patch, shape, direction);
+
+  // Shape and stiffness of the patch; a layer between the bodies acts as a lower shear modulus.
   RollingContact rolling;
   rolling.region = region_strips(contact, patch);
   rolling.a = patch.sdec.a;
@@ -163,9 +169,11 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   // The methods refer everything to the patch's initial contact point, which is not the origin of the contact
   // frame for a second patch, or for a gap of the host; and on an ellipse about mid-width to its centre.
   const double centre = shape.at_middle ? patch.sdec.psi * patch.sdec.b : 0.0;
-  rolling.creepage = seen_from(patch.y_contact, mirrored(contact.creepage, way));
+  rolling.creepage = seen_from(patch.y_contact, mirrored(contact.creepage, direction));
   if (shape.at_middle) rolling.creepage = seen_from(centre, rolling.creepage);
-  rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre, way);
+  rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre, direction);
+
+  // Law of the method, its tables and its memory.
   rolling.bound = model.options.traction_bound;
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
@@ -174,33 +182,38 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double way,
   rolling.force_table = &model.force_table;
   rolling.workspace = array(contact, Array::tangential_workspace);
   if (model.options.non_steady) rolling.memory = memory_of(contact, patch);
+
+  // Forces [N], [N m] about the method's origin, and cell fields unless derivatives are asked for.
   const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   patch.forces = friction.law.heated() ? roll_heated(contact, patch, friction.law, fields, rolling, fault)
                  : model.options.non_steady ? roll_with_memory(rolling, fields, fault)
                                             : method.solve(rolling, fields, fault, sensitivities);
-  // A difference of sums of areas: rounding may leave it just outside.
+  // A difference of sums of areas: rounding may leave it just outside 0..1.
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
+  // Back to the origin of the contact frame, in the order reverse to the way in.
   if (shape.at_middle) refer_back(centre, patch.forces, sensitivities);
   refer_back(patch.y_contact, patch.forces, sensitivities);
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
-  if (way > 0.0) return fault;
-  mirror(patch.forces, way);
+  if (direction > 0.0) return fault;
+  mirror(patch.forces, direction);
   mirror_region(contact, patch);
-  if (sensitivities) mirror(*sensitivities, way);
+  if (sensitivities) mirror(*sensitivities, direction);
   return fault;
 }
 
-/// One patch near standstill: a share of its forces is of rolling the other way, its fields are not.
-Fault roll_both_ways(Contact& contact, Patch& patch, const Friction& friction,
-                     TangentialSensitivities* sensitivities) {
+/// One patch near standstill: forces F = (1 - r) F_forwards + r F_backwards, r the reverse share, so that
+/// they pass continuously through standstill. Its fields are those of `direction` alone, which is solved
+/// last.
+Fault roll_both_directions(Contact& contact, Patch& patch, const Friction& friction,
+                           TangentialSensitivities* sensitivities) {
   const Rolling& rolling = contact.rolling;
   TangentialSensitivities others;
-  Fault fault = roll(contact, patch, friction, -rolling.way, sensitivities ? &others : nullptr);
+  Fault fault = roll(contact, patch, friction, -rolling.direction, sensitivities ? &others : nullptr);
   const TangentialForces other = patch.forces;
-  keep_worst(fault, roll(contact, patch, friction, rolling.way, sensitivities));
+  keep_worst(fault, roll(contact, patch, friction, rolling.direction, sensitivities));
   const auto blend = [&](double& own, double of_other) {
     own = (1.0 - rolling.reverse_share) * own + rolling.reverse_share * of_other;
   };
@@ -235,10 +248,6 @@ TangentialForces sum_of_patches(const Contact& contact) {
 
 }  // namespace
 
-bool gives_fields(const Contact& contact) {
-  return contact.model->options.tangential_method->gives_tractions;
-}
-
 bool differentiates(const Contact& contact) {
   const ModelOptions& options = contact.model->options;
   const Friction& friction = contact.law;
@@ -258,16 +267,16 @@ Friction friction_of(const Contact& contact) {
 Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
                        const Rolling& rolling, TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "patch",
-            .cause = "there is no patch: call wrc_planar_normal first, or hand over strips or a patch"};
+    return Fault::sequence("patch",
+                           "there is no patch: call wrc_planar_normal first, or hand over strips or a patch");
   }
   if (friction.zone_frame != ZoneFrame::contact && !contact.posed) {
-    return {.status = WRC_ERROR_SEQUENCE,
-            .field = "friction.zone_frame",
-            .cause = "zones over a profile need the contact point of a wrc_planar_geometry"};
+    return Fault::sequence("friction.zone_frame",
+                           "zones over a profile need the contact point of a wrc_planar_geometry");
   }
   if (const Fault fault = check_memory(contact, friction, rolling); fault.failed()) return fault;
+
+  // The inputs are kept: damage, derivatives and regions ask for them.
   contact.reached = Stage::tangential;
   contact.newest = Solution::stages;
   contact.creepage = creepage;
@@ -275,13 +284,18 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.rolling = rolling;
   contact.forces = {};
   contact.damage = {};
+
+  // A model that remembers goes on by a step even where the bodies are apart: memory of patches without
+  // contact is lost.
   void* const memory = contact.model->options.non_steady ? array(contact, Array::rolling_memory) : nullptr;
   if (memory) begin_step(memory);
   if (!contact.touching) {
     if (memory) end_step(memory);
     contact.rolled = 0.0;
-    return {.status = WRC_FLAG_NO_CONTACT};
+    return Fault::no_contact();
   }
+
+  // The law is kept without the caller's arrays: zones are copied, so that a saved state has no pointers.
   Fault fault;
   contact.law = friction;
   contact.law.law.zones.y = contact.law.law.zones.coefficient = nullptr;
@@ -289,18 +303,21 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
     std::copy_n(friction.law.zones.y, friction.law.zones.count, contact.zone_y);
     std::copy_n(friction.law.zones.coefficient, friction.law.zones.count, contact.zone_coefficient);
   }
+
+  // Patch by patch: forces, derivatives, and limit = sum of mu N, load = sum of N [N] for the mean friction.
   if (sensitivities) *sensitivities = {};
   double limit = 0.0, load = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
     TangentialSensitivities own;
     TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
-    keep_worst(fault, rolling.reverse_share > 0.0 ? roll_both_ways(contact, patch, friction, wanted)
-                                                  : roll(contact, patch, friction, rolling.way, wanted));
+    keep_worst(fault, rolling.reverse_share > 0.0
+                          ? roll_both_directions(contact, patch, friction, wanted)
+                          : roll(contact, patch, friction, rolling.direction, wanted));
     limit += patch.friction * patch.extent.normal_force;
     load += patch.extent.normal_force;
     if (!sensitivities) continue;
-    // The loads of the patches grow in proportion.
+    // The patches' loads grow in proportion to the whole: dN_k / dN = N_k / N, in the column of the load.
     const double share = patch.extent.normal_force / contact.extent.normal_force;
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 5; ++c) sensitivities->d[r][c] += own.d[r][c] * (c == 3 ? share : 1.0);
@@ -311,10 +328,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
   if (rolling.reverse_share > 0.0) {
-    keep_worst(fault, {.status = WRC_FLAG_CREEPAGES_LIMITED,
-                       .field = "creepage.reverse_share",
-                       .value = rolling.reverse_share,
-                       .unit = ""});
+    keep_worst(fault, Fault::creepages_limited("creepage.reverse_share", {rolling.reverse_share, ""}));
   }
   return fault;
 }

@@ -1,0 +1,170 @@
+#include "surface/pressure/active_set.hpp"
+
+#include <algorithm>
+
+namespace wrc {
+namespace {
+
+constexpr std::int32_t most_rounds = 20;  ///< of strips entering and leaving within an iteration
+constexpr std::int32_t paired_with_all = -1, paired_with_none = -2;  ///< values of Scratch::paired_count
+
+/// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
+void list_active(const Problem& problem, const StripSet& s, Scratch& w) {
+  ActiveStrips& active = w.active;
+  active.count = 0;
+  for (std::int32_t i = 0; i < s.count; ++i)
+    if (w.in_contact[i]) active.index[active.count++] = i;
+  for (std::int32_t a = 0; a < active.count; ++a) {
+    const std::int32_t i = active.index[a];
+    const double inverse = 1.0 / w.half_length[i];
+    active.place[a] = s.place[i];
+    active.centre[a] = s.deepest_x[i] + s.shift[i];
+    active.half_length[a] = w.half_length[i];
+    active.inverse_length[a] = inverse;
+    active.half_width[a] = 0.5 * s.width[i] * inverse;
+    active.factor[a] = problem.compliance * s.width[i] * inverse;
+  }
+  // Kernels read whole packs: strips behind the last displace nothing.
+  const std::int64_t end = simd::whole_packs(active.count);
+  for (std::int64_t a = active.count; a < end; ++a)
+    active.place[a] = active.centre[a] = active.inverse_length[a] = active.half_width[a] = active.factor[a] =
+        active.q[a] = 0.0;
+}
+
+/// Strips for the table of pairs, with nothing behind the last.
+simd::SurfaceStrips strips_of(std::int32_t count, double* place, double* width, double* ny, double* nz) {
+  for (double* a : {place, width, ny, nz})
+    std::fill(a + count, a + simd::whole_packs(count) + simd::most_lanes, 0.0);
+  return {count, place, width, ny, nz};
+}
+
+/// Activates the strip with the largest overlap; false where none overlaps.
+bool activate_deepest(const StripSet& s, Scratch& w) {
+  std::int32_t deepest = 0;
+  for (std::int32_t i = 1; i < s.count; ++i)
+    if (s.depth[i] > s.depth[deepest]) deepest = i;
+  if (!(s.depth[deepest] > 0.0)) return false;
+  w.in_contact[deepest] = 1;
+  return true;
+}
+
+/// Deactivates strips whose load in w.solution pulls. Returns whether there are any.
+bool deactivate(Scratch& w) {
+  bool any = false;
+  for (std::int32_t a = 0; a < w.active.count; ++a)
+    if (w.solution[a] < 0.0) {
+      w.in_contact[w.active.index[a]] = 0;
+      any = true;
+    }
+  return any;
+}
+
+/// Line loads of the active strips: M q = d - kappa/2 shift^2 by elimination, into w.solution. M is not
+/// symmetric: a column has its strip's length and width, a row only its place.
+void solve_loads(const Problem& problem, const StripSet& s, Scratch& w) {
+  const std::int32_t n = w.active.count;
+  const simd::SurfaceSources sources = sources_of(w.active);
+  const std::int32_t size = (n + 3) / 4 * 4;
+  const std::int64_t stride = simd::elimination_stride(size);
+  // Rows of M at the strips' own middles; the kernel of pairs leaves the diagonal to the second one.
+  problem.kernels.surface.influence(problem.tables, sources, pairs_of(problem, s, w),
+                                    {n, w.active.index, w.active.place, w.active.centre}, s.skewed, w.matrix,
+                                    stride);
+  problem.kernels.surface.own_influence(problem.tables, sources, w.matrix, stride);
+  // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of four.
+  for (std::int32_t a = 0; a < size; ++a) {
+    double* const row = w.matrix + a * stride;
+    for (std::int64_t c = a < n ? n : 0; c < stride; ++c) row[c] = 0.0;
+    if (a < n)
+      row[size] = overlap_at_centre(s, w.active.index[a]);
+    else
+      row[a] = 1.0;
+  }
+  problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, w.unused});
+}
+
+}  // namespace
+
+simd::SurfaceSources sources_of(const ActiveStrips& active) {
+  return {active.count, active.place, active.centre, active.inverse_length, active.half_width, active.factor};
+}
+
+void forget_pairs(Scratch& w) { w.paired_count = paired_with_none; }
+
+simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, Scratch& w) {
+  ActiveStrips& active = w.active;
+  const std::int32_t n = active.count, first = active.index[0];
+  const bool run = active.index[n - 1] - first + 1 == n;
+  const bool known = run ? w.paired_count == paired_with_all
+                         : w.paired_count == n && std::equal(active.index, active.index + n, w.paired);
+  if (!known) {
+    const simd::SurfaceStrips all = strips_of(s.count, s.place, s.width, s.ny, s.nz);
+    if (run) {
+      // Active strips side by side are a window of all strips: one table serves while the window moves.
+      problem.kernels.surface.pairs(all, all, w.pairs);
+    } else {
+      // Columns are the active strips packed together; the table lasts until one enters or leaves.
+      for (std::int32_t a = 0; a < n; ++a) {
+        const std::int32_t i = w.paired[a] = active.index[a];
+        active.width[a] = s.width[i];
+        active.ny[a] = s.ny[i];
+        active.nz[a] = s.nz[i];
+      }
+      problem.kernels.surface.pairs(all, strips_of(n, active.place, active.width, active.ny, active.nz),
+                                    w.pairs);
+    }
+    w.paired_count = run ? paired_with_all : n;
+  }
+  const std::int64_t at = run ? first : 0;
+  return {w.pairs.axis_place + at, w.pairs.cosine + at, w.pairs.correction + at, w.pairs.stride};
+}
+
+bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+  // Strips to ask. Displacements are never negative: nothing enters where there is no overlap.
+  std::int32_t count = 0;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    if (w.in_contact[i] || !(overlap_at_centre(s, i) > 0.0)) continue;
+    if (!everywhere && !(i > 0 && w.in_contact[i - 1]) && !(i + 1 < s.count && w.in_contact[i + 1])) continue;
+    w.outside[count] = i;
+    w.outside_place[count] = s.place[i];
+    w.outside_x[count++] = s.deepest_x[i] + s.shift[i];
+  }
+  if (count == 0) return false;
+  // Displacement at their middles by the active strips, row by row; the system's memory is free by now.
+  const std::int32_t n = w.active.count;
+  const std::int64_t stride = simd::whole_packs(n);
+  problem.kernels.surface.influence(problem.tables, sources_of(w.active), pairs_of(problem, s, w),
+                                    {count, w.outside, w.outside_place, w.outside_x}, s.skewed, w.matrix,
+                                    stride);
+  bool any = false;
+  for (std::int32_t b = 0; b < count; ++b) {
+    const std::int32_t i = w.outside[b];
+    const double* const row = w.matrix + b * stride;
+    double u = 0.0;
+    for (std::int32_t a = 0; a < n; ++a) u += row[a] * w.solution[a];
+    // The margin of rounding keeps a strip that just touches from entering and leaving in turn.
+    if (u < overlap_at_centre(s, i) * (1.0 - 1e-12)) {
+      w.in_contact[i] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+void solve_contact(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+  for (std::int32_t round = 0; round < most_rounds; ++round) {
+    list_active(problem, s, w);
+    if (w.active.count == 0) {
+      if (!activate_deepest(s, w)) return;
+      continue;
+    }
+    solve_loads(problem, s, w);
+    // Both are judged by the same loads: strips enter and leave in one round.
+    bool changed = activate(problem, s, everywhere, w);
+    changed = deactivate(w) || changed;
+    if (!changed) return;
+  }
+  // Rounds used up: strips may still pull. Their loads count as 0, and the next iteration goes on from there.
+}
+
+}  // namespace wrc

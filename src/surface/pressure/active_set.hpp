@@ -1,0 +1,30 @@
+/// The contact condition at given lengths and centres: which strips press, and how much.
+///
+///     sum_b M_ab q_b = d_a - kappa_a/2 shift_a^2    strips in contact, q_a >= 0
+///     sum_b M_ib q_b >= the same of strip i         all others
+///
+/// Strips that would pull are deactivated, those that would overlap are activated, until neither happens.
+#pragma once
+
+#include "surface/pressure/pressure_scratch.hpp"
+
+namespace wrc {
+
+/// Solves the contact condition; starts from w.in_contact, leaves the strips in contact in w.active and their
+/// line loads in w.solution. No strip is active where none overlaps. `everywhere`: all strips may be
+/// activated, else those next to contact.
+void solve_contact(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+
+/// Activates strips that would overlap under the loads in w.solution. Returns whether there are any.
+bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+
+/// The active strips, for kernels.
+simd::SurfaceSources sources_of(const ActiveStrips& active);
+
+/// The table of pairs without any pair in it.
+void forget_pairs(Scratch& w);
+
+/// Pairs of all strips with the active ones; kept from one iteration to the next.
+simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, Scratch& w);
+
+}  // namespace wrc

@@ -1,0 +1,97 @@
+#include "surface/pressure/edge_condition.hpp"
+
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "surface/pressure/active_set.hpp"
+#include "surface/pressure/smoothing.hpp"
+
+namespace wrc {
+namespace {
+
+/// Displacements at both edges of the active strips under their loads: w.u_leading, w.u_trailing [m].
+void displace_edges(const Problem& problem, const StripSet& s, Scratch& w) {
+  ActiveStrips& active = w.active;
+  const std::int32_t n = active.count;
+  // Sources by their loads in place of unit ones, so that the kernel's sums are displacements.
+  const std::int64_t end = simd::whole_packs(n);
+  for (std::int64_t a = 0; a < end; ++a) active.load_factor[a] = a < n ? active.factor[a] * active.q[a] : 0.0;
+  simd::SurfaceSources sources = sources_of(active);
+  sources.factor = active.load_factor;
+  // Without yaw both edges are alike, and half the work is done.
+  problem.kernels.surface.edges(
+      problem.tables, sources, pairs_of(problem, s, w),
+      {active.index, active.half_length, w.u_leading, s.skewed ? w.u_trailing : nullptr});
+}
+
+/// Peaks per length and shifts that each active strip's own edges ask for.
+///
+/// Overlap is d_c at the centre and d_c - kappa/2 l^2 + (-+ kappa l shift) at the edges c +- l. Where it is
+/// met at both, drop = d_c - (u+ + u-)/2 = kappa/2 l^2 and u- - u+ = 2 kappa l shift. The drop is
+/// proportional to lambda at a given length, so that lambda* = lambda kappa/2 l^2 / drop, with lambda = q /
+/// l^2.
+void read_edges(const StripSet& s, Scratch& w) {
+  const double *const leading = w.u_leading, *const trailing = s.skewed ? w.u_trailing : leading;
+  for (std::int32_t a = 0; a < w.active.count; ++a) {
+    const std::int32_t i = w.active.index[a];
+    const double l = w.half_length[i], L = l * l;
+    const double drop = overlap_at_centre(s, i) - 0.5 * (leading[a] + trailing[a]);
+    // Far from a solution a drop may vanish or change its sign: limits keep lengths finite.
+    const double ratio =
+        smaller(larger(drop / (0.5 * s.curvature[i] * L), least_edge_ratio), most_edge_ratio);
+    w.edge_lambda[a] = w.active.q[a] / (L * ratio);
+    w.edge_shift[a] = (trailing[a] - leading[a]) / (2.0 * l * s.curvature[i]);
+  }
+}
+
+/// lambda of active strips: means of what edges ask for over the strips within reach, weighted by their
+/// loads, so that a strip that enters changes nothing yet. Adds the lengths q / lambda to the residual.
+void smooth_lambda(const StripSet& s, Scratch& w) {
+  const ActiveStrips& active = w.active;
+  for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
+    const std::int32_t i = active.index[a];
+    const double reach = lambda_reach(s.width[i]);
+    while (active.place[a] - active.place[from] >= reach) ++from;
+    double weights = 0.0, sum = 0.0;
+    for (std::int32_t b = from; b < active.count; ++b) {
+      const double t = (active.place[b] - active.place[a]) / reach;
+      if (t >= 1.0) break;
+      const double weight = smoothing_weight(t) * active.load[b];
+      weights += weight;
+      sum += weight * w.edge_lambda[b];
+    }
+    s.lambda[i] = weights > 0.0 ? sum / weights : w.edge_lambda[a];
+    if (s.lambda[i] > 0.0) w.residual[i] += active.q[a] / s.lambda[i];
+  }
+}
+
+}  // namespace
+
+void edge_residual(const Problem& problem, const StripSet& s, Scratch& w) {
+  ActiveStrips& active = w.active;
+  const std::int32_t n = active.count;
+  // Line loads. Where rounds of the active set were used up some may pull; they count as nothing.
+  std::fill_n(s.q, s.count, 0.0);
+  for (std::int32_t a = 0; a < n; ++a) s.q[active.index[a]] = active.q[a] = larger(w.solution[a], 0.0);
+  displace_edges(problem, s, w);
+  read_edges(s, w);
+
+  // Residuals of the lengths: L is to become q / lambda, and 0 where a strip is not in contact.
+  double* const shift_residual = w.residual + s.count;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    w.residual[i] = -s.L[i];
+    shift_residual[i] = 0.0;
+  }
+  for (std::int32_t a = 0; a < n; ++a) active.load[a] = active.q[a] * s.width[active.index[a]];
+  smooth_lambda(s, w);
+  if (!s.skewed) return;
+
+  // Residuals of the shifts, which are to lie on lines through those that edges ask for. Strips that are not
+  // in contact have the shift they would enter with.
+  problem.kernels.surface.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, n, active.place,
+                                      active.load, w.edge_shift, shift_residual});
+  for (std::int32_t i = 0; i < s.count; ++i)
+    shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
+}
+
+}  // namespace wrc

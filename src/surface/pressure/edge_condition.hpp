@@ -1,0 +1,14 @@
+/// The edge condition: pressure ends where the surfaces part. Over a half length the displacement falls by
+/// what the overlap falls, kappa/2 l^2, which sets the peak per length lambda; a difference between the two
+/// edges sets the shift of the centre. Both are smoothed over neighbouring strips (smoothing.hpp).
+#pragma once
+
+#include "surface/pressure/pressure_scratch.hpp"
+
+namespace wrc {
+
+/// From the loads of solve_contact(): q and lambda of the strips, and in w.residual the moves that the
+/// fixed-point map asks for, q / lambda - L and (smoothed shift) - shift.
+void edge_residual(const Problem& problem, const StripSet& s, Scratch& w);
+
+}  // namespace wrc

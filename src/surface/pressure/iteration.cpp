@@ -1,0 +1,289 @@
+#include "surface/pressure/iteration.hpp"
+
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "surface/pressure/active_set.hpp"
+#include "surface/pressure/edge_condition.hpp"
+#include "surface/pressure/smoothing.hpp"
+
+namespace wrc {
+namespace {
+
+/// Preconditioner (precondition()). smooth_reach: smooth is what varies over more than this part of the mean
+/// half length; length_slope, narrow_slope: part of a rough error in L that the map takes away, on strips
+/// longer than wide and what is added on short ones; smooth_length_part: part of the residual's smooth part
+/// that is left out; shift_step: factor on shifts.
+constexpr double smooth_reach = 0.5;
+constexpr double length_slope = 0.45, narrow_slope = 0.5, smooth_length_part = 0.45;
+constexpr double shift_step = 1.2;
+
+/// Safeguard (limited()). A strip whose L the map changes by more than the part `settled` follows the map, at
+/// most `farthest_step` times as far: where lobes meet or a strip at a rim grows, the residual has minima
+/// that are no solutions, to which the acceleration leads and from which the map leads away.
+constexpr double settled = 0.05, farthest_step = 4.0;
+constexpr std::int32_t early_iterations = 6;  ///< in which L changes at most by these factors
+constexpr double early_shrinking = 0.1, early_growth = 10.0;
+
+constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
+/// Power of L that q follows over the last step, found on random poses: halves that step's error of q.
+constexpr double load_follows = 0.3;
+
+/// Solves the equations of Anderson's method in place: symmetric, positive, `n` of them at most `history`.
+void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[history]) {
+  for (std::int32_t k = 0; k < n; ++k)
+    for (std::int32_t i = k + 1; i < n; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (std::int32_t c = k; c < n; ++c) a[i][c] -= f * a[k][c];
+      b[i] -= f * b[k];
+    }
+  for (std::int32_t k = n - 1; k >= 0; --k) {
+    for (std::int32_t c = k + 1; c < n; ++c) b[k] -= a[k][c] * b[c];
+    b[k] /= a[k][k];
+  }
+}
+
+/// Smooth part W v of the moves f in `lengths`, along each run of active strips:
+///
+///     W v - reach^2 (W v')' = f,   W = l^1.5 = rim_weight, which vanishes towards the rims as errors do.
+///
+/// A tridiagonal system, eliminated along the strips and back: v in w.smooth_part.
+void find_smooth_part(const StripSet& s, const double* lengths, Scratch& w) {
+  const ActiveStrips& active = w.active;
+  const std::int32_t n = active.count;
+  double mean = 0.0;
+  for (std::int32_t a = 0; a < n; ++a) {
+    const double l = active.half_length[a];
+    mean += l * l;
+    w.rim_weight[a] = l * root(l);
+  }
+  const double reach2 = smooth_reach * smooth_reach * mean / n;  // [m^2]
+  double coupled = 0.0, v = 0.0;  // coefficient to the strip before, and its element
+  for (std::int32_t a = 0; a < n; ++a) {
+    const std::int32_t i = active.index[a];
+    double diagonal = w.rim_weight[a] + coupled, next = 0.0;
+    if (a > 0) diagonal -= coupled * w.upper[a - 1];
+    // Coupling to the strip behind, none over a gap between two regions.
+    if (a + 1 < n) {
+      const std::int32_t j = active.index[a + 1];
+      const double apart = s.place[j] - s.place[i];
+      if (apart < 0.75 * (s.width[i] + s.width[j]))
+        next = reach2 * smaller(w.rim_weight[a], w.rim_weight[a + 1]) / (apart * apart);
+    }
+    const double inverse = 1.0 / (diagonal + next);
+    w.upper[a] = next * inverse;
+    w.smooth_part[a] = v = (lengths[i] + coupled * v) * inverse;
+    coupled = next;
+  }
+  for (std::int32_t a = n - 2; a >= 0; --a) w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
+}
+
+/// Preconditioner: turns the fixed-point residual in `step` into a step, near that of Newton's method.
+///
+/// The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
+/// and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 W v) / 0.45. It leaves 0.1 to 0.15
+/// of an error; the numbers are fitted to derivatives of the map at 85 solutions. Of shifts, which lie on
+/// lines, the map takes away most whatever the error's shape: one factor, with which the fewest iterations
+/// are needed under yawed flanges.
+void precondition(const StripSet& s, double* step, Scratch& w) {
+  double *const lengths = step, *const shifts = step + s.count;
+  find_smooth_part(s, lengths, w);
+  for (std::int32_t a = 0; a < w.active.count; ++a) {
+    const std::int32_t i = w.active.index[a];
+    const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
+    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
+  }
+  if (s.skewed)
+    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
+}
+
+/// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
+double product(std::int32_t n, const double* a, const double* b) {
+  constexpr std::int32_t parts = 8;
+  double part[parts] = {};
+  std::int32_t i = 0;
+  for (; i + parts <= n; i += parts)
+    for (std::int32_t k = 0; k < parts; ++k) part[k] += a[i + k] * b[i + k];
+  for (std::int32_t k = 0; i < n; ++i, ++k) part[k] += a[i] * b[i];
+  return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
+}
+
+/// Index in the ring buffer of the iterate `ago` iterations back.
+std::int32_t slot_of(std::int32_t iteration, std::int32_t ago) { return (iteration - ago) % (history + 1); }
+
+/// Keeps the present iterate, its loads and its preconditioned step.
+void remember(const StripSet& s, std::int32_t iteration, Scratch& w) {
+  const std::int32_t n = s.count;
+  const Iterate& now = w.iterate[slot_of(iteration, 0)];
+  std::copy_n(s.L, n, now.x);
+  std::copy_n(s.shift, n, now.x + n);
+  std::copy_n(s.q, n, now.q);
+  std::copy_n(w.residual, 2 * n, now.f);
+  precondition(s, now.f, w);
+}
+
+/// Anderson's acceleration, into w.next: x + f less the combination of the last `used` differences that makes
+/// the step f smallest,
+///
+///     next = x + f - sum_a g_a ((x - x_a) + (f - f_a)),   g = argmin |f - sum_a g_a (f - f_a)|.
+///
+/// Shifts [m] weigh as lengths squared [m^2] by `shift_weight`.
+void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, std::int32_t used,
+                Scratch& w) {
+  const std::int32_t n = s.count, unknowns = s.skewed ? 2 * n : n;
+  const auto slot = [iteration](std::int32_t a) { return slot_of(iteration, a); };
+  const std::int32_t now = slot(0);
+  const double *const x = w.iterate[now].x, *const f = w.iterate[now].f;
+  for (std::int32_t i = 0; i < unknowns; ++i) w.next[i] = x[i] + f[i];
+  // Products of the new step with all that are used; those of earlier ones with each other are known.
+  for (std::int32_t a = 0; a <= used; ++a) {
+    const double* const other = w.iterate[slot(a)].f;
+    w.products[now][slot(a)] = w.products[slot(a)][now] =
+        product(n, f, other) + (s.skewed ? shift_weight * product(n, f + n, other + n) : 0.0);
+  }
+  if (used == 0) return;
+  // Normal equations of the least squares: G_ab = (f - f_a) . (f - f_b), right-hand side f . (f - f_a).
+  double G[history][history], g[history];
+  const double* const own = w.products[now];
+  for (std::int32_t a = 0; a < used; ++a) {
+    const std::int32_t k = slot(a + 1);
+    g[a] = own[now] - own[k];
+    for (std::int32_t b = 0; b <= a; ++b)
+      G[a][b] = G[b][a] = g[a] - own[slot(b + 1)] + w.products[k][slot(b + 1)];
+  }
+  // A little more on the diagonal: steps become parallel as they get small.
+  for (std::int32_t a = 0; a < used; ++a) G[a][a] = G[a][a] * (1.0 + 1e-10) + 1e-300;
+  solve_small(used, G, g);
+  std::copy_n(g, used, w.shares);
+  for (std::int32_t a = 0; a < used; ++a) {
+    const Iterate& earlier = w.iterate[slot(a + 1)];
+    for (std::int32_t i = 0; i < unknowns; ++i)
+      w.next[i] -= g[a] * ((x[i] - earlier.x[i]) + (f[i] - earlier.f[i]));
+  }
+}
+
+/// Extrapolates q over the last step, after which the contact condition is not solved again: q is mixed from
+/// iterates as L is, and follows the part of L left to go with the power load_follows.
+void extrapolate_loads(const StripSet& s, std::int32_t iteration, std::int32_t used, Scratch& w) {
+  const Iterate& now = w.iterate[slot_of(iteration, 0)];
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    if (!(s.L[i] > 0.0)) continue;
+    double q = s.q[i], step = now.f[i];
+    for (std::int32_t a = 0; a < used; ++a) {
+      const Iterate& earlier = w.iterate[slot_of(iteration, a + 1)];
+      q -= w.shares[a] * (s.q[i] - earlier.q[i]);
+      step -= w.shares[a] * (now.f[i] - earlier.f[i]);
+    }
+    const double part = smaller(larger(step / s.L[i], -settled), settled);
+    s.q[i] = larger(q * (1.0 + load_follows * part), 0.0);
+  }
+}
+
+/// Safeguard: the accelerated length `next` of a strip with length `old` and residual f, all squared, kept
+/// near that of the plain map, old + f.
+double limited(double next, double old, double f, bool early) {
+  const double plain = old + f;
+  if (!(plain > 0.0)) return 0.0;
+  // At most twice or half of the plain one: without, strips that enter hold up the rest.
+  next = smaller(larger(next, 0.5 * plain), 2.0 * plain);
+  // Strips that move much go the map's way, between the plain step and farthest_step times that.
+  if (next > 0.0 && magnitude(f) > settled * old) {
+    const double far = old + farthest_step * f;
+    next =
+        f > 0.0 ? smaller(larger(next, plain), far) : larger(smaller(larger(next, far), plain), 0.5 * plain);
+  }
+  if (old > 0.0 && next > 0.0 && early)
+    next = smaller(larger(next, early_shrinking * old), early_growth * old);
+  return next;
+}
+
+/// Moves L and the shifts to the accelerated iterate, strip by strip within the safeguard.
+void take_step(const StripSet& s, std::int32_t iteration, Scratch& w) {
+  const double* const shift = w.next + s.count;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    s.L[i] = limited(w.next[i], s.L[i], w.residual[i], iteration < early_iterations);
+    if (s.skewed) s.shift[i] = smaller(larger(shift[i], -longest_shift), longest_shift);
+  }
+}
+
+/// Clears strips that are not in contact, and finds lambda of the others at their last length.
+void finish(const StripSet& s, const Scratch& w) {
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    if (w.active.count == 0 || !w.in_contact[i] || !(s.L[i] > 0.0)) s.L[i] = s.q[i] = 0.0;
+    if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
+  }
+}
+
+}  // namespace
+
+void begin_iterations(StripSet& s, Scratch& w) {
+  s.skewed = false;
+  for (std::int32_t i = 1; i < s.count; ++i) s.skewed = s.skewed || s.deepest_x[i] != s.deepest_x[0];
+  for (std::int32_t i = 0; i < s.count; ++i) w.in_contact[i] = s.L[i] > 0.0;
+  forget_pairs(w);
+  w.active.count = 0;
+  if (s.skewed) {
+    std::fill(w.inverse_reach + s.count, w.inverse_reach + simd::whole_packs(s.count), 0.0);
+    for (std::int32_t i = 0; i < s.count; ++i) w.inverse_reach[i] = 1.0 / shift_reach(s.width[i]);
+  } else {
+    std::fill_n(s.shift, s.count, 0.0);  // no unknowns now; a start may bring others
+  }
+}
+
+void evaluate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+  // A strip that enters has L = 0 but a place: its half length counts as a small part of its width.
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    const double least = least_half_length * s.width[i];
+    w.half_length[i] = root(larger(s.L[i], least * least));
+  }
+  solve_contact(problem, s, everywhere, w);
+  if (w.active.count == 0) return;
+  edge_residual(problem, s, w);
+  w.change = {0.0, 0.0};
+  const double *const f = w.residual, *const f_shift = w.residual + s.count;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    w.change.moved += s.width[i] * (magnitude(f[i]) + magnitude(f_shift[i]) * w.half_length[i]);
+    w.change.area += s.width[i] * (s.L[i] + f[i]);
+  }
+}
+
+PressureResult iterate(const Problem& problem, StripSet& s, double tolerance, double farthest,
+                       const PressureOptions& options, Scratch& w) {
+  PressureResult result;
+  begin_iterations(s, w);
+  std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
+  double moved_before = any_change, shift_weight = 0.0, work = 0.0;
+  const auto affordable = [&options](std::int32_t iteration, double so_far) {
+    return iteration < options.assured_iterations ||
+           (iteration < options.max_iterations && so_far < options.max_work);
+  };
+  for (std::int32_t k = 0; affordable(k, work); ++k) {
+    ++result.iterations;
+    // Active set, edges, residual. Far strips are asked whether they enter at the beginning and at the end.
+    evaluate(problem, s, k == 0, w);
+    if (w.active.count == 0) break;
+    work += 1.0 * w.active.count * w.active.count;
+    const auto [moved, area] = w.change;
+    result.converged = moved <= tolerance * area && !activate(problem, s, true, w);
+    if (k == 0 && moved > farthest * area) return result;
+
+    // Acceleration from scratch where it does not pay twice in a row, as while strips enter.
+    slow = moved > hardly_less * moved_before ? slow + 1 : 0;
+    if (slow == 2) remembered = slow = 0;
+    moved_before = moved;
+
+    // Preconditioned and accelerated step. Beside lengths squared [m^4], shifts squared weigh by the mean L.
+    remember(s, k, w);
+    if (k == 0) shift_weight = area / (s.count * s.width[0]);
+    const std::int32_t used = std::min(remembered++, history);
+    accelerate(s, shift_weight, k, used, w);
+    if (result.converged) extrapolate_loads(s, k, used, w);
+    take_step(s, k, w);
+    if (result.converged) break;
+  }
+  finish(s, w);
+  if (w.active.count == 0) result.converged = true;  // nothing overlaps
+  return result;
+}
+
+}  // namespace wrc

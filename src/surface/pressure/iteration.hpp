@@ -1,0 +1,25 @@
+/// The iteration of a pressure solve: a fixed-point map of lengths and shifts, preconditioned, accelerated by
+/// Anderson's method, and kept from running away.
+#pragma once
+
+#include "surface/pressure/pressure.hpp"
+#include "surface/pressure/pressure_scratch.hpp"
+
+namespace wrc {
+
+constexpr double any_change = 1e300;  ///< for `farthest`
+
+/// Iterates from the lengths and shifts in `s` until one moves less than the part `tolerance` of the area;
+/// the solution stands in `s`. Gives up after the first iteration where that moves more than the part
+/// `farthest`.
+PressureResult iterate(const Problem& problem, StripSet& s, double tolerance, double farthest,
+                       const PressureOptions& options, Scratch& w);
+
+/// Evaluates the fixed-point map at the lengths and shifts in `s`: w.residual and w.change; `everywhere` as
+/// in solve_contact(). No strip is active after it where none overlaps.
+void evaluate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+
+/// Makes `s` and `w` ready for evaluate(), as iterate() does.
+void begin_iterations(StripSet& s, Scratch& w);
+
+}  // namespace wrc

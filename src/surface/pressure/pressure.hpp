@@ -1,0 +1,91 @@
+/// Normal contact on the curved surface: Overlaps -> StripPressure. Strips of semi-elliptic pressure in
+/// half-space equilibrium. docs/surface_solver.md has the drawing, the flow chart and a solve in numbers.
+///
+/// Strip j carries p_j(x) = lambda_j sqrt(L_j - (x - c_j)^2), L_j = l_j^2 >= 0 its squared half length,
+/// lambda_j its peak per length, and the load N_j = pi/2 w_j lambda_j L_j along its own normal n_j.
+///
+///   contact   u_i = sum_j C w_j lambda_j l_j J(|s_i - s_j| / l_j, (c_i - c_j) / l_j) cos(a_i - a_j)
+///             d_i = depth_i - kappa_i/2 shift_i^2, the overlap at c_i, shift_i = c_i - W_i from where it is
+///             largest
+///             u_i = d_i   where L_i > 0
+///             u_i >= d_i  where L_i = 0
+///   edges     over the half length the displacement falls by kappa_i/2 l_i^2; the lambda that makes it so
+///             is smoothed over the strips beside, weighted by their loads: a strip that enters has weight
+///             zero. Its difference between the edges is 2 kappa_i l_i shift_i, smoothed the same way.
+///
+/// An iteration solves the contact condition for q = lambda L at the present lengths (active_set.hpp), finds
+/// lambda from the edges and with it the next lengths L = q / lambda, and the next centres
+/// (edge_condition.hpp). Alone that leaves 0.1 to 0.6 of an error, by how smooth it is; preconditioned and
+/// accelerated by Anderson's method over (L, shift) it leaves about 0.1 (iteration.hpp). start.hpp: where it
+/// begins.
+///
+/// Unknowns enter at L = 0 and leave there, on strips that never move, so the solution is a continuous
+/// function of the depths: of the pose. Distances are arc lengths; the cosine between two strips' directions
+/// is all that turning does to equal materials.
+///
+///   symbol          array              unit    of
+///   d, kappa, W     Overlaps.depth, curvature, centre  m, 1/m, m  candidate
+///   L               length_squared     m^2     candidate; 0: not in contact
+///   lambda          peak_per_length    Pa/m    candidate in contact
+///   c               centre             m       candidate
+///   q = lambda L    line_load          N/m     candidate; the strip's load is pi/2 w q
+///   C               compliance         1/Pa    pair of bodies, (1 - nu) / (pi G)
+///   J               influence          -       displacement by unit q on a unit half length and width
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/kernels.hpp"
+#include "normal/elasticity/influence_tables.hpp"
+#include "surface/geometry/overlap.hpp"
+
+namespace wrc {
+
+/// Constants of a pair of bodies.
+struct PressureModel {
+  const InfluenceTables& influence;
+  const Kernels& kernels;
+  double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
+};
+
+/// A solution over the strips of the rail, from which the next solve may start.
+struct PressureStart {
+  double* length_squared = nullptr;  ///< L of every strip of the rail [m^2]
+  double* shift = nullptr;           ///< c less the overlap's centre, of every strip [m]
+  double* depth = nullptr;           ///< overlap it was found at, of every strip [m]
+  bool set = false;
+  bool extrapolated = false;  ///< length_squared is predicted for the new overlaps: it is not moved again
+};
+
+struct PressureOptions {
+  /// Iterations end without a solution after `assured_iterations`, when the squares of the strips in contact
+  /// add up to `max_work`, which 40 of them reach by then; narrow patches take more, up to `max_iterations`.
+  std::int32_t assured_iterations = 40, max_iterations = 160;
+  double max_work = 64000.0;
+  /// Part of the area that an iteration moves at which it is the last. Its step is taken and line loads
+  /// follow it, so that L and q end ten and more times nearer.
+  double tolerance = 1e-7;
+};
+
+/// Arrays over the candidates (Overlaps), in the caller's memory.
+struct StripPressure {
+  double* length_squared = nullptr;   ///< L [m^2]; 0: not in contact
+  double* peak_per_length = nullptr;  ///< lambda [Pa/m], where in contact
+  double* centre = nullptr;           ///< c [m]
+  double* line_load = nullptr;        ///< q = lambda L [N/m]; N = pi/2 w q
+};
+
+struct PressureResult {
+  std::int32_t iterations = 0;  ///< of all starts, those at half resolution included
+  bool converged = false;
+};
+
+/// Doubles of working memory for at most so many candidates.
+std::int64_t pressure_doubles(std::int32_t most);
+
+/// Solves at the depths given. `start` is read where it is set, and left with the solution.
+PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& overlaps,
+                              const PressureOptions& options, double* workspace, PressureStart& start,
+                              const StripPressure& pressure) noexcept;
+
+}  // namespace wrc

@@ -1,0 +1,100 @@
+/// Working memory of a pressure solve (pressure.hpp), shared by its parts: active_set, edge_condition,
+/// iteration, start.
+///
+///   symbol        array                unit    of
+///   s, w          place, width         m       each strip: arc length of its middle, width
+///   d, kappa      depth, curvature     m, 1/m  each strip: largest overlap, its curvature along x
+///   W             deepest_x            m       each strip: x of the largest overlap
+///   n             ny, nz               -       each strip: direction
+///   L, c - W      L, shift             m^2, m  each strip: unknowns of the iteration
+///   lambda, q     lambda, q            Pa/m, N/m  each strip: peak per length, line load
+///   l             half_length          m       each strip, and each active strip
+///   C w / l       active.factor        1/Pa    active strip: displacement by unit q over the influence J
+///   w / (2 l)     active.half_width    -       active strip
+///   M             matrix               1/Pa    displacement at row's middle by unit q of column
+///   u+, u-        u_leading, u_trailing  m     active strip: displacements at c + l and c - l
+///   lambda*, c*   edge_lambda, edge_shift  Pa/m, m  active strip: asked for by its own edges
+///   f             residual             m^2, m  fixed-point residual: of L, then of the shifts
+///   x, f          iterate[]            m^2, m  ring buffer: (L, shifts) and the step asked for there
+#pragma once
+
+#include <cstdint>
+
+#include "base/arena.hpp"
+#include "kernels/kernels.hpp"
+#include "surface/simd/tasks.hpp"
+
+namespace wrc {
+
+constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
+
+/// Constants of a solve.
+struct Problem {
+  const Kernels& kernels;
+  simd::SurfaceTables tables;
+  double compliance;  ///< C [1/Pa]
+};
+
+/// Strips that are solved for: the candidates, or pairs of them.
+struct StripSet {
+  std::int32_t count = 0;
+  bool skewed = false;  ///< deepest_x differs from strip to strip: shifts are unknowns, too
+  double *place, *width, *depth, *curvature, *deepest_x, *ny, *nz;  ///< given
+  double *L, *shift, *lambda, *q;                                   ///< solution; c = deepest_x + shift
+};
+
+/// Strips in contact, as sources of displacement; whole packs, those behind the last without effect.
+struct ActiveStrips {
+  std::int32_t count = 0;
+  std::int32_t* index;  ///< in the StripSet
+  double *place, *centre, *half_length, *inverse_length, *half_width, *factor;
+  double* q;                ///< not negative [N/m]
+  double* load_factor;      ///< factor q [m]
+  double* load;             ///< w q [N], weights of the means
+  double *width, *ny, *nz;  ///< where they are not one run, for the table of pairs
+};
+
+/// An iterate and its step.
+struct Iterate {
+  double *x, *f;  ///< L, then shifts
+  double* q;      ///< line loads at x
+};
+
+/// Size of the move that the fixed-point map asks for.
+struct Change {
+  double moved = 0.0, area = 1.0;  ///< sums over strips of w (|f_L| + |f_shift| l) and of w (L + f_L) [m^3]
+};
+
+struct Scratch {
+  StripSet fine, coarse;
+  ActiveStrips active;
+  std::int32_t* in_contact;            ///< of each strip: 1 in the active set
+  double* half_length;                 ///< of each strip, at least a part of its width
+  double *matrix, *solution, *unused;  ///< of the elimination, which solves for two right-hand sides
+  simd::SurfacePairs pairs;  ///< table of all strips over all, or over the `paired` first active ones
+  std::int32_t* paired;      ///< active strips the table was made for
+  std::int32_t paired_count;
+  std::int32_t* outside;  ///< strips asked whether they enter
+  double *outside_place, *outside_x;
+  double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
+  double* inverse_reach;  ///< of each strip: one over shift_reach() [1/m]
+  double* residual;
+  Change change;                             ///< of the last iteration
+  double *rim_weight, *upper, *smooth_part;  ///< of precondition()
+  Iterate iterate[history + 1];
+  double products[history + 1][history + 1];  ///< of the iterates' steps
+  double shares[history];                     ///< of earlier iterates in `next`
+  double* next;                               ///< accelerated iterate
+  std::int32_t* pair_of;                      ///< of each strip, in `coarse`
+};
+
+/// Cuts the arrays for at most so many strips.
+Scratch cut_pressure_scratch(Arena& arena, std::int32_t most);
+
+/// Overlap at the centre of a strip's pressure, which lies beside the largest overlap under yaw:
+/// d - kappa/2 shift^2 [m].
+inline double overlap_at_centre(const StripSet& s, std::int32_t i) {
+  return s.depth[i] - 0.5 * s.curvature[i] * s.shift[i] * s.shift[i];
+}
+
+}  // namespace wrc
