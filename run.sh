@@ -40,13 +40,14 @@ HELP
 fi
 
 . .ci/setup.sh
+. .ci/parts.sh
 need_packages g++ gcc cmake ninja-build
 mkdir -p build
 build=${WRC_BUILD:-build/run} # one that is there is taken as it was configured
 [ -n "${WRC_BUILD:-}" ] ||
   cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DWRC_TESTS=OFF -DWRC_FORTRAN=OFF >build/run.log 2>&1 ||
   { cat build/run.log; exit 1; }
-cmake --build "$build" --target own_case paper_cases creep_curves >>build/run.log 2>&1 || { cat build/run.log; exit 1; }
+compile "library and examples" build/run.log cmake --build "$build" --target own_case paper_cases creep_curves >&2 || exit 1
 
 if [ $# -gt 0 ]; then
   own_case=$PWD/$build/examples_c/own_case

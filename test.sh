@@ -1,106 +1,101 @@
 #!/usr/bin/env bash
-# The tests, under 15 minutes on two cores. Debian packages that are missing are named and installed, as in run.sh; not
-# with WRC_NO_INSTALL=1.
-#   ./test.sh          the release build with all its tests, the C interface under wine, the bits from clang and
-#                      mingw-w64; address and undefined sanitizer; instruction counts; format, code written twice,
-#                      clang-tidy over what changed lately, manual, main job
-#   ./test.sh quick    the release build and its tests only
-#   ./test.sh all      besides: all tests of the clang and mingw builds, thread sanitizer, the golden hashes from every
-#                      compiler and optimisation and on aarch64 under qemu, kernel symbols at every optimisation,
-#                      clang-tidy over everything, run.sh's own build, a method, member, field and status added to a copy, every
-#                      struct made larger in a copy
-# Before the last line stands what each part took; the last line counts. The exit status is 0 if something passed and
-# nothing failed.
+# The tests. Debian packages that are missing are named and installed, as in run.sh; not with WRC_NO_INSTALL=1.
+#   ./test.sh quick    3 minutes on two idle cores. The library by gcc with its unit tests, tests of the interface, golden
+#                      hashes; format, code written twice, references in comments, figures of the house, one definition a name.
+#                      Leaves out: what the next ones add
+#   ./test.sh          8 minutes. Besides: unit tests and the interface under the address and undefined-behaviour sanitizers;
+#                      proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy over what changed
+#                      lately, growth of structs, manual, main job.
+#                      Leaves out: clang's and mingw's builds, the Python package, FMUs, hosts, packages, the library
+#                      inside another project, headers under all compilers, hostile input and the fuzzer
+#   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
+#                      bits, examples, FMUs and package, under wine.
+#                      Leaves out: what compiles the library again to compare its results
+#   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, golden hashes from every
+#                      compiler and optimisation and on aarch64 under qemu, kernel symbols at every optimisation, clang-tidy over
+#                      everything, run.sh's own build, static and fetched library, packages from two clones, a method, member,
+#                      field, status added to a copy, every struct made larger in a copy
+# Every check is a test of ctest: `ctest --test-dir build/release -L surface` runs what is about src/surface, and
+# `--print-labels` names the labels. Before the last line stand what was left out and what each part took; the last line
+# counts. The exit status is 0 if something passed and nothing failed.
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/setup.sh
-. .ci/counts.sh
-case ${1:-} in
-  "" | quick) ;;
-  all) export WRC_TEST_ALL=1 ;;
-  *) sed -n '2,14s/^# *//p' "$0"; exit 2 ;;
+. .ci/parts.sh
+tier=${1:-default}
+case $tier in
+  default | quick | ci) ;;
+  all) export WRC_TEST_ALL=1 ;; # kernel_symbols: more optimisations
+  *) sed -n '2,20s/^# *//p' "$0"; exit 2 ;;
 esac
-all() { [ -n "${WRC_TEST_ALL:-}" ]; }
-need_packages g++ gcc gfortran clang libclang-rt-14-dev cmake ninja-build libeigen3-dev libgtest-dev clang-format \
-  clang-tidy doxygen binutils pkg-config python3 python3-numpy python3-matplotlib python3-venv libbenchmark-dev \
-  valgrind similarity-tester python3-clang-14 abigail-tools unzip octave octave-dev
+need_packages g++ gcc cmake ninja-build libeigen3-dev libgtest-dev clang-format binutils python3 similarity-tester \
+  python3-clang-14
+[ "$tier" = quick ] || need_packages gfortran clang libclang-rt-14-dev clang-tidy doxygen pkg-config python3-numpy \
+  python3-matplotlib libbenchmark-dev valgrind abigail-tools
+case $tier in
+  ci | all)
+    need_packages python3-venv unzip octave octave-dev
+    bindings/python/tests/environment.sh install
+    tests/fmi/fmpy.sh install
+    ;;
+esac
 
-# suite PRESET [TESTS TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that match TESTS.
-suite() {
-  local build=() tests=()
-  [ $# -lt 2 ] || { tests=(-R "$2"); build=(--target "${@:3}"); }
-  echo "== $1: build"
-  if cmake --preset "$1" >"build/$1.log" 2>&1 && cmake --build --preset "$1" "${build[@]}" >>"build/$1.log" 2>&1; then
-    echo "== $1: tests"
-    count_ctest "build/$1/ctest.log" --preset "$1" -j 2 "${tests[@]}"
+# tree PRESET OPTIONS... [-- TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that ctest's
+# options pick.
+tree() {
+  local preset=$1 options=() targets=()
+  shift
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
+  [ $# -eq 0 ] || targets=(--target "${@:2}")
+  if cmake --preset "$preset" >"build/$preset.log" 2>&1 || { cat "build/$preset.log"; false; } &&
+    compile "$preset" "build/$preset.log" cmake --build --preset "$preset" "${targets[@]}"; then
+    run_ctest "build/$preset/ctest.log" --preset "$preset" -j 2 "${options[@]}"
   else
-    cat "build/$1.log"
-    count_check "$1 does not build" false
+    failure "$preset does not build"
   fi
 }
-
-# Another compiler: its warnings, tests and bits are those of the sanitized build, which it compiles too.
-clang_suite() { if all; then suite clang; else count_check "clang, configured for clang-tidy" cmake --preset clang; fi; }
 
 # Nothing else needs the cross compiler and wine.
-mingw_suite() {
+mingw() {
   if ! (need_packages g++-mingw-w64-x86-64-posix wine wine64 googletest); then
-    count_check "mingw: skipped, the DLL cannot be built and run without these packages" sh -c 'exit 77'
-  elif all; then
-    suite mingw
+    echo "mingw: skipped, the DLL cannot be built and run without these packages"
+    skipped=$((skipped + 1))
+  elif [ "$tier" = all ]; then
+    tree mingw
   else
-    suite mingw '^(abi.*|golden_hash|example_.*|dll_symbols|package_zip|fmi_importer)$' abi_tests golden_hash first_step exact_check load_at_run_time \
-      fmi_importer wrc_fmu wine_folder
+    tree mingw -E '^hostile_input$' -- abi_tests golden_hash first_step exact_check load_at_run_time fmi_importer wrc_fmu wine_folder
   fi
 }
-
-# The other processor's compiler and emulator are worth having, but nothing else needs them.
-golden() {
-  if all; then
-    (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
-    tests/realtime/golden_everywhere.sh
-  else
-    tests/realtime/golden_everywhere.sh shortly
-  fi
-}
-
-formatted() { git ls-files '*.cpp' '*.hpp' '*.c' | grep -v wrc_status.h | xargs clang-format --dry-run --Werror; }
-
-# Sources of the library: all, or those that the last commits touched or that are not committed.
-sources() {
-  if all || ! git rev-parse -q --verify HEAD~3 >/dev/null; then
-    git ls-files 'src/*.cpp'
-  else
-    git diff --name-only --diff-filter=d HEAD~3 -- 'src/*.cpp'
-  fi
-}
-tidy() { sources | xargs -r -P 2 -n 2 clang-tidy --quiet -p build/clang 2>/dev/null; }
-documented() { tools/site/site.py; }
-main_job() { if all; then ./run.sh; else WRC_BUILD=build/release ./run.sh; fi; }
 
 mkdir -p build
-bindings/python/tests/environment.sh install
-tests/fmi/fmpy.sh install
-# What keeps one processor busy, and takes no times.
-single_parts() {
-  part counts count_check "instruction counts" tests/bench/instruction_gate.py build/release/tests/bench/gate_cases
-  part format count_check "clang-format" formatted
-  part duplicates count_check "code written twice" tests/duplicates.sh
-  part tidy count_check "clang-tidy" tidy
-  part manual count_check "manual" documented
-  part run count_check "main job" main_job
-}
-
-part release suite release
-if [ "${1:-}" != quick ]; then
-  part clang clang_suite
-  part sanitize suite sanitize
-  ! all || part tsan suite tsan # threads that share a model
-  beside build/single_parts.log single_parts # mingw's tests leave a processor idle
-  part mingw mingw_suite
-  gather
-  part golden count_check "golden hashes of other builds" golden
-  ! all || part growth count_check "what a new thing costs" tests/growth/growth.sh build
-  ! all || part structs count_check "every struct can grow" tests/growth/growth.sh structs build/release/libwrc.so build
-fi
+case $tier in
+  quick)
+    left="sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy, manual, main job (./test.sh), \
+and what that leaves out"
+    part release tree release -L '^quick$' -- wrc unit_tests reference_tests abi_tests golden_hash
+    ;;
+  default)
+    left="builds of clang and mingw, Python package, FMUs, hosts, packages, embedding, headers under all compilers, hostile input, fuzzer \
+(./test.sh ci), and what that leaves out"
+    part release tree release -LE '^(long|rebuild)$'
+    part sanitize tree sanitize -L '^(unit|interface)$' -LE '^(long|rebuild)$' -- unit_tests abi_tests
+    ;;
+  ci)
+    left="clang's build, all of mingw's tests, thread sanitizer, other compilers and processors, clang-tidy over everything, static and \
+fetched library, packages from two clones, growth built on a copy (./test.sh all)"
+    part release tree release -LE '^rebuild$'
+    part sanitize tree sanitize
+    part mingw mingw
+    ;;
+  all)
+    left=nothing
+    (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
+    part release tree release
+    part sanitize tree sanitize
+    part clang tree clang
+    part tsan tree tsan # threads that share a model
+    part mingw mingw
+    ;;
+esac
+echo "./test.sh $tier leaves out: $left"
 say_counts

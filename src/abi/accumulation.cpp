@@ -14,11 +14,10 @@ static_assert(sizeof(DamageBin) <= Description<wrc_damage_bin>::first &&
 static_assert(int{damage_sum_places} == sizeof(wrc_damage_totals::sum) / sizeof(double));
 static_assert(int{damage_sums} == WRC_DAMAGE_SUMS && int{sum_time} == WRC_DAMAGE_TIME);
 
-/// Bins of the caller, each of the size of its header's.
+/// Bins of the caller, whose size is that of the caller's header.
 Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bins) {
   wrc_damage_bins ours;
-  const Fault fault = read(theirs, name, ours);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, name, ours));
   if (ours.bins == nullptr) return Fault::null({name, "bins"});
   if (ours.bin_size < sizeof(DamageBin) || ours.bin_size % alignof(DamageBin) != 0)
     return Fault::struct_size(
@@ -41,32 +40,26 @@ Fault read_bins(const wrc_damage_bins* theirs, const char* name, DamageBins& bin
 
 Fault read_fatigue_laws(const wrc_fatigue_laws* theirs, const char* name, WholeLifeLaw& law) {
   wrc_fatigue_laws ours;
-  Fault fault = read_or_defaults(theirs, name, ours);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read_or_defaults(theirs, name, ours));
   const auto above = [&](Member member, double value, double low) {
     member.low = low;
     return value > low ? Fault{} : refuse(member, name, value);
   };
-  fault = first_of(
-      {above(member<wrc_fatigue_laws>("whole_life_peak_at"), ours.whole_life_peak_at, ours.whole_life_start),
-       above(member<wrc_fatigue_laws>("whole_life_end"), ours.whole_life_end, ours.whole_life_peak_at)});
   law = {.start = ours.whole_life_start,
          .peak_at = ours.whole_life_peak_at,
          .end = ours.whole_life_end,
          .peak = ours.whole_life_peak};
-  return fault;
+  return first_of({above(member<wrc_fatigue_laws>("whole_life_peak_at"), law.peak_at, law.start),
+                   above(member<wrc_fatigue_laws>("whole_life_end"), law.end, law.peak_at)});
 }
 
 Fault read_accumulation(const wrc_accumulation* theirs, Accumulation& accumulation) {
   wrc_accumulation ours;
-  Fault fault = read(theirs, "accumulation", ours);
-  if (!fault.failed()) fault = read_wear_laws(ours.wear, "accumulation.wear", accumulation.wear);
-  if (!fault.failed())
-    fault = read_fatigue_laws(ours.fatigue, "accumulation.fatigue", accumulation.whole_life);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, "accumulation", ours));
   accumulation.duration = ours.duration;
   accumulation.distance = ours.distance;
-  return fault;
+  RETURN_IF_FAILED(read_wear_laws(ours.wear, "accumulation.wear", accumulation.wear));
+  return read_fatigue_laws(ours.fatigue, "accumulation.fatigue", accumulation.whole_life);
 }
 
 bool same_axis(const Axis& a, const Axis& b) {
@@ -83,17 +76,16 @@ extern "C" {
 
 int32_t wrc_contact_accumulate(wrc_contact* handle, const wrc_accumulation* accumulation,
                                wrc_damage_bins* wheel, wrc_damage_bins* rail, wrc_damage_totals* totals) {
-  return abi::call(__func__, handle, abi::clear(totals), [&](wrc::Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(totals), [&](wrc::Contact& contact) -> Fault {
     wrc::Accumulation ours;
     wrc::DamageBins on_wheel, on_rail;
     wrc::DamageTotals found;
-    Fault outcome = abi::read_accumulation(accumulation, ours);
-    if (!outcome.failed() && wheel != nullptr) outcome = abi::read_bins(wheel, "wheel", on_wheel);
-    if (!outcome.failed() && rail != nullptr) outcome = abi::read_bins(rail, "rail", on_rail);
-    if (!outcome.failed())
-      outcome = wrc::accumulate(contact, ours, wheel != nullptr ? &on_wheel : nullptr,
-                                rail != nullptr ? &on_rail : nullptr, found);
-    if (outcome.failed() || totals == nullptr) return outcome;
+    RETURN_IF_FAILED(abi::read_accumulation(accumulation, ours));
+    if (wheel != nullptr) RETURN_IF_FAILED(abi::read_bins(wheel, "wheel", on_wheel));
+    if (rail != nullptr) RETURN_IF_FAILED(abi::read_bins(rail, "rail", on_rail));
+    const Fault outcome = wrc::accumulate(contact, ours, wheel != nullptr ? &on_wheel : nullptr,
+                                          rail != nullptr ? &on_rail : nullptr, found);
+    if (outcome.failed()) return outcome;
     wrc_damage_totals result{};
     std::copy_n(found.sum, WRC_DAMAGE_SUMS, result.sum);
     result.largest_pressure = found.largest_pressure;
@@ -123,6 +115,8 @@ int32_t wrc_damage_values(const wrc_damage_bins* bins, int32_t quantity, double*
   const bool is_sum = quantity >= 0 && quantity < WRC_DAMAGE_SUMS;
   if (!is_sum && quantity != WRC_DAMAGE_LARGEST_PRESSURE && quantity != WRC_DAMAGE_LARGEST_TRACTION)
     return WRC_ERROR_UNSUPPORTED;
+  // Sums are kept as integers in units of 1 / damage_scale; the last bin is that of places outside all
+  // others.
   bool in_range = true;
   for (int64_t k = 0; k <= ours.outside(); ++k) {
     const wrc::DamageBin& bin = ours.bin(k);

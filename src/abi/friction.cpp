@@ -55,8 +55,7 @@ Fault read_friction(const wrc_friction& checked, const char* of, const Tangentia
                 same<WRC_SPEED_LAW_HYPERBOLIC>(SpeedLaw::hyperbolic));
   static_assert(same<WRC_TEMPERATURE_LAW_NONE>(TemperatureLaw::none) &&
                 same<WRC_TEMPERATURE_LAW_LINEAR>(TemperatureLaw::linear));
-  const Fault fault = first_of({check_some(checked, of), check_temperature_law(checked, of, method)});
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method)}));
   friction.law.speed_law = static_cast<SpeedLaw>(checked.speed_law);
   friction.law.temperature_law = static_cast<TemperatureLaw>(checked.temperature_law);
   friction.law.coefficient = checked.coefficient;

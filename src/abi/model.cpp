@@ -6,7 +6,7 @@
 #include <malloc.h>
 #endif
 
-#include "abi/fp_environment.hpp"
+#include "abi/guarded.hpp"
 #include "abi/handles.hpp"
 #include "abi/message.hpp"
 #include "abi/model_options.hpp"
@@ -46,8 +46,7 @@ const char* file_of(const Fault& fault, const ModelOptions& options) {
 }
 
 Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes, wrc_model*& handle) {
-  const Fault fault = buffer_fault(memory, bytes, sizeof(wrc_model) + model_bytes(options));
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(buffer_fault(memory, bytes, sizeof(wrc_model) + model_bytes(options)));
   auto* made = static_cast<wrc_model*>(memory);
   *made = {};
   const Fault shape = make_model(options, static_cast<char*>(memory) + sizeof(wrc_model), made->model);
@@ -77,17 +76,10 @@ wrc_contact* init_contact(const wrc_model& model, std::int32_t side, void* memor
   return made;
 }
 
-/// Everything that makes a model out of a configuration, for _check, _init and _create.
+/// guarded() for calls whose memory is the model's: its status says enough.
 template <typename Work>
-Fault guarded(Work&& work) {
-  const FloatingPointScope scope;
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return Fault::memory();
-  } catch (...) {
-    return Fault::internal();
-  }
+Fault guarded_model(Work&& work) {
+  return guarded(work, nullptr, nullptr);
 }
 
 Fault check_state_room(const void* buffer, std::uint64_t bytes, std::size_t needed) {
@@ -101,8 +93,7 @@ Fault check_state_room(const void* buffer, std::uint64_t bytes, std::size_t need
 Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory, wrc_allocator& source) {
   source = defaults<wrc_allocator>();
   if (allocator != nullptr) {
-    const Fault fault = read(allocator, "allocator", source);
-    if (fault.failed()) return fault;
+    RETURN_IF_FAILED(read(allocator, "allocator", source));
     if ((source.allocate == nullptr) != (source.release == nullptr)) {
       return Fault::null("allocator", "give both allocate and release, or neither");
     }
@@ -131,7 +122,7 @@ extern "C" {
 
 int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
   wrc::ModelOptions options;
-  const Fault fault = abi::guarded([&] {
+  const Fault fault = abi::guarded_model([&] {
     Fault found = abi::read_options(config, options);
     if (found.failed()) return found;
     const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
@@ -149,10 +140,9 @@ int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alig
   if (bytes != nullptr) *bytes = 0;
   if (alignment != nullptr) *alignment = 0;
   if (bytes == nullptr || alignment == nullptr) return WRC_ERROR_NULL;
-  return abi::guarded([&] {
+  return abi::guarded_model([&] {
            wrc::ModelOptions options;
-           const Fault fault = abi::read_options(config, options);
-           if (fault.failed()) return fault;
+           RETURN_IF_FAILED(abi::read_options(config, options));
            *bytes = sizeof(wrc_model) + wrc::model_bytes(options);
            *alignment = wrc::block_alignment;
            return Fault{};
@@ -164,7 +154,7 @@ int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, w
                        uint64_t size) {
   if (model != nullptr) *model = nullptr;
   wrc::ModelOptions options;
-  const Fault fault = abi::guarded([&]() -> Fault {
+  const Fault fault = abi::guarded_model([&]() -> Fault {
     if (model == nullptr) return Fault::null("model");
     const Fault read = abi::read_options(config, options);
     return read.failed() ? read : abi::init_model(options, memory, bytes, *model);
@@ -176,7 +166,7 @@ int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocato
                          char* text, uint64_t size) {
   if (model != nullptr) *model = nullptr;
   wrc::ModelOptions options;
-  const Fault outcome = abi::guarded([&]() -> Fault {
+  const Fault outcome = abi::guarded_model([&]() -> Fault {
     if (model == nullptr) return Fault::null("model");
     Fault fault = abi::read_options(config, options);
     if (fault.failed()) return fault;
@@ -252,7 +242,7 @@ int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_alloc
   wrc_allocator source;
   Fault fault = abi::check_contact(model, side, contact);
   if (!fault.failed())
-    fault = abi::guarded([&] {
+    fault = abi::guarded_model([&] {
       return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact_bytes(*model->model), memory,
                            source);
     });

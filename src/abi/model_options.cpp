@@ -99,62 +99,48 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
       "this processor lacks that instruction set; WRC_INSTRUCTIONS_BEST takes what it has");
 }
 
-/// What the chosen methods do not read must stand as wrc_config_init() leaves it: an option without effect is
-/// a mistake of the caller's.
+/// Options of the configuration that some methods read and others do not.
+constexpr struct {
+  Option option;
+  const Member& member;
+} options_of_methods[] = {
+    {Option::max_iterations, member<wrc_config>("normal.max_iterations")},
+    {Option::max_sweeps, member<wrc_config>("planar.max_sweeps")},
+    {Option::load_tolerance, member<wrc_config>("normal.load_tolerance")},
+    {Option::warm_start, member<wrc_config>("planar.start")},
+    {Option::patch_model, member<wrc_config>("tangential.patch_model")},
+    {Option::traction_bound, member<wrc_config>("tangential.bound")},
+    {Option::flexibility, member<wrc_config>("tangential.flexibility")},
+    {Option::non_steady, member<wrc_config>("planar.non_steady")},
+};
+
+/// Members that place profiles, and are read with profiles only.
+constexpr const Member* places_of_profiles[] = {
+    &member<wrc_config>("wheelset.tape_circle_distance"), &member<wrc_config>("track.gauge"),
+    &member<wrc_config>("track.gauge_depth"), &member<wrc_config>("track.rail_inclination"),
+    &member<wrc_config>("track.placement")};
+
+/// Refuses options that are not at their defaults although nothing reads them: without effect they are
+/// mistakes of the caller's.
 Fault check_unread(const wrc_config& config, const ModelOptions& options) {
-  const wrc_config untouched = defaults<wrc_config>();
-  const wrc_config_normal& normal = config.normal;
-  const wrc_config_tangential& tangential = config.tangential;
-  const wrc_config_planar& planar = config.planar;
-  const struct {
-    Option option;
-    const char* field;
-    double value, untouched;
-  } each[] = {
-      {Option::max_iterations, "config.normal.max_iterations", static_cast<double>(normal.max_iterations),
-       static_cast<double>(untouched.normal.max_iterations)},
-      {Option::max_sweeps, "config.planar.max_sweeps", static_cast<double>(planar.max_sweeps),
-       static_cast<double>(untouched.planar.max_sweeps)},
-      {Option::load_tolerance, "config.normal.load_tolerance", normal.load_tolerance,
-       untouched.normal.load_tolerance},
-      {Option::warm_start, "config.planar.start", static_cast<double>(planar.start),
-       static_cast<double>(untouched.planar.start)},
-      {Option::patch_model, "config.tangential.patch_model", static_cast<double>(tangential.patch_model),
-       static_cast<double>(untouched.tangential.patch_model)},
-      {Option::traction_bound, "config.tangential.bound", static_cast<double>(tangential.bound),
-       static_cast<double>(untouched.tangential.bound)},
-      {Option::flexibility, "config.tangential.flexibility", static_cast<double>(tangential.flexibility),
-       static_cast<double>(untouched.tangential.flexibility)},
-      {Option::non_steady, "config.planar.non_steady", static_cast<double>(planar.non_steady),
-       static_cast<double>(untouched.planar.non_steady)},
+  const auto changed = [&](const Member& member) {
+    return number_in(config, member) != number_in(Description<wrc_config>::defaults, member);
+  };
+  const auto refused = [&](const Member& member, const char* cause) {
+    return Fault::unsupported({"config", member.name}, {number_in(config, member), member.unit}, cause);
   };
   const auto read = [&](Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);
   };
-  for (const auto& [option, field, value, default_value] : each)
-    if (value != default_value && !read(option))
-      return Fault::unsupported(field, {value, ""}, readers_of(option));
-  if (tangential.force_table != nullptr && !read(Option::force_table))
+  for (const auto& [option, member] : options_of_methods)
+    if (changed(member) && !read(option)) return refused(member, readers_of(option));
+  if (config.tangential.force_table != nullptr && !read(Option::force_table))
     return Fault::unsupported("config.tangential.force_table", readers_of(Option::force_table));
   if (has_profiles(config)) return {};
-  const struct {
-    const char* field;
-    double value, untouched;
-    const char* unit;
-  } placed[] = {
-      {"config.wheelset.tape_circle_distance", config.wheelset.tape_circle_distance,
-       untouched.wheelset.tape_circle_distance, "m"},
-      {"config.track.gauge", config.track.gauge, untouched.track.gauge, "m"},
-      {"config.track.gauge_depth", config.track.gauge_depth, untouched.track.gauge_depth, "m"},
-      {"config.track.rail_inclination", config.track.rail_inclination, untouched.track.rail_inclination, ""},
-      {"config.track.placement", static_cast<double>(config.track.placement),
-       static_cast<double>(untouched.track.placement), ""},
-  };
-  for (const auto& [field, value, default_value, unit] : placed)
-    if (value != default_value)
-      return Fault::unsupported(
-          field, {value, unit},
-          "the model has no profiles to place: what the caller hands over is taken as it is");
+  for (const Member* const member : places_of_profiles)
+    if (changed(*member))
+      return refused(*member,
+                     "the model has no profiles to place: what the caller hands over is taken as it is");
   return {};
 }
 
@@ -170,14 +156,14 @@ void read_materials(const wrc_config& config, ModelOptions& options) {
   options.shear_yield = std::min(config.wheel_material.shear_yield, config.rail_material.shear_yield);
 }
 
-/// The k-th of the caller's sections, which are as large as the caller's header says.
+/// The k-th of the caller's sections, whose size is that of the caller's header.
 Fault section_at(const wrc_config& config, std::int32_t k, wrc_rail_section& ours) {
   const std::size_t size = config.rail_section_size;
   const auto* const first = reinterpret_cast<const char*>(config.rail_sections);
   return read_element(first + static_cast<std::size_t>(k) * size, size, "config.rail_sections", ours);
 }
 
-/// The k-th section, which has been checked. `given`: the caller's wrc_config.
+/// The k-th section, checked before. `given`: the caller's wrc_config.
 RailSectionSource read_section(const void* given, std::int32_t k) {
   wrc_rail_section theirs;
   (void)section_at(*static_cast<const wrc_config*>(given), k, theirs);
@@ -195,37 +181,36 @@ RailSectionSource read_section(const void* given, std::int32_t k) {
 
 Fault check_section(const wrc_config& config, std::int32_t k) {
   constexpr const char* name = "config.rail_sections";
+  constexpr const char* profile = "config.rail_sections.profile";
   wrc_rail_section ours;
-  Fault fault = section_at(config, k, ours);
   ProfileSource source;
-  if (!fault.failed()) fault = check_no_points(ours.profile, "config.rail_sections.profile");
-  if (!fault.failed()) fault = read_profile(ours.profile, "config.rail_sections.profile", source);
-  if (!fault.failed() && !is_rail(source.kind))
-    fault = Fault::profile("config.rail_sections.profile", "this is a wheel profile");
-  if (!fault.failed() && source.kind == ProfileSource::Kind::rail_uic60_benchmark &&
-      config.track.rail_inclination != 0.0)
-    fault = Fault::unsupported("config.track.rail_inclination", {config.track.rail_inclination, ""},
-                               "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
-  if (!fault.failed() && k > 0) {
-    wrc_rail_section before;
-    (void)section_at(config, k - 1, before);
-    constexpr double nearest = 1e-3;
-    if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
-      fault = Fault::range(
-          {name, "distance"},
-          {ours.distance, "m", before.distance + nearest, member<wrc_rail_section>("distance").high},
-          "the sections of a surface stand in order, 1 mm or more from each other");
-    else if (ours.surface == before.surface && ours.mark_count != before.mark_count)
-      fault = Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
-                             "all sections of a surface have as many: marks of equal number belong together");
-    else if (ours.surface != before.surface && ours.surface != before.surface + 1)
-      fault = Fault::range({name, "surface"}, {ours.surface, "", before.surface, before.surface + 1.0},
-                           "all sections of a surface stand side by side, and surfaces in order");
-  } else if (!fault.failed() && ours.surface != 0) {
-    fault = Fault::range({name, "surface"}, {ours.surface, ""}, "surfaces count from 0");
-  }
-  if (fault.failed()) fault.index = k;
-  return fault;
+  RETURN_IF_FAILED(section_at(config, k, ours));
+  RETURN_IF_FAILED(check_no_points(ours.profile, profile));
+  RETURN_IF_FAILED(read_profile(ours.profile, profile, source));
+  if (!is_rail(source.kind)) return Fault::profile(profile, "this is a wheel profile");
+  if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
+    return Fault::unsupported("config.track.rail_inclination", {config.track.rail_inclination, ""},
+                              "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
+
+  // Beside the section before: surfaces one after the other, distances of each increasing.
+  if (k == 0)
+    return ours.surface == 0 ? Fault{}
+                             : Fault::range({name, "surface"}, {ours.surface, ""}, "surfaces count from 0");
+  wrc_rail_section before;
+  (void)section_at(config, k - 1, before);
+  constexpr double nearest = 1e-3;
+  if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
+    return Fault::range(
+        {name, "distance"},
+        {ours.distance, "m", before.distance + nearest, member<wrc_rail_section>("distance").high},
+        "the sections of a surface stand in order, 1 mm or more from each other");
+  if (ours.surface == before.surface && ours.mark_count != before.mark_count)
+    return Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
+                          "all sections of a surface have as many: marks of equal number belong together");
+  if (ours.surface != before.surface && ours.surface != before.surface + 1)
+    return Fault::range({name, "surface"}, {ours.surface, "", before.surface, before.surface + 1.0},
+                        "all sections of a surface stand side by side, and surfaces in order");
+  return {};
 }
 
 /// `theirs`: the caller's struct, which is there while the model is made.
@@ -238,7 +223,8 @@ Fault read_sections(const wrc_config* theirs, const wrc_config& config, ModelOpt
          member<wrc_config>("rail_section_size").high},
         "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)");
   for (std::int32_t k = 0; k < count; ++k) {
-    const Fault fault = check_section(config, k);
+    Fault fault = check_section(config, k);
+    fault.index = k;
     if (fault.failed()) return fault;
   }
   options.sections = {count, theirs, read_section};
@@ -311,8 +297,7 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
   if (config.roller_curvature != 0.0)
     return Fault::unsupported("config.check_rail", "a roller has none: leave config.roller_curvature 0");
   ProfileSource source;
-  const Fault fault = read_profile(profile, name, source);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read_profile(profile, name, source));
   if (!is_rail(source.kind)) return Fault::profile(name, "this is a wheel profile");
   if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
     return Fault::unsupported(
@@ -322,7 +307,7 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
   return {};
 }
 
-/// What changes along the track or round the wheel is read by contact on the surface alone.
+/// Rails and wheels that change along the track or round the wheel, which contact on the surface alone reads.
 Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
   const bool guided = config.check_rail.profile.kind != WRC_PROFILE_NONE;
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
@@ -334,22 +319,22 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
   constexpr const char* reader =
       "it is read by wrc_contact_wrench alone, which needs profiles and config.normal.method = "
       "WRC_NORMAL_STRIP_HALFSPACE";
+  const bool on_surface = has_profiles(config) && options.normal_method->half_space;
   if (guided) {
-    if (!has_profiles(config) || !options.normal_method->half_space)
-      return Fault::unsupported("config.check_rail", reader);
+    if (!on_surface) return Fault::unsupported("config.check_rail", reader);
     const Fault fault = read_check_rail(theirs, config, options);
     if (fault.failed() || config.roundness.angle_count == 0) return fault;
     return read_roundness(config.roundness, options.radius);
   }
   if (config.roller_curvature != 0.0) {
-    if (!has_profiles(config) || !options.normal_method->half_space)
+    if (!on_surface)
       return Fault::unsupported("config.roller_curvature", {config.roller_curvature, "1/m"}, reader);
     if (config.rail_section_count > 0)
       return Fault::unsupported("config.roller_curvature", {config.roller_curvature, "1/m"},
                                 "a roller has no sections along the track: leave config.rail_sections 0");
     options.roller_curvature = config.roller_curvature;
   }
-  if (!has_profiles(config) || !options.normal_method->half_space)
+  if (!on_surface)
     return config.rail_section_count > 0
                ? Fault::unsupported("config.rail_sections", {config.rail_section_count, ""}, reader)
                : Fault::unsupported("config.roundness.angle_count", {config.roundness.angle_count, ""},
@@ -367,8 +352,9 @@ Fault read_table(const char* file, ModelOptions& options) {
   return read_force_table_axes(file, options.force_table_axes);
 }
 
-/// Of all numbers of a configuration but the instruction set, which results do not depend on, and the size of
-/// the caller's struct. What pointers point to is left to the model, which has it as it is used.
+/// Checksum of all numbers of a configuration but the instruction set, which results do not depend on, and
+/// the size of the caller's struct. Arrays behind pointers are left to the model, which has them as they are
+/// used.
 template <std::size_t... i>
 std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<i...>) {
   Checksum sum;
@@ -399,18 +385,17 @@ static_assert(member<wrc_config>("planar.max_patches").high == patch_capacity);
 
 Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   wrc_config config;
-  Fault fault = read(theirs, "config", config);
-  if (fault.failed()) return fault;
-
-  fault = read_methods(config, options);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, "config", config));
+  RETURN_IF_FAILED(read_methods(config, options));
   options.numbers =
       checksum_of_numbers(config, std::make_index_sequence<std::size(Description<wrc_config>::members)>());
 
-  fault = first_of({check_unread(config, options), check_no_points(config.wheel, "config.wheel"),
-                    check_no_points(config.rail, "config.rail"),
-                    check_no_points(config.check_rail.profile, "config.check_rail.profile")});
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check_unread(config, options));
+  RETURN_IF_FAILED(check_no_points(config.wheel, "config.wheel"));
+  RETURN_IF_FAILED(check_no_points(config.rail, "config.rail"));
+  RETURN_IF_FAILED(check_no_points(config.check_rail.profile, "config.check_rail.profile"));
+
+  // Members that need no more than a copy.
   options.sizes = {
       .strips = config.planar.strips, .cells = config.planar.cells, .gap_rows = config.planar.gap_rows};
   options.surface_cells = config.surface.cells;
@@ -430,17 +415,12 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
                    .by_origin = config.track.placement == WRC_PLACEMENT_ORIGIN,
                    .rail_origin = config.track.rail_origin};
 
-  if (options.tangential_method->reads.has(Option::force_table)) {
-    fault = read_table(config.tangential.force_table, options);
-    if (fault.failed()) return fault;
-  }
-  fault = read_varying(theirs, config, options);
-  if (fault.failed()) return fault;
+  if (options.tangential_method->reads.has(Option::force_table))
+    RETURN_IF_FAILED(read_table(config.tangential.force_table, options));
+  RETURN_IF_FAILED(read_varying(theirs, config, options));
   if (!has_profiles(config)) return {};  // the host hands over gaps
-  fault = read_profile(config.wheel, "config.wheel", options.wheel);
-  if (fault.failed()) return fault;
-  fault = read_profile(config.rail, "config.rail", options.rail);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read_profile(config.wheel, "config.wheel", options.wheel));
+  RETURN_IF_FAILED(read_profile(config.rail, "config.rail", options.rail));
   if (!is_wheel(options.wheel.kind)) {
     return Fault::profile("config.wheel", "this is a rail profile");
   }

@@ -1,31 +1,22 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
-#include "abi/offline.hpp"
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
+#include "abi/guarded.hpp"
 #include "abi/handles.hpp"
 #include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
 #include "abi/structs.hpp"
 #include "abi/wheel.hpp"
-#include "base/elementary.hpp"
 #include "contact/methods.hpp"
-#include "contact/stages.hpp"
+#include "halfspace/exact_wheel.hpp"
 #include "halfspace/normal.hpp"
-#include "halfspace/pressure.hpp"
+#include "halfspace/planar_contact.hpp"
 #include "halfspace/subsurface.hpp"
-#include "halfspace/surface_contact.hpp"
 #include "halfspace/tangential.hpp"
-#include "surface/surface_model.hpp"
-#include "surface/wrench/wrench_at_height.hpp"
 #include "wrc/wrc_offline.h"
 
-/// Bodies that have rolled so far, and what they are.
+/// Bodies with their rolling history, grid and materials.
 struct wrc_exact_transient {
   std::uint64_t tag;
   wrc_grid grid;
@@ -70,7 +61,7 @@ halfspace::Grid grid_of(const wrc_grid& checked) {
 
 Material elastic(const wrc_material& checked) { return {checked.shear_modulus, checked.poisson}; }
 
-/// Elastic constants of both bodies together, and what couples normal and tangential contact.
+/// Elastic constants of both bodies together, and Kalker's coupling K of normal and tangential contact.
 struct PressedBodies {
   Material material;
   double coupling = 0.0;
@@ -200,7 +191,7 @@ Fault solve_rolling(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_s
   return found.fault;
 }
 
-/// What acts on one body: the pressure as it is; on the rail tractions are minus those on the wheel, which is
+/// Loads on one body: the pressure as it is; on the rail tractions are minus those on the wheel, which is
 /// the rail's mirror image.
 Fault read_loads(const wrc_exact_loads* theirs, halfspace::BodyLoads& loads, std::int32_t& body) {
   wrc_exact_loads ours;
@@ -288,135 +279,31 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
       });
 }
 
-/// Friction at y in the contact frame: that of the nearest strip.
-double friction_at(Contact& contact, double y) {
-  double nearest = std::numeric_limits<double>::infinity(), friction = 0.0;
-  for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
-    const Strips region = region_strips(contact, patch);
-    const double* each = array(contact, Array::strip_friction) + patch.region_first;
-    for (std::int32_t j = 0; j < region.count; ++j) {
-      const double distance = std::fabs(region.y[j] - y);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      friction = each[j];
-    }
-  }
-  return friction;
-}
-
 /// The contact's own problem, exactly: all its strips with their pressure on one grid.
-Fault check_contact(Contact& contact, std::uint32_t nx, std::uint32_t ny, Reporter& reporter,
+Fault check_contact(Contact& contact, const wrc_exact_check_options& options,
                     wrc_exact_check_result& result) {
   if (contact.reached < Stage::tangential) {
     return Fault::sequence("contact", "call wrc_planar_tangential or wrc_planar_step first");
   }
   if (!contact.touching) return Fault::no_contact();
-  const Rolling& rolling = contact.rolling;
-  if (rolling.reverse_share > 0.0) {
+  if (contact.rolling.reverse_share > 0.0) {
     return Fault::unsupported(
-        "creepage.reverse_share", {rolling.reverse_share, ""},
+        "creepage.reverse_share", {contact.rolling.reverse_share, ""},
         "near standstill a contact rolls both ways: there is no exact solution of that");
   }
-  // The solver rolls along x: rolling backwards is the mirror image.
-  Strips strips = all_strips(contact);
-  std::vector<double> centre(strips.centre, strips.centre + strips.count);
-  for (double& x : centre) x *= rolling.direction;
-  strips.centre = centre.data();
-  const halfspace::Grid grid = halfspace::grid_over(strips, static_cast<int>(nx), static_cast<int>(ny));
-  halfspace::RollingProblem problem;
-  problem.pressure = halfspace::strip_pressure(strips, grid);
-  problem.friction.resize(grid.cells());
-  for (int j = 0; j < grid.ny; ++j) {
-    const double friction = friction_at(contact, grid.y(j));
-    for (int i = 0; i < grid.nx; ++i) problem.friction[grid.index(i, j)] = friction;
-  }
-  problem.creepage = contact.creepage;
-  problem.creepage.longitudinal *= rolling.direction;
-  problem.creepage.spin *= rolling.direction;
-  problem.progress = reporter.callback();
-  Material material = contact.model->options.material;
-  const double layer = friction_of(contact).slope_reduction;  // as in halfspace/surface_contact.cpp
-  material.shear_modulus *= layer;
-  const halfspace::RollingSolution exact =
-      halfspace::RollingSolver(grid, material, {}, contact.model->options.coupling * layer).solve(problem);
-  if (exact.fault.failed()) return exact.fault;
-  result.fx = rolling.direction * exact.forces.fx;
-  result.fy = exact.forces.fy;
-  result.mz = rolling.direction * exact.forces.mz;
-  result.power = exact.power_by_balance * rolling.speed;
-  result.adhesion_fraction = exact.forces.adhesion_fraction;
-  const double limit = contact.friction * contact.extent.normal_force;
-  const double dx = contact.forces.fx - result.fx, dy = contact.forces.fy - result.fy;
-  result.force_error = limit > 0.0 ? std::sqrt(dx * dx + dy * dy) / limit : 0.0;
-  result.power_error =
-      exact.power_by_balance > 0.0 ? contact.forces.power_per_speed / exact.power_by_balance - 1.0 : 0.0;
-  return exact.fault;
-}
-
-/// Samples the gap in a contact at the cell centres, its minimum at zero: of a pose the true surfaces', of
-/// the caller that of the rows' parabolas; beyond the rows the end row's slope continues.
-void sample_gap(const Contact& contact, const halfspace::Grid& grid, double* gap) {
-  const GapRows rows = gap_rows(contact);
-  std::optional<SurfaceGap> surfaces;
-  if (contact.posed) surfaces = surface_gap(contact);
-  const auto height_at = [&](const GapRow& row, double x, double y) {
-    if (surfaces) return surfaces->at(x, y);
-    return row.height + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
-  };
-  const double lowest_y = minimum(rows).y;
-  const GapRow lowest_row = interpolate(rows, lowest_y);
-  const double lowest = height_at(lowest_row, lowest_row.centre, lowest_y);
-  for (int j = 0; j < grid.ny; ++j) {
-    const double y = grid.y(j), inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
-    const GapRow row = interpolate(rows, inside);
-    for (int i = 0; i < grid.nx; ++i) {
-      gap[grid.index(i, j)] = height_at(row, grid.x(i), inside) + row.slope * (y - inside) - lowest;
-    }
-  }
-}
-
-/// The knots of a curve of the real-time side, as the exact solver's own curve; z from that of the profile's
-/// origin, which is the nominal radius in the wheel's curve.
-halfspace::SectionCurve section_of(const Curve& curve, double z_of_origin) {
-  std::vector<double> y, z;
-  for (std::int32_t k = 0; k <= curve.pieces; ++k) {
-    const std::int32_t piece = std::min(k, curve.pieces - 1);
-    const CurvePoint point = evaluate(curve, piece, curve.s[k] - curve.s[piece]);
-    y.push_back(point.y);
-    z.push_back(point.z - z_of_origin);
-  }
-  return {y, z};
-}
-
-/// The rail where the wheel is: its strips' middles, of each face that is there. Flagged beyond the sections.
-Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem,
-                 std::vector<halfspace::RailSurface>& faces) {
-  if (surface.varying.faces == 0) {
-    faces.push_back({.section = section_of(surface.rail_curve, 0.0)});
-    return {};
-  }
-  std::vector<double> memory(static_cast<std::size_t>(rail_strip_doubles(most_strips_of_a_rail)));
-  RailStrips strips;
-  double distance = problem.distance, steepest = 0.0;
-  SectionBlend blend[most_rail_faces];
-  const Fault outside = place_strips(*surface.kernels, surface.varying, memory.data(), most_strips_of_a_rail,
-                                     distance, strips, blend, steepest);
-  strips = strips_before(surface, see(surface, problem, problem.wheel.position[2]), strips);
-  const bool same_everywhere = has_check_rail(surface.varying);
-  for (std::int32_t r = 0; r < strips.ranges; ++r) {
-    const FaceStrips& range = strips.range[r];
-    constexpr std::int32_t fewest = 4;  // a spline has
-    if (range.count < fewest) continue;
-    const auto part = [&](const double* of) {
-      return std::vector<double>(of + range.first, of + range.first + range.count);
-    };
-    faces.push_back({.section = {part(strips.y), part(strips.z), 0.0},
-                     .varying = same_everywhere ? nullptr : &surface.varying,
-                     .first = range.first,
-                     .distance = distance});
-  }
-  return outside;
+  Reporter reporter{.progress = options.progress, .user = options.user};
+  halfspace::PlanarCheck found;
+  const Fault fault = halfspace::check_planar_contact(
+      contact, static_cast<int>(options.nx), static_cast<int>(options.ny), reporter.callback(), found);
+  if (fault.failed()) return fault;
+  result.fx = found.fx;
+  result.fy = found.fy;
+  result.mz = found.mz;
+  result.power = found.power;
+  result.adhesion_fraction = found.adhesion_fraction;
+  result.force_error = found.force_error;
+  result.power_error = found.power_error;
+  return fault;
 }
 
 Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOptions& options,
@@ -434,73 +321,23 @@ Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOpt
   return fault;
 }
 
-Fault solve_exact_wheel(const Contact& of, const wrc_wheel_input* input,
+Fault solve_exact_wheel(const Contact& contact, const wrc_wheel_input* input,
                         const wrc_exact_wrench_options* options, wrc_wrench& ours) {
-  const Model& model = *of.model;
   HostWheel hosted;
   halfspace::SurfaceOptions solver;
-  PlacedWheel placed;
   Reporter reporter;
   const Fault reading = read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted);
   Fault fault = first_of({reading, read_options(options, solver, reporter)});
   if (fault.failed()) return fault;
-  fault = place_wheel(of, hosted, placed);
-  if (fault.failed()) return fault;
-  if (placed.problem.law && placed.problem.law->heated()) {
+  if (hosted.friction.law.heated()) {
     return Fault::unsupported("input.friction.temperature_law", {WRC_TEMPERATURE_LAW_LINEAR, ""},
                               "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE");
   }
-  const SurfaceModel& surface = *model.surface;
-  const double radius = model.options.wheelset.nominal_radius;
-  halfspace::WheelAndRail bodies{
-      .wheel = section_of(surface.wheel.curve, radius),
-      .rail = {},
-      .nominal_radius = radius,
-      .rail_y = surface.rail_origin_y,
-      .rail_z = surface.rail_origin_z,
-      .material = surface.material,
-      .coupling = model.options.coupling,
-      .roller_curvature = surface.roller_curvature,
-      .out_of_round = surface.out_of_round.rows > 0 ? &surface.out_of_round : nullptr};
-  const Fault outside = find_faces(surface, placed.problem, bodies.rail);
-  const halfspace::SurfaceContact contact(std::move(bodies), solver);
-  const halfspace::SurfaceSolution found =
-      contact.solve({.state = placed.problem, .progress = reporter.callback()});
-  if (found.fault.failed()) return found.fault;
-  fault = found.fault;
-  keep_worst(fault, outside);
-  keep_worst(fault, reading);
-
   HostWrench result;
-  Wrench& wrench = result.wrench;
-  for (int k = 0; k < 3; ++k) {
-    wrench.force[k] = found.force[k];
-    wrench.moment[k] = found.moment[k];
-  }
-  wrench.height = found.height;
-  wrench.area = found.area;
-  wrench.peak_pressure = found.peak_pressure;
-  wrench.power = found.power;
-  wrench.sweeps = found.turns + found.heights;
-  // Regions are runs of rows; the normal force is the sum of their resultants.
-  double along = 0.0, across = 0.0, end = -1.0;
-  int face = 0;
-  for (const halfspace::RowForces& row : found.row_forces) {
-    if (row.s > end || row.face != face) {
-      wrench.normal_force += std::sqrt(along * along + across * across);
-      along = across = 0.0;
-      ++wrench.regions;
-    }
-    end = row.s + 1.5 * solver.cell_s;
-    face = row.face;
-    const SineCosine turned = sine_cosine(row.angle);
-    along += row.normal_force * solver.cell_s * turned.cosine;
-    across += row.normal_force * solver.cell_s * turned.sine;
-    wrench.steepest_angle = std::max(wrench.steepest_angle, std::abs(row.angle));
-  }
-  wrench.normal_force += std::sqrt(along * along + across * across);
-  const std::int32_t regions = std::exchange(wrench.regions, 0);  // without points to turn
-  hand_back(model, placed, result);
+  std::int32_t regions = 0;
+  fault = halfspace::solve_exact_wheel(contact, hosted, solver, reporter.callback(), result, regions);
+  if (fault.failed()) return fault;
+  keep_worst(fault, reading);
   ours = wrench_of(result);
   ours.region_count = regions;
   if (!hosted.load_prescribed) ours.z = hosted.z;
@@ -620,7 +457,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
     if (inside.gap_rows == 0) {
       return Fault::sequence("gap", "call wrc_planar_geometry first, or hand over a gap");
     }
-    abi::sample_gap(inside, ours, gap);
+    wrc::halfspace::sample_gap(inside, ours, gap);
     return fault;
   });
   return abi::keep(*contact, __func__, outcome);
@@ -690,8 +527,7 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
                               wrc_exact_check_options how;
                               const Fault fault = abi::read_or_defaults(options, "options", how);
                               if (fault.failed()) return fault;
-                              abi::Reporter reporter{.progress = how.progress, .user = how.user};
-                              return abi::check_contact(of, how.nx, how.ny, reporter, ours);
+                              return abi::check_contact(of, how, ours);
                             });
 }
 

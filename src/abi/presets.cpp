@@ -36,8 +36,7 @@ constexpr const char* known_names = "no such method; there are"
 
 Fault use(wrc_config* config, const char* name) {
   if (config == nullptr) return Fault::null("config");
-  const Fault fault = abi::check_size(*config);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(abi::check_size(*config));
   if (name == nullptr) return Fault::null("name");
   const Preset* const preset = std::find_if(std::begin(presets), std::end(presets), [&](const Preset& each) {
     return std::strcmp(each.name, name) == 0;

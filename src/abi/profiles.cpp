@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "abi/guarded.hpp"
 #include "abi/handles.hpp"
-#include "abi/offline.hpp"
 #include "abi/structs.hpp"
 #include "profiles/conicity.hpp"
 #include "profiles/contact_functions.hpp"
@@ -13,7 +13,7 @@
 namespace wrc::abi {
 namespace {
 
-/// An array of the caller and what goes there.
+/// An array of the caller, and the number that goes there.
 struct Column {
   double* theirs;
   double (*value)(const SettledWheelset&);
@@ -23,8 +23,8 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
                      wrc_wheelset_geometry* functions) {
   wrc_wheelset_geometry into;
   wrc_wheelset_geometry_problem problem;
-  Fault fault = first_of({read(functions, "functions", into), read(theirs, "problem", problem)});
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(functions, "functions", into));
+  RETURN_IF_FAILED(read(theirs, "problem", problem));
   constexpr int right = static_cast<int>(Side::right), left = static_cast<int>(Side::left);
   using Settled = const SettledWheelset&;
   const Column columns[] = {
@@ -46,7 +46,8 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
   if (!model.has_geometry)
     return Fault::sequence("model", "it has no profiles: give config.wheel and config.rail");
   std::vector<SettledWheelset> settled(problem.count);
-  fault = settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
+  const Fault fault =
+      settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
   if (fault.failed()) return fault;
   for (const Column& each : columns)
     if (each.theirs != nullptr) std::transform(settled.begin(), settled.end(), each.theirs, each.value);
@@ -56,8 +57,8 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
 Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) {
   wrc_conicity into;
   wrc_conicity_problem problem;
-  const Fault fault = first_of({read(conicity, "conicity", into), read(theirs, "problem", problem)});
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(conicity, "conicity", into));
+  RETURN_IF_FAILED(read(theirs, "problem", problem));
   for (double* each : {into.conicity, into.wavelength, into.centre})
     if (each != nullptr) std::fill_n(each, problem.amplitude_count, 0.0);
   for (std::uint32_t i = 1; i < problem.count; ++i) {
@@ -81,32 +82,30 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
     if (into.wavelength != nullptr) into.wavelength[i] = found.wavelength;
     if (into.centre != nullptr) into.centre[i] = found.centre;
   }
-  return fault;
+  return {};
 }
 
 Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
   wrc_worn_profile into;
   wrc_profile_wear ours;
-  Fault fault = read(worn, "worn", into);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(worn, "worn", into));
   into.count = 0;
   into.passages = into.depth = into.area = 0.0;
   write(into, worn);
-  fault = read(theirs, "wear", ours);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, "wear", ours));
   if (into.y == nullptr || into.z == nullptr) return Fault::null("worn.y");
   WornProfile found;
-  fault = wear_profile(ours.count, ours.y, ours.z,
-                       {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
-                        .bins = ours.bin_count,
-                        .first = ours.first,
-                        .width = ours.width,
-                        .depth = ours.depth,
-                        .passages = ours.passages,
-                        .largest_depth = ours.largest_depth,
-                        .smoothing = ours.smoothing,
-                        .spacing = ours.spacing},
-                       found);
+  Fault fault = wear_profile(ours.count, ours.y, ours.z,
+                             {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
+                              .bins = ours.bin_count,
+                              .first = ours.first,
+                              .width = ours.width,
+                              .depth = ours.depth,
+                              .passages = ours.passages,
+                              .largest_depth = ours.largest_depth,
+                              .smoothing = ours.smoothing,
+                              .spacing = ours.spacing},
+                             found);
   if (fault.failed()) {
     if (fault.field == nullptr) fault.field = "wear";
     return fault;
@@ -128,20 +127,23 @@ Fault find_flange(std::uint32_t count, const double* y, const double* z, double 
   if (flange == nullptr) return Fault::null("flange");
   *flange = {};
   if (y == nullptr || z == nullptr) return Fault::null("y");
-  Fault fault = first_of({check(static_cast<double>(count), "count", "", 4.0, 20000.0),
-                          check(back, "flange_back_to_origin", "m", 0.01, 0.2)});
+  RETURN_IF_FAILED(check(static_cast<double>(count), "count", "", 4.0, 20000.0));
+  RETURN_IF_FAILED(check(back, "flange_back_to_origin", "m", 0.01, 0.2));
   for (const double* each : {y, z})
-    if (!fault.failed())
-      fault = check_all(each, count, "y or z", "m", -1.0, 1.0, nullptr, "did you pass mm?");
-  if (fault.failed()) return fault;
+    RETURN_IF_FAILED(check_all(each, count, "y or z", "m", -1.0, 1.0, nullptr, "did you pass mm?"));
   FlangeDimensions found;
-  fault = measure_flange(count, y, z, back, found);
+  const Fault fault = measure_flange(count, y, z, back, found);
   if (fault.failed()) return fault;
   *flange = {found.height, found.thickness, found.slope, {}};
   return fault;
 }
 
-constexpr const char *memory_of = "problem.count", *memory_cause = "there is not enough memory for so many";
+/// Runs a call that allocates; its sentence goes into `text`.
+template <typename Work>
+std::int32_t run(const char* function, char* text, std::uint64_t size, Work&& work) {
+  return finish(function, guarded(work, "problem.count", "there is not enough memory for so many"), text,
+                size);
+}
 
 }  // namespace
 }  // namespace wrc::abi
@@ -152,34 +154,23 @@ extern "C" {
 
 int32_t wrc_profile_wheelset_geometry(const wrc_model* model, const wrc_wheelset_geometry_problem* problem,
                                       wrc_wheelset_geometry* functions, char* text, uint64_t size) {
-  return abi::finish(__func__,
-                     abi::guarded([&] { return abi::find_functions(model, problem, functions); },
-                                  abi::memory_of, abi::memory_cause),
-                     text, size);
+  return abi::run(__func__, text, size, [&] { return abi::find_functions(model, problem, functions); });
 }
 
 int32_t wrc_equivalent_conicity(const wrc_conicity_problem* problem, wrc_conicity* conicity, char* text,
                                 uint64_t size) {
-  return abi::finish(
-      __func__,
-      abi::guarded([&] { return abi::find_conicity(problem, conicity); }, abi::memory_of, abi::memory_cause),
-      text, size);
+  return abi::run(__func__, text, size, [&] { return abi::find_conicity(problem, conicity); });
 }
 
 int32_t wrc_profile_remove_wear(const wrc_profile_wear* wear, wrc_worn_profile* worn, char* text,
                                 uint64_t size) {
-  return abi::finish(
-      __func__, abi::guarded([&] { return abi::take_off(wear, worn); }, abi::memory_of, abi::memory_cause),
-      text, size);
+  return abi::run(__func__, text, size, [&] { return abi::take_off(wear, worn); });
 }
 
 int32_t wrc_flange_dimensions(uint32_t count, const double* y, const double* z, double flange_back_to_origin,
                               wrc_flange* flange, char* text, uint64_t size) {
-  return abi::finish(
-      __func__,
-      abi::guarded([&] { return abi::find_flange(count, y, z, flange_back_to_origin, flange); },
-                   abi::memory_of, abi::memory_cause),
-      text, size);
+  return abi::run(__func__, text, size,
+                  [&] { return abi::find_flange(count, y, z, flange_back_to_origin, flange); });
 }
 
 }  // extern "C"

@@ -77,8 +77,7 @@ Fault write_field(Contact& contact, std::int32_t index, std::int32_t field, doub
   }
   if (values == nullptr) return fault;
   WearLaws laws;
-  const Fault published = read_wear_laws(nullptr, "laws", laws);
-  if (published.failed()) return published;
+  RETURN_IF_FAILED(read_wear_laws(nullptr, "laws", laws));
   return region_field(contact, index, which, laws.sheffield, values);
 }
 
@@ -142,8 +141,8 @@ int32_t wrc_contact_wear(wrc_contact* handle, int32_t index, const wrc_wear_laws
     if (wear == nullptr) return Fault::null("wear");
     wrc::WearLaws ours;
     wrc::WearNumbers numbers;
-    Fault outcome = abi::read_wear_laws(laws, "laws", ours);
-    if (!outcome.failed()) outcome = wrc::region_wear(contact, index, ours, numbers);
+    RETURN_IF_FAILED(abi::read_wear_laws(laws, "laws", ours));
+    const Fault outcome = wrc::region_wear(contact, index, ours, numbers);
     if (outcome.failed()) return outcome;
     wrc_wear result = abi::defaults<wrc_wear>();
     result.worn_area_rate = numbers.worn_area_rate;
@@ -161,9 +160,8 @@ int32_t wrc_contact_temperature(wrc_contact* handle, int32_t index, const wrc_bu
     if (temperature == nullptr) return Fault::null("temperature");
     wrc_bulk_temperatures ours;
     wrc::TemperatureNumbers numbers;
-    Fault outcome = abi::read_or_defaults(bulk, "bulk", ours);
-    if (!outcome.failed())
-      outcome = wrc::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
+    RETURN_IF_FAILED(abi::read_or_defaults(bulk, "bulk", ours));
+    const Fault outcome = wrc::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
     if (!outcome.failed() && !outcome.has(WRC_FLAG_NO_CONTACT))
       abi::write(abi::temperature_of(numbers), temperature);
     return outcome;
@@ -176,13 +174,12 @@ int32_t wrc_contact_stresses(wrc_contact* handle, int32_t index, int32_t body, c
   const std::uint32_t known = of_count.failed() ? 0 : count;
   for (std::uint32_t k = 0; levels != nullptr && k < known; ++k) levels[k] = {};
   return abi::call(__func__, handle, abi::clear(stresses), [&](Contact& contact) {
-    Fault outcome = of_count;
-    if (!outcome.failed()) outcome = abi::check_stress_depths(body, depths, count);
-    if (outcome.failed()) return outcome;
+    RETURN_IF_FAILED(of_count);
+    RETURN_IF_FAILED(abi::check_stress_depths(body, depths, count));
     wrc::StressPeaks found[static_cast<std::size_t>(abi::most_stress_depths)];
     wrc::BodyStresses of_body;
-    outcome = wrc::region_stresses(contact, index, body == WRC_BODY_RAIL, depths,
-                                   static_cast<std::int32_t>(count), found, of_body);
+    const Fault outcome = wrc::region_stresses(contact, index, body == WRC_BODY_RAIL, depths,
+                                               static_cast<std::int32_t>(count), found, of_body);
     if (outcome.failed()) return outcome;
     for (std::uint32_t k = 0; levels != nullptr && k < count; ++k) levels[k] = abi::peaks_of(found[k]);
     wrc_stresses result = abi::empty<wrc_stresses>();

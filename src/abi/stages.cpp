@@ -31,7 +31,7 @@ Load load_of(const wrc_planar_load& checked) {
              : Load{Prescribed::approach, checked.approach, checked.approach_velocity, checked.damping};
 }
 
-// What wrc_planar_creepages() makes of a motion is within what wrc_planar_tangential() takes.
+// Creepages of wrc_planar_creepages() are within the range that wrc_planar_tangential() takes.
 static_assert(member<wrc_creepage>("longitudinal").high == largest_creepage);
 static_assert(member<wrc_creepage>("lateral").high == largest_creepage);
 static_assert(member<wrc_creepage>("spin").high == largest_spin);
@@ -49,7 +49,7 @@ Rolling rolling_of(const wrc_creepage& checked) {
   return {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(checked.reverse_share)};
 }
 
-/// Positions of rows or of the elements in them. `spacing`: what their distance is called.
+/// Positions of rows, or of columns. `spacing`: the name of their distance.
 Fault check_increasing(const double* y, std::uint32_t count, const char* of, const char* field,
                        const char* spacing, const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
@@ -73,22 +73,20 @@ Fault check_stride(const wrc_planar_gap& gap, const char* of) {
 
 Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
   wrc_planar_gap gap;
-  Fault fault = read(theirs, of, gap);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, of, gap));
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  fault = first_of({check(member<wrc_planar_gap>("row_count"), of, gap.row_count, room),
-                    check_increasing(gap.y, gap.row_count, of, "y", "y: spacing",
-                                     "rows must be in order of strictly increasing y")});
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check(member<wrc_planar_gap>("row_count"), of, gap.row_count, room));
+  RETURN_IF_FAILED(check_increasing(gap.y, gap.row_count, of, "y", "y: spacing",
+                                    "rows must be in order of strictly increasing y"));
   const auto rows = static_cast<std::int32_t>(gap.row_count);
 
+  // Heights over a grid of x and y, from which the stage fits parabolas.
   if (gap.column_count > 0) {
-    fault = first_of(
-        {check_stride(gap, of), check_increasing(gap.x, gap.column_count, of, "x", "x: spacing",
-                                                 "columns must be in order of strictly increasing x")});
-    if (fault.failed()) return fault;
+    RETURN_IF_FAILED(check_stride(gap, of));
+    RETURN_IF_FAILED(check_increasing(gap.x, gap.column_count, of, "x", "x: spacing",
+                                      "columns must be in order of strictly increasing x"));
     for (std::uint32_t j = 0; j < gap.row_count; ++j) {
-      fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.column_count);
+      Fault fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.column_count);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -102,11 +100,9 @@ Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
 
 Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
   wrc_planar_strips strips;
-  Fault fault = read(theirs, "strips", strips);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, "strips", strips));
   const std::int32_t room = contact.model->options.sizes.strips;
-  fault = check(member<wrc_planar_strips>("count"), "strips", strips.count, room);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check(member<wrc_planar_strips>("count"), "strips", strips.count, room));
   for (std::uint32_t j = 1; j < strips.count; ++j) {
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
     if (strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {
@@ -126,8 +122,7 @@ Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
 
 Fault take_ellipse(Contact& contact, const wrc_ellipse* theirs) {
   wrc_ellipse ellipse;
-  const Fault fault = read(theirs, "ellipse", ellipse);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read(theirs, "ellipse", ellipse));
   return take_double_ellipse(contact, Sdec{ellipse.a, ellipse.b, ellipse.psi}, ellipse.normal_force);
 }
 
@@ -169,17 +164,26 @@ wrc_planar_normal_solution normal_of(const Contact& contact) {
   return ours;
 }
 
-/// Bits of enum wrc_available that hold for what is made of the cells.
+/// Ends a call of the normal stage whose patch is known: equivalent ellipses, then the result. `outcome`: of
+/// the call so far.
+Fault regularise_and_write(Contact& contact, Fault outcome, wrc_planar_normal_solution* normal) {
+  if (!outcome.failed()) keep_worst(outcome, regularise_patch(contact));
+  if (!outcome.failed()) write(with_flags(normal_of(contact), outcome), normal);
+  return outcome;
+}
+
+/// Bits of enum wrc_available that hold for results from the cells.
 std::uint32_t of_tractions(const Contact& contact) {
   return gives_fields(contact) ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U;
 }
 
-wrc_planar_forces forces_of(const Contact& contact, const TangentialForces& forces, double normal_force) {
+wrc_planar_forces forces_of(const Contact& contact) {
+  const TangentialForces& forces = contact.forces;
   wrc_planar_forces ours{};
   if (!contact.touching) return ours;
   ours.fx = forces.fx;
   ours.fy = forces.fy;
-  ours.fn = normal_force;
+  ours.fn = contact.extent.normal_force;
   ours.mz = forces.mz;
   ours.power = forces.power_per_speed * contact.rolling.speed;
   ours.adhesion_fraction = forces.adhesion_fraction;
@@ -187,32 +191,29 @@ wrc_planar_forces forces_of(const Contact& contact, const TangentialForces& forc
   return ours;
 }
 
-wrc_planar_forces forces_of(const Contact& contact) {
-  return forces_of(contact, contact.forces, contact.extent.normal_force);
-}
-
 // ----------------------------------------------------------------------------------------------------------
 // stages
 
-/// The gravest of all stages, with the flags of all; `normal` and `tangential`: what these two came to.
+/// The gravest fault of all stages, with the flags of all; `normal` and `tangential`: the faults of these
+/// two.
 Fault solve_step(Contact& contact, const wrc_planar_input* input, Fault& normal, Fault& tangential) {
+  // All of the input is checked before the first stage runs.
   wrc_planar_input in;
-  Fault outcome = read(input, "input", in);
-  if (!outcome.failed()) outcome = check_prescribed_of_plane(in.load.prescribed, "input.load");
-  if (outcome.failed()) return outcome;
   Friction friction;
-  outcome = read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction);
+  RETURN_IF_FAILED(read(input, "input", in));
+  RETURN_IF_FAILED(check_prescribed_of_plane(in.load.prescribed, "input.load"));
+  RETURN_IF_FAILED(
+      read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction));
+
+  // A stage that fails ends the step; flags of those that ran are kept.
+  Fault outcome =
+      in.gap != nullptr ? take_gap(contact, in.gap, "input.gap") : find_gap(contact, pose_of(in.pose));
   if (outcome.failed()) return outcome;
-  if (in.gap != nullptr) {
-    outcome = take_gap(contact, in.gap, "input.gap");
-  } else {
-    keep_worst(outcome, find_gap(contact, pose_of(in.pose)));
-  }
-  if (!outcome.failed()) normal = solve_normal(contact, load_of(in.load));
-  if (!outcome.failed() && !normal.failed()) keep_worst(normal, regularise_patch(contact));
+  normal = solve_normal(contact, load_of(in.load));
+  if (!normal.failed()) keep_worst(normal, regularise_patch(contact));
   keep_worst(outcome, normal);
-  if (!outcome.failed())
-    tangential = solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage));
+  if (outcome.failed()) return outcome;
+  tangential = solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage));
   keep_worst(outcome, tangential);
   if (!outcome.failed()) keep_worst(outcome, assess_damage(contact));
   return outcome;
@@ -246,9 +247,8 @@ extern "C" {
 int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wrc_planar_point* point) {
   return abi::call(__func__, handle, abi::clear(point), [&](Contact& contact) {
     wrc_planar_pose ours;
-    Fault outcome = abi::read(pose, "pose", ours);
-    if (outcome.failed()) return outcome;
-    outcome = wrc::find_gap(contact, abi::pose_of(ours));
+    RETURN_IF_FAILED(abi::read(pose, "pose", ours));
+    const Fault outcome = wrc::find_gap(contact, abi::pose_of(ours));
     if (!outcome.failed()) abi::write(abi::point_of(contact), point);
     return outcome;
   });
@@ -257,17 +257,16 @@ int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wr
 int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motion, wrc_creepage* creepage) {
   return abi::call(__func__, handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
     wrc_planar_motion ours;
-    Fault outcome = abi::read(motion, "motion", ours);
-    if (outcome.failed()) return outcome;
+    RETURN_IF_FAILED(abi::read(motion, "motion", ours));
     wrc::RigidCreepage rigid;
-    outcome = wrc::find_creepages(contact,
-                                  {.speed = ours.speed,
-                                   .lateral_velocity = ours.lateral_velocity,
-                                   .vertical_velocity = ours.vertical_velocity,
-                                   .roll_rate = ours.roll_rate,
-                                   .yaw_rate = ours.yaw_rate,
-                                   .pitch_rate = ours.pitch_rate},
-                                  rigid);
+    const Fault outcome = wrc::find_creepages(contact,
+                                              {.speed = ours.speed,
+                                               .lateral_velocity = ours.lateral_velocity,
+                                               .vertical_velocity = ours.vertical_velocity,
+                                               .roll_rate = ours.roll_rate,
+                                               .yaw_rate = ours.yaw_rate,
+                                               .pitch_rate = ours.pitch_rate},
+                                              rigid);
     if (outcome.failed()) return outcome;
     wrc_creepage result = abi::defaults<wrc_creepage>();
     result.longitudinal = rigid.longitudinal;
@@ -283,26 +282,21 @@ int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motio
 
 int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const wrc_planar_load* load,
                           wrc_planar_normal_solution* normal) {
-  return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
+  return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) -> Fault {
     wrc_planar_load ours;
-    Fault outcome = abi::read(load, "load", ours);
-    if (!outcome.failed()) outcome = abi::check_prescribed_of_plane(ours.prescribed, "load");
-    if (!outcome.failed() && gap != nullptr) outcome = abi::take_gap(contact, gap, "gap");
+    RETURN_IF_FAILED(abi::read(load, "load", ours));
+    RETURN_IF_FAILED(abi::check_prescribed_of_plane(ours.prescribed, "load"));
+    Fault outcome = gap == nullptr ? Fault{} : abi::take_gap(contact, gap, "gap");
     if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
-    if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::write(abi::with_flags(abi::normal_of(contact), outcome), normal);
-    return outcome;
+    return abi::regularise_and_write(contact, outcome, normal);
   });
 }
 
 int32_t wrc_planar_regularise(wrc_contact* handle, const wrc_planar_strips* strips,
                               wrc_planar_normal_solution* normal) {
   return abi::call(__func__, handle, abi::clear(normal), [&](Contact& contact) {
-    Fault outcome;
-    if (strips != nullptr) outcome = abi::take_strips(contact, strips);
-    if (!outcome.failed()) keep_worst(outcome, wrc::regularise_patch(contact));
-    if (!outcome.failed()) abi::write(abi::with_flags(abi::normal_of(contact), outcome), normal);
-    return outcome;
+    return abi::regularise_and_write(contact, strips == nullptr ? Fault{} : abi::take_strips(contact, strips),
+                                     normal);
   });
 }
 
@@ -327,11 +321,10 @@ int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, c
     wrc_creepage ours;
     wrc_friction theirs;
     wrc::Friction law;
-    Fault outcome =
-        abi::first_of({abi::read(creepage, "creepage", ours), abi::read(friction, "friction", theirs)});
-    if (!outcome.failed())
-      outcome = abi::read_friction(theirs, "friction", *contact.model->options.tangential_method, law);
-    if (!outcome.failed() && ellipse != nullptr) outcome = abi::take_ellipse(contact, ellipse);
+    RETURN_IF_FAILED(abi::read(creepage, "creepage", ours));
+    RETURN_IF_FAILED(abi::read(friction, "friction", theirs));
+    RETURN_IF_FAILED(abi::read_friction(theirs, "friction", *contact.model->options.tangential_method, law));
+    Fault outcome = ellipse == nullptr ? Fault{} : abi::take_ellipse(contact, ellipse);
     if (!outcome.failed())
       keep_worst(outcome, wrc::solve_tangential(contact, abi::creepage_of(ours), law, abi::rolling_of(ours)));
     if (!outcome.failed()) abi::write(abi::with_flags(abi::forces_of(contact), outcome), forces);

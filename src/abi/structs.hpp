@@ -83,6 +83,20 @@ Value load(const char* bytes, std::size_t offset) {
   return value;
 }
 
+/// Value of a member that is a number.
+inline double number(const char* bytes, const Member& member) {
+  switch (member.type) {
+    case Type::int32:
+      return load<std::int32_t>(bytes, member.offset);
+    case Type::uint32:
+      return load<std::uint32_t>(bytes, member.offset);
+    case Type::uint64:
+      return static_cast<double>(load<std::uint64_t>(bytes, member.offset));
+    default:
+      return load<double>(bytes, member.offset);
+  }
+}
+
 /// Is a member read at all?
 template <typename Struct, std::size_t i>
 bool is_read(const char* bytes) {
@@ -154,6 +168,12 @@ Fault check_members(const Struct& ours, const char* of, std::index_sequence<i...
 
 }  // namespace detail
 
+/// A number of a struct by its description.
+template <typename Struct>
+double number_in(const Struct& of, const Member& member) {
+  return detail::number(reinterpret_cast<const char*>(&of), member);
+}
+
 /// Reads the caller's struct, of whatever version, over today's defaults, and checks each of its members by
 /// what the header says of it. `name`: what messages call it.
 template <typename Struct>
@@ -185,8 +205,7 @@ Fault read_or_defaults(const Struct* theirs, const char* name, Struct& ours) {
 template <typename Struct>
 Fault read_element(const void* theirs, std::size_t size, const char* name, Struct& ours) {
   ours = defaults<Struct>();
-  const Fault fault = check_tail(theirs, size, sizeof(Struct), name);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check_tail(theirs, size, sizeof(Struct), name));
   std::memcpy(&ours, theirs, std::min(size, sizeof(Struct)));
   return detail::check_members(ours, name,
                                std::make_index_sequence<std::size(Description<Struct>::members)>());
@@ -211,8 +230,7 @@ void write(const Struct& ours, Struct* theirs) {
 template <typename Struct>
 Fault clear(Struct* theirs) {
   if (theirs == nullptr) return {};
-  const Fault fault = check_size(*theirs);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check_size(*theirs));
   write(empty<Struct>(), theirs);
   return {};
 }

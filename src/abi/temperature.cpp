@@ -11,12 +11,11 @@ Fault find_flash_temperature(std::uint32_t count, double cell, const double* pow
                              double* rise) {
   constexpr double shortest_cell = 1e-7, longest_cell = 0.01, most_power = 1e18;
   constexpr double slowest = 1e-6, fastest = 200.0;
-  Fault fault = check(count, "count", "", 1.0, most_flash_cells);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check(count, "count", "", 1.0, most_flash_cells));
   if (power_density == nullptr) return Fault::null("power_density");
   if (rise == nullptr) return Fault::null("rise");
   wrc_heat_properties of_wheel, of_rail;
-  fault = first_of(
+  const Fault fault = first_of(
       {check(cell, "cell", "m", shortest_cell, longest_cell, nullptr, "did you pass mm?"),
        check(speed, "speed", "m/s", slowest, fastest, nullptr, "did you pass km/h?"),
        check_all(power_density, count, "power_density", "W/m^2", -most_power, most_power, nullptr, nullptr),

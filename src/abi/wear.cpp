@@ -53,10 +53,10 @@ WearLaws laws_of(const wrc_wear_laws& checked) {
 
 Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& laws) {
   wrc_wear_laws ours;
-  Fault fault = read_or_defaults(theirs, name, ours);
-  if (!fault.failed()) fault = check_order(ours);
-  if (!fault.failed()) laws = laws_of(ours);
-  return fault;
+  RETURN_IF_FAILED(read_or_defaults(theirs, name, ours));
+  RETURN_IF_FAILED(check_order(ours));
+  laws = laws_of(ours);
+  return {};
 }
 
 }  // namespace wrc::abi

@@ -69,8 +69,7 @@ Fault read_axle(const wrc_wheel_state& ours, HostWheel& hosted, double (&axes)[3
   double rows[9];
   const bool by_columns = ours.orientation == WRC_ORIENTATION_COLUMNS;
   for (int i = 0; i < 9; ++i) rows[i] = ours.rotation[by_columns ? i % 3 * 3 + i / 3 : i];
-  const Fault fault = check_rotation(rows);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check_rotation(rows));
   for (int i = 0; i < 3; ++i) std::copy_n(rows + 3 * i, 3, axes[i]);
   double axle[3] = {axes[0][1], axes[1][1], axes[2][1]};
   const double length = std::sqrt(axle[0] * axle[0] + axle[1] * axle[1] + axle[2] * axle[2]);
@@ -152,8 +151,7 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostWheel& hosted) {
   hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
   if (hosted.frictionless) return {};
-  const Fault fault = read_friction(ours, "input.friction", method, hosted.friction);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read_friction(ours, "input.friction", method, hosted.friction));
   if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::contact)
     return Fault::unsupported("input.friction.zone_frame", {ours.zone_frame, ""},
                               "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "

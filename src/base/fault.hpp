@@ -140,3 +140,7 @@ inline void keep_worst(Fault& kept, const Fault& next) {
 }
 
 }  // namespace wrc
+
+/// Leaves the function with the fault of a call that failed; its flags are not kept.
+#define RETURN_IF_FAILED(call) \
+  if (const auto fault_of_call = (call); fault_of_call.failed()) return fault_of_call

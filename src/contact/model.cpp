@@ -58,8 +58,7 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
                   Profile& profile, double& deviation) {
   if (!(source.smoothing > 0.0))
     return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
-  const Fault fault = check_points(body, source.count, source.y, source.z, profile_noise_most);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(check_points(body, source.count, source.y, source.z, profile_noise_most));
   const SmoothedPoints smooth =
       smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
   for (std::int32_t i = 1; i < source.count; ++i) {
@@ -146,8 +145,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
 /// Reads the force table into `memory`, for the model's Poisson ratio.
 Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& table) {
   auto* coefficients = static_cast<float*>(memory);
-  const Fault fault = read_force_table(options.force_table, options.force_table_axes, coefficients);
-  if (fault.failed()) return fault;
+  RETURN_IF_FAILED(read_force_table(options.force_table, options.force_table_axes, coefficients));
   table.axes = options.force_table_axes;
   table.coefficients = coefficients;
   adapt_to_poisson(options.material.poisson, table);
@@ -324,8 +322,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   void* const sections = behind;
   behind += section_bytes(options);
   if (table_bytes(options) > 0) {
-    const Fault fault = take_force_table(options, behind, model->force_table);
-    if (fault.failed()) return fault;
+    RETURN_IF_FAILED(take_force_table(options, behind, model->force_table));
   }
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
   model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
@@ -337,8 +334,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   if (model->has_geometry) {
     double* const arc = arrays;
     arrays += arcs(options);
-    const Fault fault = take_bodies(options, arrays, surface, sections, *model);
-    if (fault.failed()) return fault;
+    RETURN_IF_FAILED(take_bodies(options, arrays, surface, sections, *model));
     const Bodies& right = model->bodies[static_cast<int>(Side::right)];
     model->arc[0] = measure(right.wheel.profile, right.wheel.origin_y, arc);
     model->arc[1] = measure(right.rail.profile, right.rail.origin_y, arc + node_count(options.wheel));

@@ -22,12 +22,15 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   const bool couples = kernel == Kernel::coupling || kernel == Kernel::coupling_slip;
   const bool differenced =
       kernel == Kernel::normal_slip || kernel == Kernel::tangential || kernel == Kernel::coupling_slip;
+  // K / (pi G)
   const double factor = coupling / (pi * material.shear_modulus);
   const auto coefficient = [&](double at, double upstream) {
     if (kernel == Kernel::shear_slip) return at / grid.dx;
     return differenced ? (at - upstream) / grid.dx : at;
   };
   for (int my = 1 - ny_; my < ny_; ++my) {
+    // Coefficients of a row of offsets from left to right: each one's upstream neighbour, one cell ahead, is
+    // the next one's own. Where couples, p_x and p_y act through x / r^2 and y / r^2 instead.
     CellInfluence here = cell_influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
     for (int mx = 1 - nx_; couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
@@ -60,6 +63,7 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
 }
 
 void Convolution::transform(int rows) {
+  // along x for `rows` signals, turned round to y slow, along y with zeros in the rows that were not given
   fft_x_.forward(re_.data(), im_.data(), work_re_.data(), work_im_.data(), rows);
   transpose(re_.data(), work_re_.data(), padded_x_, rows);
   transpose(im_.data(), work_im_.data(), padded_x_, rows);
@@ -74,9 +78,11 @@ void Convolution::transform(int rows) {
 void Convolution::transform_kernel(const Field& kernel, Field& spectrum_re, Field& spectrum_im) {
   std::fill(re_.begin(), re_.end(), 0.0);
   std::fill(im_.begin(), im_.end(), 0.0);
+  // the inverse transforms' factor goes into the kernel
   const double scale = 1.0 / (static_cast<double>(padded_x_) * padded_y_);
   for (int my = 1 - ny_; my < ny_; ++my) {
     for (int mx = 1 - nx_; mx < nx_; ++mx) {
+      // negative offsets wrap round to the end; x slow
       const auto x = static_cast<std::size_t>((mx + padded_x_) % padded_x_);
       const auto y = static_cast<std::size_t>((my + padded_y_) % padded_y_);
       re_[x * static_cast<std::size_t>(padded_y_) + y] = scale * kernel[offset(mx, my)];
@@ -95,8 +101,10 @@ void Convolution::multiply_by_kernel() {
     const std::size_t row = ky * nx, mirrored_row = (ky == 0 ? 0 : ny - ky) * nx;
     for (std::size_t kx = 0; kx < nx; ++kx) {
       const std::size_t k = row + kx, m = mirrored_row + (kx == 0 ? 0 : nx - kx);
+      // spectra of both fields from their packed one
       const double xr = 0.5 * (re_[k] + re_[m]), xi = 0.5 * (im_[k] - im_[m]);
       const double yr = 0.5 * (im_[k] + im_[m]), yi = 0.5 * (re_[m] - re_[k]);
+      // U_x = K_xx P_x + K_xy P_y, U_y = K_xy P_x + K_yy P_y, and U_x + i U_y
       const double ur = xx_re_[k] * xr - xx_im_[k] * xi + xy_re_[k] * yr - xy_im_[k] * yi;
       const double ui = xx_re_[k] * xi + xx_im_[k] * xr + xy_re_[k] * yi + xy_im_[k] * yr;
       const double vr = xy_re_[k] * xr - xy_im_[k] * xi + yy_re_[k] * yr - yy_im_[k] * yi;
@@ -110,6 +118,7 @@ void Convolution::multiply_by_kernel() {
 }
 
 void Convolution::apply(const double* px, const double* py, double* out_x, double* out_y) {
+  // both fields turned to x slow, with zeros beyond their cells
   transpose(px, re_.data(), ny_, nx_);
   transpose(py, im_.data(), ny_, nx_);
   const std::ptrdiff_t used = static_cast<std::ptrdiff_t>(nx_) * ny_;
@@ -117,6 +126,7 @@ void Convolution::apply(const double* px, const double* py, double* out_x, doubl
   std::fill(re_.begin() + used, re_.begin() + padded, 0.0);
   std::fill(im_.begin() + used, im_.begin() + padded, 0.0);
   transform(ny_);
+  // to spectra, products, and back for the rows that are cells
   multiply_by_kernel();
   backward_2d(fft_x_, fft_y_, ny_, {re_, im_, work_re_, work_im_});
   transpose(re_.data(), out_x, nx_, ny_);

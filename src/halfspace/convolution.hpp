@@ -17,7 +17,7 @@ namespace wrc::halfspace {
 /// padded cell, 104 * (2 nx) * (2 ny) bytes: 1.7 MB for 64 x 64 cells, 27 MB for 256 x 256.
 class Convolution {
  public:
-  /// What is convolved.
+  /// Kernel of the convolution.
   enum class Kernel {
     normal,         ///< u_z from p_z, of two independent pressure fields at once
     normal_slip,    ///< (u_z - u_z one cell upstream) / dx from p_z, of two fields at once

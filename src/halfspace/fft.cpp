@@ -43,10 +43,12 @@ void radix4(const Pass& s) {
   double* __restrict wr2 = wr1 + s.out_step, * __restrict wi2 = wi1 + s.out_step;
   double* __restrict wr3 = wr2 + s.out_step, * __restrict wi3 = wi2 + s.out_step;
   for (std::size_t q = 0; q < s.count; ++q) {
+    // sums and differences of opposite inputs; a quarter turn is an exchange of parts
     const double sr = r0[q] + r2[q], si = i0[q] + i2[q], dr = r0[q] - r2[q], di = i0[q] - i2[q];
     const double tr = r1[q] + r3[q], ti = i1[q] + i3[q], er = r1[q] - r3[q], ei = i1[q] - i3[q];
     wr0[q] = sr + tr;
     wi0[q] = si + ti;
+    // times the twiddles exp(-i theta) of the outputs 1 to 3
     const double x1 = dr + ei, y1 = di - er, x2 = sr - tr, y2 = si - ti, x3 = dr - ei, y3 = di + er;
     wr1[q] = x1 * c1 + y1 * d1;
     wi1[q] = y1 * c1 - x1 * d1;
@@ -58,6 +60,7 @@ void radix4(const Pass& s) {
 }
 
 void radix3(const Pass& s) {
+  // sine of a third of a turn; its cosine is -1/2
   const double h = std::sqrt(0.75);
   for (std::size_t q = 0; q < s.count; ++q) {
     const double ar = s.in_re[q], ai = s.in_im[q];
@@ -85,6 +88,7 @@ void radix5(const Pass& s) {
       r[k] = s.in_re[q + k * s.in_step];
       i[k] = s.in_im[q + k * s.in_step];
     }
+    // pairs that are mirror images: their sums see cosines, their differences sines
     const double p1r = r[1] + r[4], p1i = i[1] + i[4], m1r = r[1] - r[4], m1i = i[1] - i[4];
     const double p2r = r[2] + r[3], p2i = i[2] + i[3], m2r = r[2] - r[3], m2i = i[2] - i[3];
     const double er = r[0] + c1 * p1r + c2 * p2r, ei = i[0] + c1 * p1i + c2 * p2i;
@@ -123,6 +127,7 @@ SineCosine root_of_unity(int k, int n) {
 
 int Fft::good_length(int minimum) {
   for (int n = std::max(minimum, 1);; ++n) {
+    // a product of 2, 3 and 5 alone leaves 1
     int rest = n;
     for (int prime : {2, 3, 5}) {
       while (rest % prime == 0) rest /= prime;
@@ -134,9 +139,11 @@ int Fft::good_length(int minimum) {
 Fft::Fft(int length) : length_(length) {
   int rest = length;
   while (rest > 1) {
+    // fours first: they take the least arithmetic per point
     const int radix = rest % 4 == 0 ? 4 : rest % 2 == 0 ? 2 : rest % 3 == 0 ? 3 : 5;
     Stage stage{.radix = radix, .blocks = rest / radix, .cos = {}, .sin = {}};
     for (int p = 0; p < stage.blocks; ++p) {
+      // twiddles exp(-2 pi i p r / rest) of block p
       for (int r = 1; r < radix; ++r) {
         const SineCosine root = root_of_unity(p * r, rest);
         stage.cos.push_back(root.cosine);
@@ -152,6 +159,8 @@ void Fft::forward(double* re, double* im, double* work_re, double* work_im, int 
   double *a_re = re, *a_im = im, *b_re = work_re, *b_im = work_im;
   std::size_t stride = static_cast<std::size_t>(signals);
   for (const Stage& stage : stages_) {
+    // inputs of a butterfly lie a block's length apart, outputs beside each other: Stockham's order needs no
+    // reversal
     const auto radix = static_cast<std::size_t>(stage.radix), blocks = static_cast<std::size_t>(stage.blocks);
     for (std::size_t p = 0; p < blocks; ++p) {
       const Pass pass{a_re + stride * p,
@@ -181,6 +190,7 @@ void Fft::forward(double* re, double* im, double* work_re, double* work_im, int 
     std::swap(a_im, b_im);
     stride *= radix;
   }
+  // an odd number of stages ends in the work arrays
   if (a_re != re) {
     std::copy_n(a_re, stride, re);
     std::copy_n(a_im, stride, im);
@@ -193,6 +203,7 @@ void Fft::backward(double* re, double* im, double* work_re, double* work_im, int
 }
 
 void transpose(const double* in, double* out, int rows, int columns) {
+  // tiles of a cache line each way
   constexpr int tile = 8;
   for (int i0 = 0; i0 < rows; i0 += tile) {
     for (int j0 = 0; j0 < columns; j0 += tile) {
@@ -209,6 +220,7 @@ void transpose(const double* in, double* out, int rows, int columns) {
 
 void backward_2d(const Fft& along_x, const Fft& along_y, int rows, const Plane& p) {
   const int length = along_x.length();
+  // along y, turned round, along x for the rows wanted
   along_y.backward(p.re.data(), p.im.data(), p.work_re.data(), p.work_im.data(), length);
   transpose(p.re.data(), p.work_re.data(), rows, length);
   transpose(p.im.data(), p.work_im.data(), rows, length);

@@ -48,8 +48,8 @@ struct Plane {
   std::vector<double>&re, &im, &work_re, &work_im;
 };
 
-/// From the spectrum (y slow) back to space (x slow), without the factors, for the first `rows` rows; what
-/// stands in the work arrays is lost.
+/// From the spectrum (y slow) back to space (x slow), without the factors, for the first `rows` rows;
+/// overwrites the work arrays.
 void backward_2d(const Fft& along_x, const Fft& along_y, int rows, const Plane& plane);
 
 }  // namespace wrc::halfspace

@@ -8,10 +8,12 @@
 namespace wrc::halfspace {
 namespace {
 
-double sum(const Field& f) {
+// Scales a pressure to the sum given: every iterate carries the load.
+void scale_to(double pressure_sum, Field& pressure) {
   double total = 0.0;
-  for (const double v : f) total += v;
-  return total;
+  for (const double p : pressure) total += p;
+  const double factor = pressure_sum / total;
+  for (double& p : pressure) p *= factor;
 }
 
 // Mean of f over the cells in contact.
@@ -26,6 +28,7 @@ double contact_mean(const Field& f, const Field& pressure) {
   return count > 0 ? total / static_cast<double>(count) : 0.0;
 }
 
+// Sum of a b over the cells in contact.
 double contact_product(const Field& a, const Field& b, const Field& pressure) {
   double total = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -68,6 +71,116 @@ void finish(const Grid& grid, GapSolution& s) {
   if (s.area == 0.0) keep_worst(s.fault, Fault::no_contact());
 }
 
+// Conjugate gradients over the cells in contact. e = h + u(p) - delta is the gradient, d the direction, A the
+// convolution; a prescribed load takes the means of e and of A d over the contact away, which leaves its sum.
+class BoundedGradients {
+ public:
+  // The solution's pressure is the iterate.
+  BoundedGradients(const GapProblem& problem, double pressure_sum, TurnedConvolution& convolution,
+                   GapSolution& solution)
+      : problem_(problem),
+        by_load_(problem.prescribed == Prescribed::load),
+        pressure_sum_(pressure_sum),
+        own_influence_(convolution.planar().xx(0, 0)),
+        lowest_(*std::min_element(problem.gap.begin(), problem.gap.end())),
+        convolution_(convolution),
+        s_(solution),
+        displacement_(problem.gap.size()),
+        error_(problem.gap.size()),
+        direction_(problem.gap.size(), 0.0),
+        image_(problem.gap.size()) {}
+
+  void begin();
+  // Updates e, delta and the residual; true: nothing is left to do.
+  bool converged();
+  void step();
+
+ private:
+  const GapProblem& problem_;
+  bool by_load_;
+  double pressure_sum_;   // sum over the cells under a prescribed load [Pa]
+  double own_influence_;  // displacement of a cell under its own pressure [m/Pa]
+  double lowest_;         // smallest gap [m]
+  TurnedConvolution& convolution_;
+  GapSolution& s_;
+  Field displacement_, error_;  // u_z, e [m]
+  Field direction_, image_;     // d [m], A d [m^2/Pa]
+  double norm_before_ = 1.0;    // e . e of the step before [m^2]
+  bool conjugate_ = false;      // the contact has not changed since the last direction
+};
+
+void BoundedGradients::begin() {
+  // By load: the same pressure everywhere on the lower half of the gap; by approach: of that order of
+  // magnitude that one cell's own influence suggests.
+  const double highest = *std::max_element(problem_.gap.begin(), problem_.gap.end());
+  Field& p = s_.pressure;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double overlap = problem_.approach - problem_.gap[k];
+    if (by_load_) {
+      p[k] = problem_.gap[k] <= 0.5 * (lowest_ + highest) ? 1.0 : 0.0;
+    } else {
+      p[k] = overlap > 0.0 ? 0.1 * overlap / own_influence_ : 0.0;
+    }
+  }
+  if (by_load_) scale_to(pressure_sum_, p);
+  s_.approach = problem_.approach;
+  convolution_.normal(p, displacement_);
+}
+
+bool BoundedGradients::converged() {
+  const Field& p = s_.pressure;
+  const std::size_t n = p.size();
+  // e = h + u - delta; of a prescribed load delta is where e vanishes in the mean over the contact
+  for (std::size_t k = 0; k < n; ++k) error_[k] = displacement_[k] + problem_.gap[k];
+  if (by_load_) s_.approach = contact_mean(error_, p);
+  // mean of |e| weighted by the pressure, and the largest overlap outside, over the largest displacement
+  double scale = 0.0, weighted = 0.0, total = 0.0, overlap = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    error_[k] -= s_.approach;
+    scale = std::max(scale, displacement_[k]);
+    weighted += p[k] * std::abs(error_[k]);
+    total += p[k];
+    if (p[k] <= 0.0) overlap = std::max(overlap, -error_[k]);
+  }
+  if (total == 0.0 && overlap == 0.0) return true;
+  scale = std::max(scale, std::abs(s_.approach - lowest_));
+  s_.residual = std::max(total > 0.0 ? weighted / total : 0.0, overlap) / scale;
+  return s_.residual <= problem_.tolerance;
+}
+
+void BoundedGradients::step() {
+  Field& p = s_.pressure;
+  const std::size_t n = p.size();
+  // d = e + beta d, beta = (e . e) / (e . e before) (Fletcher and Reeves), 0 after a cell has come into
+  // contact
+  const double norm = contact_product(error_, error_, p);
+  const double beta = conjugate_ ? norm / norm_before_ : 0.0;
+  norm_before_ = norm;
+  for (std::size_t k = 0; k < n; ++k) direction_[k] = p[k] > 0.0 ? error_[k] + beta * direction_[k] : 0.0;
+  convolution_.normal(direction_, image_);
+  if (by_load_) {
+    const double mean = contact_mean(image_, p);
+    for (double& v : image_) v -= mean;
+  }
+  // Step length tau = (e . d) / (d . A d). Without a descent direction in the contact (no cell, or all exact)
+  // only the overlaps remain to act on.
+  const double curvature = contact_product(image_, direction_, p);
+  const double length =
+      curvature > 0.0 ? contact_product(error_, direction_, p) / curvature : 1.0 / own_influence_;
+  // p - tau d, not below zero: cells leave. Cells outside that overlap enter with -tau e.
+  conjugate_ = true;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (p[k] > 0.0) {
+      p[k] = std::max(0.0, p[k] - length * direction_[k]);
+    } else if (error_[k] < 0.0) {
+      p[k] = -length * error_[k];
+      conjugate_ = false;
+    }
+  }
+  if (by_load_) scale_to(pressure_sum_, p);
+  convolution_.normal(p, displacement_);
+}
+
 }  // namespace
 
 NormalSolver::NormalSolver(const Grid& grid, const Material& material, const Field& angles)
@@ -75,92 +188,26 @@ NormalSolver::NormalSolver(const Grid& grid, const Material& material, const Fie
 
 GapSolution NormalSolver::solve(const GapProblem& problem) {
   GapSolution s;
-  const std::size_t n = grid_.cells();
-  s.pressure.assign(n, 0.0);
+  s.pressure.assign(grid_.cells(), 0.0);
   s.fault = check(grid_, problem);
   if (s.fault.failed()) return s;
-
-  const bool by_load = problem.prescribed == Prescribed::load;
-  const double pressure_sum = problem.normal_force / grid_.cell_area();
-  const double lowest = *std::min_element(problem.gap.begin(), problem.gap.end());
-  const double highest = *std::max_element(problem.gap.begin(), problem.gap.end());
-  Field& p = s.pressure;
-  Field displacement(n), error(n), direction(n, 0.0), image(n);
-  const double own_influence = convolution_.planar().xx(0, 0);
-  // Start: the load everywhere on the lower half of the gap; by approach, the pressure of that order of
-  // magnitude that one cell's own influence suggests.
-  for (std::size_t k = 0; k < n; ++k) {
-    const double overlap = problem.approach - problem.gap[k];
-    if (by_load) {
-      p[k] = problem.gap[k] <= 0.5 * (lowest + highest) ? 1.0 : 0.0;
-    } else {
-      p[k] = overlap > 0.0 ? 0.1 * overlap / own_influence : 0.0;
-    }
-  }
-  if (by_load) {
-    const double factor = pressure_sum / sum(p);
-    for (double& v : p) v *= factor;
-  }
-
-  s.approach = problem.approach;
-  double norm_before = 1.0;
-  bool conjugate = false;
-  convolution_.normal(p, displacement);
-  for (s.iterations = 0;; ++s.iterations) {
-    for (std::size_t k = 0; k < n; ++k) error[k] = displacement[k] + problem.gap[k];
-    if (by_load) s.approach = contact_mean(error, p);
-    double scale = 0.0, weighted = 0.0, total = 0.0, overlap = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      error[k] -= s.approach;
-      scale = std::max(scale, displacement[k]);
-      weighted += p[k] * std::abs(error[k]);
-      total += p[k];
-      if (p[k] <= 0.0) overlap = std::max(overlap, -error[k]);
-    }
-    if (total == 0.0 && overlap == 0.0) break;
-    scale = std::max(scale, std::abs(s.approach - lowest));
-    s.residual = std::max(total > 0.0 ? weighted / total : 0.0, overlap) / scale;
-    if (s.residual <= problem.tolerance) break;
+  BoundedGradients gradients(problem, problem.normal_force / grid_.cell_area(), convolution_, s);
+  gradients.begin();
+  for (; !gradients.converged(); ++s.iterations) {
     if (s.iterations == problem.max_iterations) {
       s.fault = Fault::iteration_cap("solution.residual", {s.residual, "", 0.0, problem.tolerance},
                                      "problem.max_iterations ended the iteration");
       break;
     }
+    // progress: decades of the residual on its way to the tolerance
     const double decades = natural_log(std::min(1.0, s.residual)) / natural_log(problem.tolerance);
     if (!problem.progress.goes_on(std::clamp(decades, 0.0, 1.0))) {
       s = {};
-      s.pressure.assign(n, 0.0);
+      s.pressure.assign(grid_.cells(), 0.0);
       s.fault = Fault::cancelled();
       return s;
     }
-
-    const double norm = contact_product(error, error, p);
-    const double beta = conjugate ? norm / norm_before : 0.0;
-    norm_before = norm;
-    for (std::size_t k = 0; k < n; ++k) direction[k] = p[k] > 0.0 ? error[k] + beta * direction[k] : 0.0;
-    convolution_.normal(direction, image);
-    if (by_load) {
-      const double mean = contact_mean(image, p);
-      for (double& v : image) v -= mean;
-    }
-    const double curvature = contact_product(image, direction, p);
-    // Without a descent direction in the contact (no cell, or all exact) only the overlaps remain to act on.
-    const double length =
-        curvature > 0.0 ? contact_product(error, direction, p) / curvature : 1.0 / own_influence;
-    conjugate = true;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (p[k] > 0.0) {
-        p[k] = std::max(0.0, p[k] - length * direction[k]);
-      } else if (error[k] < 0.0) {
-        p[k] = -length * error[k];
-        conjugate = false;
-      }
-    }
-    if (by_load) {
-      const double factor = pressure_sum / sum(p);
-      for (double& v : p) v *= factor;
-    }
-    convolution_.normal(p, displacement);
+    gradients.step();
   }
   finish(grid_, s);
   return s;

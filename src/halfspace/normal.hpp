@@ -31,9 +31,9 @@ struct GapSolution {
   double approach = 0.0;  ///< [m]
   double normal_force = 0.0;
   double peak_pressure = 0.0;
-  double area = 0.0;      ///< of the cells with pressure [m^2]
+  double area = 0.0;      ///< cells with pressure [m^2]
   int iterations = 0;     ///< two convolutions each
-  double residual = 0.0;  ///< of the convergence test
+  double residual = 0.0;  ///< value of the convergence test [-]
   Fault fault;            ///< WRC_FLAG_ITERATION_CAP, WRC_FLAG_PATCH_AT_EDGE, WRC_FLAG_NO_CONTACT
 };
 

@@ -19,6 +19,7 @@ double semicircle_integral(double t) {
 void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, double l, double weight,
                       Field& field) {
   if (l <= 0.0) return;
+  // mean over each cell of peak * root(1 - ((x - c) / l)^2): differences of the integral at its borders
   double below = semicircle_integral((grid.x(0) - 0.5 * grid.dx - centre) / l);
   for (int i = 0; i < grid.nx; ++i) {
     const double above = semicircle_integral((grid.x(i) + 0.5 * grid.dx - centre) / l);
@@ -30,6 +31,7 @@ void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, doubl
 Field strip_pressure(const Strips& strips, const Grid& grid) {
   Field field(grid.cells(), 0.0);
   for (int j = 0; j < grid.ny; ++j) {
+    // strips count in a row by their common width
     const double low = grid.y(j) - 0.5 * grid.dy, high = grid.y(j) + 0.5 * grid.dy;
     for (std::int32_t k = 0; k < strips.count; ++k) {
       const double from = std::max(low, strips.y[k] - 0.5 * strips.width[k]);
@@ -43,6 +45,7 @@ Field strip_pressure(const Strips& strips, const Grid& grid) {
 }
 
 Grid grid_over(const Strips& strips, int nx, int ny) {
+  // from the trailing end of any strip to the leading end of any
   double trail = 0.0, lead = 0.0;
   for (std::int32_t k = 0; k < strips.count; ++k) {
     const double from = strips.centre[k] - strips.half_length[k],

@@ -28,6 +28,7 @@ Field average(const Grid& fine, const Field& field, const Grid& coarse) {
   const double per_cell = fine.cell_area() / coarse.cell_area();
   for (int k = 0; k < coarse.ny; ++k) {
     for (int j = first_overlapping(k, fine.ny, coarse.ny); j < fine.ny; ++j) {
+      // conserves the integral: each fine cell counts by the parts of its area
       const double share_y = overlap(j, fine.ny, k, coarse.ny);
       if (share_y <= 0.0) break;
       for (int l = 0; l < coarse.nx; ++l) {
@@ -46,6 +47,7 @@ Field row_values(const Grid& fine, const Field& rows, const Grid& coarse) {
   if (rows.empty()) return {};
   Field out(static_cast<std::size_t>(coarse.ny));
   for (int k = 0; k < coarse.ny; ++k) {
+    // row position between fine rows j and j + 1
     const double v = std::clamp((coarse.y(k) - fine.y0) / fine.dy, 0.0, fine.ny - 1.0);
     const int j = std::min(static_cast<int>(v), fine.ny - 2);
     out[k] = fine.ny == 1 ? rows[0] : rows[j] + (v - j) * (rows[j + 1] - rows[j]);
@@ -61,6 +63,7 @@ Field interpolate(const Grid& coarse, const Field& field, const Field& weight, c
     for (int i = 0; i < fine.nx; ++i) {
       const double u = (fine.x(i) - coarse.x0) / coarse.dx;
       const int l0 = static_cast<int>(std::floor(u));
+      // bilinear weights of the four neighbours that count; they are made to add up to 1
       double sum = 0.0, total = 0.0;
       for (int k = std::max(k0, 0); k <= std::min(k0 + 1, coarse.ny - 1); ++k) {
         for (int l = std::max(l0, 0); l <= std::min(l0 + 1, coarse.nx - 1); ++l) {

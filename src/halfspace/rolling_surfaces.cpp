@@ -47,13 +47,15 @@ TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state)
   const SineCosine rolled = sine_cosine(rail.roll);
   down_y_ = -rolled.sine;
   down_z_ = rolled.cosine;
+  // wheel from the origin of the rail's profile; height above the roller's axle along the rail's own vertical
   const double y = wheel.position[1] - (bodies.rail_y + rail.y),
                z = wheel.position[2] - (bodies.rail_z + rail.z);
+  // the turn that brings (distance, -height) to (0, -apart)
   const double height = 1.0 / bodies.roller_curvature - (y * down_y_ + z * down_z_);
   const double apart = std::sqrt(height * height + state.distance * state.distance);
   sine_ = state.distance / apart;
   cosine_ = height / apart;
-  // Only what the wheel does beside the rail matters.
+  // Only the wheel's motion relative to the rail matters.
   wheel.velocity[1] -= rail.velocity_y - rail.velocity_roll * z;
   wheel.velocity[2] -= rail.velocity_z + rail.velocity_roll * y;
   wheel.angular_velocity[0] -= rail.velocity_roll;
@@ -61,6 +63,7 @@ TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state)
   wheel.position[1] -= (apart - height) * down_y_;
   wheel.position[2] -= (apart - height) * down_z_;
   state.distance = 0.0;
+  // place, velocities and axes of the wheel, turned with it
   turn(sine_, wheel.velocity);
   turn(sine_, wheel.angular_velocity);
   for (int k = 0; k < 3; ++k) {
@@ -71,6 +74,7 @@ TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state)
 }
 
 void TurnedAboveAxle::turn(double sine, double (&v)[3]) const {
+  // v' = v turned in the plane of x and the rail's vertical; components across it stay
   const double x = v[0], down = v[1] * down_y_ + v[2] * down_z_;
   const double more = (cosine_ - 1.0) * down - sine * x;
   v[0] = cosine_ * x + sine * down;
@@ -87,8 +91,9 @@ SeenAlongRail::SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state) {
   if (!aslant_) return;
   direction_ = direction_of(rail.slope_y, rail.slope_z);
   rail.slope_y = rail.slope_z = 0.0;
+  // place about the displaced origin of the rail's profile; vectors as they are
   const double origin[3] = {0.0, bodies.rail_y + rail.y, bodies.rail_z + rail.z};
-  // Only what the wheel does beside the rail matters.
+  // Only the wheel's motion relative to the rail matters.
   wheel.velocity[1] -= rail.velocity_y;
   wheel.velocity[2] -= rail.velocity_z;
   rail.velocity_y = rail.velocity_z = 0.0;
@@ -118,6 +123,7 @@ RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const RailSurface& 
 }
 
 RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
+  // a roller: a circle about its axle, down = R - root(R^2 - x^2)
   if (row.radius > 0.0) {
     const double above = std::sqrt(row.radius * row.radius - x * x), down = row.radius - above,
                  slope = x / above;
@@ -126,6 +132,8 @@ RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
   if (surface_.varying == nullptr) return {};
   const VaryingRail& varying = *surface_.varying;
   const RailFace& face = varying.face[face_of(varying, row.strip)];
+  // a rail that varies: displacement of the four strips beside the row from the wheel's section to that at
+  // x, by the row's weights, turned by the rail's roll
   const double from = surface_.distance, to = from + x;
   const SectionBlend at_from = blend_at(varying, face, from), at_to = blend_at(varying, face, to, at_from);
   double y = 0.0, z = 0.0, slope_y = 0.0, slope_z = 0.0;
@@ -147,6 +155,7 @@ double RollingSurfaces::rail_angle(const SurfaceRow& row, double s, double x) co
     return arctangent2(p.dz, p.dy) + rail_.roll;
   }
   const VaryingRail& varying = *surface_.varying;
+  // mean tangent of the four strips beside the row
   const double distance = surface_.distance + x;
   const SectionBlend blend = blend_at(varying, varying.face[face_of(varying, row.strip)], distance);
   double along_y = 0.0, along_z = 0.0;
@@ -167,13 +176,15 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
   constexpr int cap = 100;
   constexpr double longest_step = 1e-3, tolerance = 1e-13;
   constexpr double farthest = 0.02;     // beyond it a ray meets another face of the wheel [m]
-  constexpr double least_cosine = 0.1;  // of the angle between the ray and the wheel's normal
+  constexpr double least_cosine = 0.1;  // cosine of the angle between the ray and the wheel's normal
+  // start of the ray on the rail's surface, and its direction up the normal, in wheel axes
   const Vector3 n = normal_of(row);
   SurfacePoint found{.wheel_s = std::clamp(wheel_s, 0.0, bodies_.wheel.length()), .fall = fall(row, x)};
   const Vector3 start = to_wheel(wheel_.rotation, Vector3{x, row.y + found.fall.y - wheel_.position[1],
                                                           row.z + found.fall.z - wheel_.position[2]});
   const Vector3 ray = to_wheel(wheel_.rotation, -1.0 * n);
   for (int k = 0; k < cap; ++k) {
+    // residuals e1 = q_y - Y, e2 = r - (r0 + Z + d) at the present gap and s
     const SectionCurve::Point p = bodies_.wheel.at(found.wheel_s);
     const Vector3 q = start + found.gap * ray;
     const double radius = std::sqrt(q.x * q.x + q.z * q.z);
@@ -183,6 +194,8 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
     const double ray_r = (q.x * ray.x + q.z * ray.z) / radius;
     // Outward normal of the profile (-dz, dy) in (y, radius); cosine < 0 where the ray goes into the wheel.
     const double cosine = -p.dz * ray.y + p.dy * ray_r;
+    // outward normal of the surface of revolution; a radius that changes with the angle leans it along the
+    // circumference by d' / r
     Vector3 outwards{p.dy * q.x / radius, -p.dz, p.dy * q.z / radius};
     if (deviation_) {
       const double turn = more.slope / radius;
@@ -193,8 +206,10 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
     found.normal[1] = normal.y;
     found.normal[2] = normal.z;
     if (cosine > -least_cosine) return found;
+    // Newton's step of gap and s; both shortened where s would go further than a millimetre
     const double gap_step = (p.dz * e1 - p.dy * e2) / cosine;
     const double s_step = (e1 + gap_step * ray.y) * p.dy + (e2 + gap_step * ray_r) * p.dz;
+    // shorter where s would move too far
     const double factor = longest_step / std::max(longest_step, std::abs(s_step));
     found.gap += factor * gap_step;
     found.wheel_s += factor * s_step;
@@ -217,6 +232,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
   const Vector3 normal = to_wheel(wheel_.rotation, n);
   // In the plane of the axle through the point: the profile's point nearest to the ray among those that face
   // it.
+  // squared distance from the ray, and a hundredth of that along it, so that of two crossings the nearer wins
   double nearest = -1.0, best = 0.0;
   const auto places = static_cast<int>(bodies_.wheel.length() / spacing);
   for (int k = 0; k <= places; ++k) {
@@ -238,6 +254,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
 }
 
 double RollingSurfaces::gap_slope(const SurfaceRow& row, const SurfacePoint& at) const {
+  // dh/dx = (n_x + n . dr/dx) / (n . e_n) of the wheel's normal n, where the rail falls by dr/dx
   const Vector3 n = normal_of(row);
   const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
   return (at.normal[0] + (at.normal[1] * at.fall.slope_y + at.normal[2] * at.fall.slope_z)) / facing;
@@ -251,14 +268,17 @@ void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
   for (int k = 0; k < steps && at.found; ++k) {
     const Vector3 n = normal_of(row);
     const double facing = at.normal[1] * n.y + at.normal[2] * n.z;
+    // 1 / curvature of the gap along x: the wheel's radius over its facing part, and the roller's
     const double slope = gap_slope(row, at);
     const double by_roller = row.radius > 0.0 ? bodies_.nominal_radius / row.radius : 0.0;
     const double by_radius = bodies_.nominal_radius * facing / (1.0 + by_roller);
+    // secant where it is near that, the guess otherwise
     const double change = slope - slope_before;
     const double secant = change != 0.0 ? (row.middle - before) / change : 0.0;
     const double radius = k > 0 && secant > 0.2 * by_radius && secant < 5.0 * by_radius ? secant : by_radius;
     before = row.middle;
     slope_before = slope;
+    // to where the slope vanishes, by 5 mm at most
     const double step = std::clamp(-slope * radius, -5e-3, 5e-3);
     row.middle += step;
     at = point(row, row.middle, at.wheel_s);
@@ -269,6 +289,7 @@ void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
 void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
   constexpr double farthest = 0.1, near_enough = 1e-7;  // [m]
   const double way = gap_slope(row, at) > 0.0 ? -1.0 : 1.0;
+  // doubled steps downhill until the slope changes its sign, then halves
   double known = row.middle, step = 1e-3;  // the middle lies beyond `known`, by a step at most at last
   for (; at.found && way * gap_slope(row, at) < 0.0 && step < farthest; step *= 2.0) {
     known = row.middle;
@@ -285,6 +306,7 @@ void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
 
 SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const {
   const SectionCurve::Point p = surface_.section.at(s);
+  // place of the section's point under the rail's displacement and roll
   SurfaceRow row{.y = bodies_.rail_y + rail_.y + roll_.cosine * p.y - roll_.sine * p.z,
                  .z = bodies_.rail_z + rail_.z + roll_.sine * p.y + roll_.cosine * p.z};
   if (bodies_.roller_curvature != 0.0) {
@@ -303,6 +325,7 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
         if (l != k) row.weight[k] *= (s - place[l]) / (place[k] - place[l]);
     }
   }
+  // the rail's own normal first; where the wheel is nearest along it is the row's middle
   double on_rail = rail_angle(row, s, 0.0);
   row.angle = on_rail;
   SurfacePoint at = point(row, 0.0);
@@ -318,6 +341,7 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   }
   constexpr int rounds = 4;
   for (int round = 0; round < rounds && at.found; ++round) {
+    // a flat's gap has a slope that jumps, which secants do not survive
     if (deviation_) {
       halve_to_middle(row, at);
     } else {
@@ -336,19 +360,21 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   }
   found = at.found;
   const Vector3 n = normal_of(row);
-  row.lean = n.y * at.fall.slope_y + n.z * at.fall.slope_z;
+  row.grade = n.y * at.fall.slope_y + n.z * at.fall.slope_z;
   return row;
 }
 
 void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
                              double (&normal)[3]) const {
   const Vector3 n = normal_of(row);
+  // velocity of the wheel's surface point: v + omega x arm
   const Vector3 rail_point{x, row.y + at.fall.y, row.z + at.fall.z};
   const Vector3 wheel_point = rail_point - at.gap * n;
   const Vector3 arm = wheel_point - Vector3{0.0, wheel_.position[1], wheel_.position[2]};
   const Vector3 turning{wheel_.angular_velocity[0], wheel_.angular_velocity[1], wheel_.angular_velocity[2]};
   const Vector3 wheel_velocity =
       Vector3{wheel_.velocity[0], wheel_.velocity[1], wheel_.velocity[2]} + cross(turning, arm);
+  // velocity of the rail's: of its origin, its roll, and a roller's turning
   const double rail_arm_y = rail_point.y - (bodies_.rail_y + rail_.y),
                rail_arm_z = rail_point.z - (bodies_.rail_z + rail_.z);
   Vector3 rail_velocity{0.0, rail_.velocity_y - rail_.velocity_roll * rail_arm_z,
@@ -363,6 +389,7 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
   const double rail_x = -(at.fall.slope_y * n.y + at.fall.slope_z * n.z);
   const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
+  // as plain arrays
   const Vector3* const from[] = {&velocity, &across};
   double* const to[] = {moving, normal};
   for (int k = 0; k < 2; ++k) {
@@ -383,6 +410,7 @@ void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoin
   double v[3], n[3];
   motion(row, x, at, v, n);
   const Vector3 velocity{v[0], v[1], v[2]}, across{n[0], n[1], n[2]};
+  // axes of the plane across the mean normal: x's projection, and the row's tangent
   const Vector3 e_x = unit(Vector3{1.0, 0.0, 0.0} - across.x * across);
   along_x = dot(velocity, e_x);
   along_row = dot(velocity, cross(across, e_x));

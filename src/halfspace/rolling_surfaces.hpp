@@ -26,19 +26,18 @@ namespace wrc::halfspace {
 struct RailSurface {
   SectionCurve section;                  ///< y to the field side, z down, from the origin of the profile
   const VaryingRail* varying = nullptr;  ///< nullptr: the same everywhere
-  std::int32_t first = 0;                ///< of its strips, through whose middles the section runs
-  double distance = 0.0;                 ///< of the wheel along the track [m]
+  std::int32_t first = 0;                ///< first of its strips, through whose middles the section runs
+  double distance = 0.0;                 ///< place of the wheel along the track [m]
 };
 
 struct WheelAndRail {
   SectionCurve wheel;  ///< y to the field side from the tape circle's plane, z outwards from its radius
   std::vector<RailSurface> rail;      ///< one, or faces that do not press on each other
-  double nominal_radius = 0.0;        ///< of the tape circle [m]
+  double nominal_radius = 0.0;        ///< radius of the tape circle [m]
   double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
   Material material;
-  double coupling = 0.0;  ///< Kalker's K of unlike bodies [-]
-  double roller_curvature =
-      0.0;  ///< of a rail that is a roller: 1 / radius at the origin of its profile [1/m]
+  double coupling = 0.0;          ///< Kalker's K of unlike bodies [-]
+  double roller_curvature = 0.0;  ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
   const OutOfRound* out_of_round = nullptr;  ///< nullptr: the wheel is round
 };
 
@@ -47,13 +46,13 @@ enum class RowNormals { mean, rail };
 
 /// A row of cells along the rail.
 struct SurfaceRow {
-  double y = 0.0, z = 0.0;  ///< of the rail's surface, track axes [m]
-  double angle = 0.0;       ///< of the normal (0, -sin, cos), into the rail [rad]
+  double y = 0.0, z = 0.0;  ///< place on the rail's surface, track axes [m]
+  double angle = 0.0;       ///< angle of the normal (0, -sin, cos), into the rail [rad]
   double middle = 0.0;      ///< x where the wheel is nearest [m]
-  double radius = 0.0;      ///< of a roller at this row; 0: the row is straight [m]
-  double lean = 0.0;        ///< what the rail falls along the normal per x at the middle [-]
-  std::int32_t strip = 0;   ///< of a rail that varies: the first of four between which the row lies
-  double weight[4] = {};    ///< what each of them counts
+  double radius = 0.0;      ///< radius of a roller at this row; 0: the row is straight [m]
+  double grade = 0.0;       ///< fall of the rail along the normal per x at the middle [-]
+  std::int32_t strip = 0;   ///< first of four between which the row lies, on a rail that varies
+  double weight[4] = {};    ///< weights of these four [-]
 };
 
 /// Where the rail's surface lies at some x of a row, from its place at x = 0, and the slope of that; track
@@ -63,12 +62,12 @@ struct RailFall {
   double slope_y = 0.0, slope_z = 0.0;  ///< by x [-]
 };
 
-/// A cell's gap and what its kinematics need.
+/// A cell's gap, and the surfaces there.
 struct SurfacePoint {
   double gap = 0.0;       ///< from the rail along -normal to the wheel; negative: overlap [m]
-  double normal[3] = {};  ///< of the wheel, into the rail, track axes
+  double normal[3] = {};  ///< the wheel's normal, into the rail, track axes
   double wheel_s = 0.0;   ///< on the wheel's profile [m]
-  RailFall fall;          ///< of the rail
+  RailFall fall;          ///< the rail's
   bool found = false;     ///< the normal meets the wheel's facing side near by
 };
 
@@ -83,8 +82,8 @@ class TurnedAboveAxle {
 
  private:
   void turn(double sine, double (&v)[3]) const;
-  double sine_ = 0.0, cosine_ = 1.0;    // of the turn
-  double down_y_ = 0.0, down_z_ = 1.0;  // of the rail's z axis
+  double sine_ = 0.0, cosine_ = 1.0;    // sine and cosine of the turn
+  double down_y_ = 0.0, down_z_ = 1.0;  // the rail's z axis
 };
 
 /// A wheel on a rail that runs aslant of the track (surface/geometry/rail_direction.hpp), seen in axes along
@@ -144,7 +143,7 @@ class RollingSurfaces {
   const RailSurface& surface_;
   const WheelMotion& wheel_;
   const RailMotion& rail_;
-  SineCosine roll_;  // of the rail
+  SineCosine roll_;  // the rail's
   std::optional<WheelDeviation> deviation_;
 };
 

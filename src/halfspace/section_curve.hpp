@@ -19,7 +19,7 @@ class SectionCurve {
   SectionCurve(const std::vector<double>& y, const std::vector<double>& z, double least_spacing = 5e-5);
 
   double length() const { return s_.empty() ? 0.0 : s_.back(); }
-  /// Of the points it runs through [m].
+  /// Arc lengths of the points it runs through [m].
   const std::vector<double>& places() const { return s_; }
 
   /// The curve at s [m] from its first point; beyond the ends the end tangents continue.

@@ -30,6 +30,7 @@ Stress stress_at(const BodyLoads& loads, double x, double y, double z) {
   const Grid& grid = loads.grid;
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
+      // closed forms of a uniformly loaded rectangle, times the cell's three loads
       const std::size_t k = grid.index(i, j);
       if (loads.pressure[k] == 0.0 && loads.traction_x[k] == 0.0 && loads.traction_y[k] == 0.0) continue;
       const CellStress unit = cell_stress(loads.poisson, x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
@@ -53,6 +54,7 @@ StressField::StressField(const BodyLoads& loads)
   const Field* const fields[3] = {&loads.pressure, &loads.traction_x, &loads.traction_y};
   const auto margin = static_cast<std::size_t>(margin_of(loads.grid));
   const auto columns = static_cast<std::size_t>(loads.grid.nx);
+  // loads within the margin, padded with zeros; their spectra serve all depths
   for (int f = 0; f < 3; ++f) {
     load_re_[f].assign(nx * ny, 0.0);
     load_im_[f].assign(nx * ny, 0.0);
@@ -66,12 +68,14 @@ StressField::StressField(const BodyLoads& loads)
 
 void StressField::transform(Field& re, Field& im) {
   const auto nx = static_cast<std::size_t>(padded_x_), ny = static_cast<std::size_t>(padded_y_);
+  // along x, turned round, along y: the spectrum lies with y slow
   fft_x_.forward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_y_);
   transpose(re.data(), work_re_.data(), padded_x_, padded_y_);
   transpose(im.data(), work_im_.data(), padded_x_, padded_y_);
   std::swap(re, work_re_);
   std::swap(im, work_im_);
   fft_y_.forward(re.data(), im.data(), work_re_.data(), work_im_.data(), padded_x_);
+  // the inverse's factor 1 / (nx ny), a root of it each for loads and kernel
   const double scale = 1.0 / std::sqrt(static_cast<double>(nx * ny));
   for (std::size_t k = 0; k < nx * ny; ++k) {
     re[k] *= scale;
@@ -83,7 +87,7 @@ void StressField::evaluate(double z) {
   const int reach_x = grid_.nx - 1, reach_y = grid_.ny - 1;
   const auto ny = static_cast<std::size_t>(padded_y_);
   const int corners_y = 2 * reach_y + 2;
-  // Cells by their corners, two rows of them at a time; what a cell gives goes to where its offset wraps to.
+  // Cells by their corners, two rows of them at a time: f(x1, y1) - f(x1, y0) - f(x0, y1) + f(x0, y0).
   std::vector<CellStress> cells(static_cast<std::size_t>(2 * reach_x + 1) *
                                 static_cast<std::size_t>(2 * reach_y + 1));
   std::vector<CellStress> before(static_cast<std::size_t>(corners_y)), here(before.size());
@@ -104,6 +108,7 @@ void StressField::evaluate(double z) {
     }
     std::swap(here, before);
   }
+  // two components of stress travel as real and imaginary part of one transform
   struct Pair {
     double Stress::*real;
     double Stress::*imaginary;
@@ -115,9 +120,11 @@ void StressField::evaluate(double z) {
   for (int pair = 0; pair < 3; ++pair) {
     std::fill(re_[pair].begin(), re_[pair].end(), 0.0);
     std::fill(im_[pair].begin(), im_[pair].end(), 0.0);
+    // sum over the loads of kernel * load: as the loads are real, products of spectra keep the pair apart
     for (int f = 0; f < 3; ++f) {
       std::fill(kernel_re_.begin(), kernel_re_.end(), 0.0);
       std::fill(kernel_im_.begin(), kernel_im_.end(), 0.0);
+      // offset (mx, my) of a cell from its load, wrapped round to 0 .. padded - 1
       std::size_t cell = 0;
       for (int mx = -reach_x; mx <= reach_x; ++mx) {
         const auto row = static_cast<std::size_t>((mx + padded_x_) % padded_x_) * ny;
@@ -145,6 +152,7 @@ Stress StressField::at(std::size_t cell) const {
 }
 
 StressPeaks StressField::peaks(double z) {
+  // numbers that are compared with limits (von Mises, shear, tension) of every cell
   evaluate(z);
   StressPeaks found;
   for (int j = 0; j < grid_.ny; ++j) {
@@ -158,6 +166,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
                                    const ProgressCallback& progress) {
   SubsurfaceSolution solution;
   const Grid& grid = loads.grid;
+  // extent of the loaded cells; half of its smaller side is the depths' measure
   int first_i = grid.nx, last_i = -1, first_j = grid.ny, last_j = -1;
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -177,6 +186,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
   const double size = 0.5 * std::min((last_i - first_i + 1) * grid.dx, (last_j - first_j + 1) * grid.dy);
   constexpr double shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.95, 1.2, 1.5};
   constexpr int coarse = static_cast<int>(std::size(shares)), refined = 10;
+  // progress by depths: the surface, eleven coarse ones, three golden sections, the caller's
   const double work =
       static_cast<double>(1 + coarse + 3 * (refined + 1)) + static_cast<double>(depths.size());
   double done = 0.0;
@@ -187,6 +197,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
     return false;
   };
 
+  // stress at the surface, and on the coarse depths below
   StressField field(loads);
   solution.surface = field.peaks(0.0);
   if (!goes_on()) return solution;
@@ -198,6 +209,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
   }
   for (StressPeak StressPeaks::*which :
        {&StressPeaks::von_mises, &StressPeaks::shear, &StressPeaks::tension}) {
+    // golden sections between the neighbours of the coarse depth with the largest value
     int best = 0;
     for (int k = 1; k < coarse; ++k)
       if ((at_depth[k].*which).value > (at_depth[best].*which).value) best = k;

@@ -14,7 +14,7 @@
 
 namespace wrc::halfspace {
 
-/// What acts on the body.
+/// Loads on the body's surface.
 struct BodyLoads {
   Grid grid;
   Field pressure, traction_x, traction_y;

@@ -8,7 +8,7 @@
 ///
 ///     const SurfaceContact contact(bodies, options);
 ///     const SurfaceSolution s = contact.solve({.state = state});      // height or load given in `state`
-///     s.force, s.moment, s.height, s.power                            // what acts on the wheel
+///     s.force, s.moment, s.height, s.power                            // force and moment on the wheel
 ///     for (const RowForces& row : s.row_forces) ...                   // the same per row of cells
 ///
 /// Pressures alone: state.friction = 0.
@@ -17,7 +17,7 @@
 /// through the contact, over its pressure. Rolling backwards is forwards seen in a mirror across the axle,
 /// and below a small V the tractions are those of both ways by shares (geometry/creepages.hpp), as in real
 /// time. So is damping: it multiplies the pressures of a row, by the speed at which the surfaces near each
-/// other at their middle, and what follows sees them damped. So is the friction law: a coefficient for every
+/// other at their middle, before rolling sees them. So is the friction law: a coefficient for every
 /// row, by its place on the rail and the root mean square of its rigid sliding velocity
 /// (tangential/friction/friction.hpp).
 #pragma once
@@ -39,11 +39,11 @@ struct SurfaceOptions {
   /// the directions of forces follow the curvature (the reference program's plain conformal setting).
   bool turned = true;
   Collocation collocation = Collocation::quarter_point;
-  double normal_tolerance = 1e-6;   ///< of GapProblem
-  double rolling_tolerance = 1e-4;  ///< of RollingProblem
+  double normal_tolerance = 1e-6;   ///< GapProblem's
+  double rolling_tolerance = 1e-4;  ///< RollingProblem's
   double force_tolerance = 1e-5;    ///< change of the force vector / force at which the turns end
   double load_tolerance = 1e-4;     ///< relative error of a prescribed load, above the noise of rolling
-  int max_turns = 30;               ///< of normal and tangential problem at one height
+  int max_turns = 30;               ///< normal and tangential problem in turn, at one height
   int max_heights = 40;             ///< tried for a prescribed load
   std::size_t max_cells = 1000000;
 };
@@ -53,15 +53,15 @@ struct SurfaceProblem {
   ProgressCallback progress = {};  ///< while heights are tried and both problems solved in turn
 };
 
-/// One row of cells: what acts on the wheel per arc length, in the row's own frame.
+/// One row of cells: forces on the wheel per arc length, in the row's own frame.
 struct RowForces {
   double s = 0.0;              ///< arc length of the rail from its first point [m]
-  int face = 0;                ///< of the rail
-  double y = 0.0, z = 0.0;     ///< of the rail's surface, track axes [m]
-  double angle = 0.0;          ///< of the normal (0, -sin, cos) about x [rad]
+  int face = 0;                ///< index of the rail's face
+  double y = 0.0, z = 0.0;     ///< place on the rail's surface, track axes [m]
+  double angle = 0.0;          ///< angle of the normal (0, -sin, cos) about x [rad]
   double normal_force = 0.0;   ///< integral of the pressure over x [N/m]
-  double fx = 0.0, fy = 0.0;   ///< of the tractions on the wheel along x and (0, cos, sin) [N/m]
-  double length = 0.0;         ///< of the cells in contact [m]
+  double fx = 0.0, fy = 0.0;   ///< tractions on the wheel along x and (0, cos, sin) [N/m]
+  double length = 0.0;         ///< length of the cells in contact [m]
   double peak_pressure = 0.0;  ///< [Pa]
   double power = 0.0;          ///< frictional power: of the rigid slips, the exact total [W/m]
 };
@@ -77,8 +77,8 @@ struct SurfaceSolution {
   Grid grid;  ///< x from the wheel's reference point; y: arc length s of the rail from its first point
   std::vector<SurfaceRow> rows;
   Field gap, pressure, traction_x, traction_y;  ///< over the grid
-  std::vector<RowForces> row_forces;            ///< of the rows in contact
-  /// Of a rail of several faces: each with the cells of its own, whose sums are those above.
+  std::vector<RowForces> row_forces;            ///< one per row in contact
+  /// A rail's several faces, each with its own cells, which the numbers above are the sums of.
   std::vector<SurfaceSolution> faces;
   int turns = 0, heights = 0;
   Fault fault;  ///< flags of both solvers; WRC_FLAG_ITERATION_CAP where turns or heights did not suffice
@@ -95,9 +95,10 @@ class SurfaceContact {
  private:
   SurfaceSolution at_height(const WheelOnRail& state, double height, bool with_friction,
                             const SurfaceSolution* start, const ProgressCallback& progress) const;
-  /// On one face, at the height and above the axle of a roller, forces in these axes.
-  void solve_face(const RailSurface& face, const WheelOnRail& state, bool with_friction,
-                  const SurfaceSolution* start, const ProgressCallback& progress, SurfaceSolution& s) const;
+  /// At the height that carries the load given.
+  SurfaceSolution at_load(const SurfaceProblem& problem) const;
+  /// Height of first touch on faces that carry [m].
+  double first_touch(const WheelOnRail& state) const;
 
   WheelAndRail bodies_;
   SurfaceOptions options_;

@@ -11,7 +11,7 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr int products_of_a_step = 20;  // of projected gradients, for one of Newton's iterations
+constexpr int products_of_a_step = 20;  // projected gradients' products per iteration of Newton's method
 
 Fault capped(double residual, double tolerance) {
   return Fault::iteration_cap("solution.residual", {residual, "", 0.0, tolerance},
@@ -69,6 +69,8 @@ struct OnGrid {
 };
 
 bool OnGrid::solve(double tolerance, double begun, double done) {
+  // traction bounds g = mu p_n [Pa], and the sizes that Newton's method needs: cells that can carry traction,
+  // and factors of each row's own equations
   std::size_t with_traction = 0, of_factors = 0;
   for (int j = 0; j < ny; ++j) {
     std::size_t of_row = 0;
@@ -80,13 +82,14 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
     with_traction += of_row;
     of_factors += newton_factors(of_row);
   }
-  // Not cleared: what is not written takes no memory.
+  // Not cleared: pages that are never written take no memory.
   vectors = std::make_unique_for_overwrite<double[]>(newton_vectors(with_traction, max_products));
   factors = std::make_unique_for_overwrite<float[]>(of_factors);
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
   RollingNewton newton(*this, {tolerance, accuracy, problem.max_iterations, max_products});
+  // progress: decades of the residual on its way to the tolerance
   const NewtonEnd end = newton.solve([&](double residual) {
     const double decades = natural_log(std::max(residual, tolerance)) / natural_log(tolerance);
     return problem.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0));
@@ -94,6 +97,8 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
   solution.iterations = newton.iterations();
   solution.residual = newton.residual();
   if (end == NewtonEnd::capped) solution.fault = capped(solution.residual, tolerance);
+  // no slip where there is no contact; cells in contact without friction slip, whatever Newton's method has
+  // not told
   for (std::size_t at = 0; at < bound.size(); ++at) {
     if (problem.pressure[at] <= 0.0) {
       sx[at] = sy[at] = 0.0;
@@ -106,14 +111,14 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
 
 // One step of rolling that is not steady. Its slips are the gradient of
 //     E(p) = 1/2 p.A p + w'.p,  A the displacements of tractions over dx, symmetric and positive,
-// w' the rigid slip and what earlier displacements add, and its solution is where E is least with |p| <= g in
-// every cell. Spectral projected gradients find it (Birgin, Martinez, Raydan, SIAM J. Optim. 10, 2000): steps
-// of Barzilai and Borwein's length, cut back onto the disks, halved in effect by an exact search wherever E
-// would exceed its largest of the last few steps. Newton's moving adhesion area goes round in circles here:
-// cells act on their neighbours with one sign.
+// w' the rigid slip and the slip from earlier displacements, and its solution is where E is least with |p| <=
+// g in every cell. Spectral projected gradients find it (Birgin, Martinez, Raydan, SIAM J. Optim. 10, 2000):
+// steps of Barzilai and Borwein's length, cut back onto the disks, halved in effect by an exact search
+// wherever E would exceed its largest of the last few steps. Newton's moving adhesion area goes round in
+// circles here: cells act on their neighbours with one sign.
 class TransientStep {
  public:
-  // The problem's rigid slips hold what earlier displacements add.
+  // The problem's rigid slips hold the slip from earlier displacements.
   TransientStep(const Grid& grid, TurnedConvolution& displacement, const RollingProblem& problem,
                 RollingSolution& solution);
 
@@ -156,6 +161,7 @@ TransientStep::TransientStep(const Grid& grid, TurnedConvolution& displacement, 
       slip_x_(grid.cells(), 0.0),
       slip_y_(grid.cells(), 0.0) {
   for (std::size_t at = 0; at < grid.cells(); ++at) {
+    // the start is cut back onto the disks: earlier tractions may exceed today's bounds
     if (problem.pressure[at] <= 0.0) continue;
     cells_.push_back({at, problem.rigid_slip_x[at], problem.rigid_slip_y[at], bound_of(problem, at)});
     into_disk(cells_.back().bound, solution.traction_x[at], solution.traction_y[at]);
@@ -164,6 +170,7 @@ TransientStep::TransientStep(const Grid& grid, TurnedConvolution& displacement, 
 
 // Slip that tractions cause, into slip_x_, slip_y_.
 void TransientStep::displace(const Field& x, const Field& y) {
+  // s = A p, A p the displacements over dx: p goes in, the slip comes out
   slip_x_ = x;
   slip_y_ = y;
   displacement_.tangential(slip_x_, slip_y_);
@@ -175,6 +182,7 @@ double TransientStep::residual() {
   RollingSolution& s = solution_;
   double error = 0.0, norm = 0.0;
   for (const Cell& c : cells_) {
+    // p - rho s, before and after it is cut back: outside of its disk, the cell slides
     const double px = s.traction_x[c.at], py = s.traction_y[c.at];
     double x = px - rho_ * s.slip_x[c.at], y = py - rho_ * s.slip_y[c.at];
     s.state[c.at] = x * x + y * y > c.bound * c.bound ? CellState::slip : CellState::adhesion;
@@ -187,11 +195,14 @@ double TransientStep::residual() {
 
 bool TransientStep::run() {
   RollingSolution& s = solution_;
+  // slip of the start, s = w' + A p
   displace(s.traction_x, s.traction_y);
   for (const Cell& c : cells_) {
     s.slip_x[c.at] = c.wx + slip_x_[c.at];
     s.slip_y[c.at] = c.wy + slip_y_[c.at];
   }
+  // E may exceed its last value, but not its largest of the last ten (Grippo, Lampariello and Lucidi's
+  // search)
   constexpr int remembered = 10;
   double energies[remembered] = {};  // relative to that of the start
   double energy = 0.0, length = rho_;
@@ -203,6 +214,7 @@ bool TransientStep::run() {
     const double decades =
         natural_log(std::max(s.residual, problem_.tolerance)) / natural_log(problem_.tolerance);
     if (!problem_.progress.goes_on(std::clamp(decades, 0.0, 1.0))) return false;
+    // direction d = P(p - l s) - p and the slope of E along it, s . d, which is negative
     double slope = 0.0;
     for (const Cell& c : cells_) {
       double x = s.traction_x[c.at] - length * s.slip_x[c.at],
@@ -213,18 +225,21 @@ bool TransientStep::run() {
       slope += s.slip_x[c.at] * change_x_[c.at] + s.slip_y[c.at] * change_y_[c.at];
     }
     displace(change_x_, change_y_);
+    // d . A d, the bend of E along d; l of the next step is (d . d) / (d . A d), Barzilai and Borwein's
     double bend = 0.0, square = 0.0;
     for (const Cell& c : cells_) {
       bend += change_x_[c.at] * slip_x_[c.at] + change_y_[c.at] * slip_y_[c.at];
       square += change_x_[c.at] * change_x_[c.at] + change_y_[c.at] * change_y_[c.at];
     }
     if (!(bend > 0.0)) break;
+    // the whole of d, or where E would be too large, d's exact minimum -(s . d) / (d . A d)
     double share = 1.0;
     if (energy + slope + 0.5 * bend > *std::max_element(energies, energies + remembered))
       share = -slope / bend;
     energy += share * (slope + 0.5 * share * bend);
     energies[s.iterations % remembered] = energy;
     length = square / bend;
+    // slips follow tractions without another product, as they are linear
     for (const Cell& c : cells_) {
       s.traction_x[c.at] += share * change_x_[c.at];
       s.traction_y[c.at] += share * change_y_[c.at];
@@ -240,6 +255,7 @@ bool TransientStep::run() {
 void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s) {
   const double shift = -traction_behind(problem.collocation) * grid.dx;
   const bool by_cell = !problem.rigid_slip_x.empty();
+  // F = sum p dA, M_z = sum (x p_y - y p_x) dA at the collocated places, P / V = -sum p . s dA
   double fx = 0.0, fy = 0.0, mz = 0.0, power = 0.0, balance = 0.0;
   std::size_t contact = 0, adhesion = 0;
   for (int j = 0; j < grid.ny; ++j) {
@@ -260,6 +276,7 @@ void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s)
   s.forces = {.fx = fx * area, .fy = fy * area, .mz = mz * area, .power_per_speed = power * area};
   if (contact > 0) s.forces.adhesion_fraction = static_cast<double>(adhesion) / static_cast<double>(contact);
   const Creepage& c = problem.creepage;
+  // by the balance of steady rolling: the rigid slips' work, of creepages -(F_x nu_x + F_y nu_y + M_z phi)
   s.power_by_balance = by_cell
                            ? balance * area
                            : -(s.forces.fx * c.longitudinal + s.forces.fy * c.lateral + s.forces.mz * c.spin);
@@ -274,6 +291,7 @@ RollingProblem restricted(const Grid& fine, const RollingProblem& problem, const
     out.rigid_slip_y = average(fine, problem.rigid_slip_y, coarse);
   }
   if (problem.friction.size() > 1) {
+    // mu is averaged with the pressure, so that the coarse bound is the mean of the fine ones
     Field bound = problem.pressure;
     for (std::size_t k = 0; k < bound.size(); ++k) bound[k] *= problem.friction[k];
     out.friction = average(fine, bound, coarse);
@@ -284,15 +302,17 @@ RollingProblem restricted(const Grid& fine, const RollingProblem& problem, const
   return out;
 }
 
-// Start on the fine grid: the tractions' share of the pressure is what varies smoothly.
+// Start on the fine grid. Interpolated are tractions over pressures, which vary smoothly up to the edge.
 void prolong(const Grid& coarse, const RollingProblem& coarse_problem, const RollingSolution& from,
              const Grid& fine, const RollingProblem& problem, RollingSolution& to) {
+  // p_t / p_n on the coarse grid's contact
   Field share_x = from.traction_x, share_y = from.traction_y;
   for (std::size_t k = 0; k < share_x.size(); ++k) {
     if (coarse_problem.pressure[k] <= 0.0) continue;
     share_x[k] /= coarse_problem.pressure[k];
     share_y[k] /= coarse_problem.pressure[k];
   }
+  // times the fine pressure, zero outside the fine contact
   to.traction_x = interpolate(coarse, share_x, coarse_problem.pressure, fine);
   to.traction_y = interpolate(coarse, share_y, coarse_problem.pressure, fine);
   for (std::size_t k = 0; k < to.traction_x.size(); ++k) {
@@ -324,6 +344,7 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
   if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
     return Fault::not_finite("creepage");
   }
+  // both or none, over the grid
   for (const Field* slip : {&problem.rigid_slip_x, &problem.rigid_slip_y}) {
     if (slip->size() != problem.rigid_slip_x.size() || (!slip->empty() && slip->size() != grid.cells())) {
       return Fault::range("halfspace.rigid_slip.size", {slip->size()});
@@ -354,6 +375,7 @@ RollingSolver::RollingSolver(const Grid& grid, const Material& material, const F
   if (coupling != 0.0)
     pressed_ = std::make_unique<TurnedConvolution>(grid, material, Convolution::Kernel::coupling_slip, angles,
                                                    coupling);
+  // grids of half as many cells each way, as long as the shorter side keeps enough of them
   constexpr int coarsest = 12;  // cells along the shorter side
   Field a = angles;
   for (Grid g = grid;;) {
@@ -374,6 +396,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
     return failed;
   }
   if (!pressed_) return solve_uncoupled(problem);
+  // w less the slip that the pressure causes: K/(pi G) d/dx of sum p (x, y) / r^2 (Kalker's K)
   RollingProblem with = problem;
   Field x(grid.cells(), 0.0), y = compressive(problem.pressure);
   pressed_->tangential(x, y);
@@ -386,6 +409,7 @@ RollingSolution RollingSolver::solve(const RollingProblem& problem) {
 }
 
 RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
+  // the problem on ever coarser grids, where there is no start: linear theory needs none, it is one system
   std::vector<RollingProblem> problems{problem};
   if (problem.adhesion == Adhesion::coulomb && problem.start == nullptr) {
     for (std::size_t l = 1; l < levels_.size(); ++l) {
@@ -397,6 +421,7 @@ RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
     Level& level = levels_[l];
     solution = {};
     clear(level.grid, solution);
+    // start: from the coarser grid, or the caller's, or zero
     if (l + 1 < problems.size()) {
       prolong(levels_[l + 1].grid, problems[l + 1], coarse, level.grid, problems[l], solution);
     } else if (problem.start != nullptr) {
@@ -440,7 +465,8 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
   clear(grid_, solution);
   solution.fault = check(grid_, problem);
   if (solution.fault.failed()) return solution;
-  // -u_before(x + dx) / dx is what the steady slip has beside u(x) / dx, of the tractions before.
+  // The steady slip of the tractions before is (u_before(x) - u_before(x + dx)) / dx; without its first term:
+  // s(x) = w + u(x) / dx - u_before(x + dx) / dx.
   RollingProblem with = problem;
   find_rigid_slip(grid_, with);
   Field earlier_x = traction_x_, earlier_y = traction_y_, own_x = traction_x_, own_y = traction_y_;
@@ -471,6 +497,7 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
     return solution;
   }
   finish(grid_, problem, solution);
+  // the bodies' state at the next step's beginning
   traction_x_ = solution.traction_x;
   traction_y_ = solution.traction_y;
   pressure_ = compressive(problem.pressure);

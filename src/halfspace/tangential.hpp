@@ -8,8 +8,8 @@
 /// (tangential/exact/rolling_newton.hpp) with FFT convolutions as products, started from the solution on a
 /// grid of half as many cells each way.
 ///
-/// Of unlike bodies the pressure moves the surfaces along each other, too: what that adds to w is taken with
-/// it (tangential/exact/cell_influence.hpp, Kalker's K), and the energy balance is that of all of w.
+/// Between unlike bodies the pressure moves the surfaces along each other, too, which is part of w
+/// (tangential/exact/cell_influence.hpp, Kalker's K), and the energy balance is that of all of w.
 ///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
@@ -82,12 +82,12 @@ struct RollingSolution {
   TangentialForces forces;  ///< mz about the origin; power is the sum of -p . s over the cells
   /// -(Fx nu_x + Fy nu_y + Mz phi) [N], the dissipation by the energy balance of steady rolling. The limit of
   /// forces.power_per_speed for fine grids; it has the error of the forces only, where the sum over the cells
-  /// also misses what the difference quotient dissipates in steep gradients (first order, up to half where
+  /// also misses the difference quotient's dissipation in steep gradients (first order, up to half where
   /// only a few cells at the trailing edge slip).
   double power_by_balance = 0.0;
   int iterations = 0;     ///< Newton iterations on the given grid
   int products = 0;       ///< convolutions on the given grid
-  double residual = 0.0;  ///< of the convergence test
+  double residual = 0.0;  ///< value of the convergence test [-]
   Fault fault;            ///< WRC_FLAG_ITERATION_CAP: residual stayed above the tolerance
 };
 
@@ -114,10 +114,10 @@ class RollingSolver {
 };
 
 /// Non-steady rolling in the contact frame, from bodies without tractions. In a step the bodies advance by
-/// one cell, so that what is at x was at x + dx before, with the displacements of then:
+/// one cell: particles at x were at x + dx before, with the displacements of then:
 ///     s(x) = w + (u(x) - u_before(x + dx)) / dx
-/// (Kalker 1990, 1.3; CONTACT's T = 2 with dq = dx). Everything else is as in steady rolling, which is what a
-/// long time under equal conditions ends in, to the tolerance. Not to be shared by threads.
+/// (Kalker 1990, 1.3; CONTACT's T = 2 with dq = dx). Everything else is as in steady rolling, in which a long
+/// time under equal conditions ends, to the tolerance. Not to be shared by threads.
 class TransientSolver {
  public:
   /// `coupling`: Kalker's K.
@@ -127,7 +127,7 @@ class TransientSolver {
 
   /// One step: pressure and friction as they are at its end, creepages those of its middle. A failed or
   /// cancelled step leaves the state where it was. `start` is not used, the tractions before are the start.
-  /// power_by_balance is the work of the creepages: what is dissipated and what the elastic energy gains.
+  /// power_by_balance is the work of the creepages: dissipation plus the gain of elastic energy.
   RollingSolution step(const RollingProblem& problem);
 
  private:

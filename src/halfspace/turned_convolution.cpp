@@ -35,6 +35,7 @@ void TurnedConvolution::convolve_parts(const Field& p) {
 }
 
 void TurnedConvolution::convolve_parts(const Field& x, const Field& y) {
+  // a product has room for two fields: one for the cosines of both components, one for the sines
   for (const bool cosines : {true, false}) {
     const Field& factor = cosines ? cosine_ : sine_;
     Field& part = cosines ? by_cosine_ : by_sine_;
@@ -78,6 +79,7 @@ void TurnedConvolution::tangential(Field& x, Field& y) {
     planar_.apply(x.data(), y.data(), x.data(), y.data());
     return;
   }
+  // u_y = sum cos d (K_xy x + K_yy y) from the parts; u_x knows no turning
   convolve_parts(x, y);
   planar_.apply(x.data(), y.data(), x.data(), unused_.data());
   sum_cosines(y);

@@ -44,13 +44,13 @@ class TurnedConvolution {
   // Convolutions of a field times the rows' cosines, and sines.
   void convolve_parts(const Field& p);
   void convolve_parts(const Field& x, const Field& y);
-  // Of these, turned back: sums over all rows j of cos(a_i - a_j), and of sin(a_i - a_j).
+  // The parts turned back: sums over all rows j of cos(a_i - a_j), and of sin(a_i - a_j).
   void sum_cosines(Field& out) const;
   void sum_sines(Field& out) const;
 
   std::size_t nx_ = 0, ny_ = 0;
   Convolution planar_;
-  Field cosine_, sine_;  // of the rows' angles; empty: all equal
+  Field cosine_, sine_;  // rows' angles; empty: all equal
   Field by_cosine_, by_sine_, unused_;
 };
 

@@ -14,6 +14,7 @@ constexpr int nodes = 2 * to_either_side + 1;
 // tau, where the slope D'(tau) + r (tau - theta) passes zero: by halving.
 WheelDeviation::Value least_surface(const OutOfRound& wheel, int row, double theta) {
   constexpr double furthest = 0.25;  // [rad]: chords of 0.2 m
+  // the slope D' + r tau grows with tau: 40 halvings of 0.5 rad leave rounding
   double low = -furthest, high = furthest;
   const auto reach = [&](double from) { return out_of_round::row_at(wheel, row, theta + from); };
   for (int k = 0; k < 40; ++k) {
@@ -35,6 +36,7 @@ WheelDeviation::WheelDeviation(const OutOfRound& wheel, double angle) : wheel_(w
 
 // Cubic Hermite between nodes.
 WheelDeviation::Value WheelDeviation::row_at(int row, double place) const {
+  // piece and place t within it, 0..1
   const double at = std::clamp(place / step + to_either_side, 0.0, nodes - 1.0);
   const int k = std::min(static_cast<int>(at), nodes - 2);
   const auto first = static_cast<std::size_t>(row) * nodes + static_cast<std::size_t>(k);

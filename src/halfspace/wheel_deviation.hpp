@@ -18,10 +18,11 @@ namespace wrc::halfspace {
 
 class WheelDeviation {
  public:
-  /// Of a wheel turned by `angle` about its axle [rad]; tabulated as far as contacts lie from below the axle.
+  /// The deviation of a wheel turned by `angle` about its axle [rad]; tabulated as far as contacts lie from
+  /// below the axle.
   WheelDeviation(const OutOfRound& wheel, double angle);
 
-  /// Of the radius [m], and by the angle [m/rad].
+  /// Deviation of the radius [m], and its slope over the angle [m/rad].
   struct Value {
     double depth = 0.0, slope = 0.0;
   };

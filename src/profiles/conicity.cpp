@@ -36,6 +36,7 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   const auto tilt = [&](double c) {
     return potential_at(of, c + amplitude) - potential_at(of, c - amplitude);
   };
+  // tilt of the potential between the motion's ends, V(c + a) - V(c - a) = integral of dr, over its middle c
   double largest = 0.0;
   for (std::uint32_t k = 0; k < of.count; ++k) largest = std::max(largest, std::abs(of.dr[k]));
   const double rounding = 1e-6 * largest * amplitude;  // where the points end with the motion
@@ -43,6 +44,7 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
   bool found = false;
   double before = low, tilt_before = tilt(low);
   for (int i = 0; i <= stations; ++i) {
+    // a place where it rises through zero, or stays zero to rounding at the range's ends, refined by halving
     const double now = low + (high - low) * i / stations, tilt_now = tilt(now);
     const bool rises = tilt_before < 0.0 && tilt_now >= 0.0;
     const bool stands = std::abs(tilt_now) <= rounding && (i == 0 || i == stations);
@@ -66,7 +68,7 @@ bool find_centre(const RadiusDifference& of, double amplitude, double& centre) {
 /// u) turns at the rate w; where f falls it moves along a hyperbola.
 double distance_over(double step, double f0, double f1, double u0, double u1) {
   const double stiffness = (f1 - f0) / step;
-  const double plain = 2.0 * step / (u0 + u1);  // of constant f
+  const double plain = 2.0 * step / (u0 + u1);  // under constant f
   if (stiffness * plain * plain > 1e-10) {
     const double w = std::sqrt(stiffness);
     return (arctangent2(f1 / w, u1) - arctangent2(f0 / w, u0)) / w;
@@ -96,6 +98,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
                                 double radius) {
   double centre = 0.0;
   if (!find_centre(of, amplitude, centre)) return {};
+  // y'^2 / 2 = (V(end) - V(y)) / (e r0): slope of the motion at each point
   const double from = centre - amplitude, to = centre + amplitude, level = potential_at(of, to);
   const double scale = 1.0 / (contact_distance * radius);
   const auto slope = [&](double y) {
@@ -103,6 +106,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
   };
   double distance = 0.0, y0 = from, u0 = 0.0, f0 = scale * value_at(of, from);
   for (std::uint32_t k = piece_at(of, from); y0 < to && k + 1 < of.count; ++k) {
+    // distance over each piece between points, where y'' is linear in y
     const bool last = of.y[k + 1] >= to;
     const double y1 = last ? to : of.y[k + 1], f1 = scale * (last ? value_at(of, to) : of.dr[k + 1]);
     const double u1 = last ? 0.0 : slope(y1);
@@ -122,6 +126,7 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
     f0 = f1;
   }
   if (!(distance > 0.0) || !std::isfinite(distance)) return {};
+  // there and back; Klingel's formula, solved for tan gamma
   const double wavelength = 2.0 * distance;
   return {.conicity = 2.0 * pi * pi * contact_distance * radius / (wavelength * wavelength),
           .wavelength = wavelength,

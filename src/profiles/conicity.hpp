@@ -23,7 +23,7 @@ void integrate(const RadiusDifference& of);
 struct Conicity {
   double conicity = 0.0;    ///< tan gamma [-]
   double wavelength = 0.0;  ///< [m]; 0: none
-  double centre = 0.0;      ///< of the motion [m]
+  double centre = 0.0;      ///< middle of the motion [m]
 };
 
 /// By the wavelength of the motion with this amplitude, whose two ends lie 2 amplitude apart on one level of

@@ -16,7 +16,7 @@ namespace {
 /// wheelset's middle at which each side touches.
 struct Rigid {
   const Model& model;
-  double close = 1e-13;  ///< what heights may differ by [m]
+  double close = 1e-13;  ///< tolerance of the heights' difference [m]
 
   Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) const {
     const Bodies& bodies = model.bodies[static_cast<int>(side)];
@@ -59,6 +59,7 @@ struct Elastic {
   HeapContact contacts[2] = {{model, Side::right}, {model, Side::left}};
 
   Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) {
+    // the wheelset's middle displaced and rolled, at the height that carries the load
     HostWheel hosted;
     hosted.y = lateral;
     const SineCosine turned = sine_cosine(roll);
@@ -72,6 +73,7 @@ struct Elastic {
     const Fault fault = solve_wheel(contact, hosted);
     if (fault.failed()) return fault;
     const HostWrench& result = contact.wheel;
+    // means over the regions, weighted by the normal forces they carry
     place = {};
     double carried = 0.0;
     for (std::int32_t i = 0; i < result.wrench.regions; ++i) {
@@ -82,6 +84,7 @@ struct Elastic {
       place.y_rail += weight * result.place[i].y_rail;
     }
     for (double* const mean : {&place.radius, &place.y_wheel, &place.y_rail}) *mean /= carried;
+    // contact angle: that of the force across the track, frictionless
     const double outward = side == Side::right ? 1.0 : -1.0;
     place.angle = -outward * arctangent(result.wrench.force[1] / -result.wrench.force[2]);
     height = result.wrench.height;
@@ -99,12 +102,14 @@ class RollSearch {
 
   /// Where to look after `roll`, at which the heights are `apart`.
   double next(double roll, double apart) {
+    // Illinois: an end that stays twice in a row counts half
     const bool too_low = apart > 0.0;
     End& here = too_low ? low_ : high_;
     End& there = too_low ? high_ : low_;
     if (here.known && there.known && here.last) there.value *= 0.5;
     here = {roll, apart, true, true};
     there.last = false;
+    // no sign change yet: as far as the treads say, and further each time
     if (!there.known) {
       step_ = 2.0 * larger(step_, std::abs(apart) / base_);
       return roll + std::copysign(smaller(0.6 * step_, 0.01), apart);
@@ -131,6 +136,7 @@ Fault settle(Bodies& bodies, double base, double lateral, SettledWheelset& settl
   RollSearch search(base);
   double roll = settled.roll;
   for (int n = 0; n < most_steps; ++n) {
+    // height at which each wheel touches, at this roll
     double height[2] = {};
     for (const Side side : {Side::right, Side::left}) {
       const int k = static_cast<int>(side);
@@ -152,6 +158,7 @@ Fault settle(Bodies& bodies, double base, double lateral, SettledWheelset& settl
 template <class Bodies>
 Fault settle_all(Bodies&& bodies, const Model& model, std::uint32_t count, const double* lateral,
                  SettledWheelset* settled) {
+  // each displacement begins with the roll of the one before
   const double base = 2.0 * model.bodies[static_cast<int>(Side::right)].wheel.origin_y;
   Fault worst;
   for (std::uint32_t i = 0; i < count; ++i) {

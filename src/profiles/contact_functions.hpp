@@ -1,5 +1,5 @@
 /// Contact functions of a wheelset on its track (EN 15302): where both wheels touch over the lateral
-/// displacement, and what follows: roll, rolling radii, contact angles. Offline: it allocates.
+/// displacement, and from that roll, rolling radii, contact angles. Offline: it allocates.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ struct RollingPlace {
 
 /// A wheelset without yaw that touches on both sides.
 struct SettledWheelset {
-  double vertical = 0.0;  ///< of its middle, down [m]
+  double vertical = 0.0;  ///< displacement of its middle, down [m]
   double roll = 0.0;      ///< right wheel down positive [rad]
   RollingPlace side[2];   ///< by Side
 };
 
 /// Settles the wheelset at every displacement: roll and height for which both wheels touch (load 0) or carry
-/// `load` each, without friction [N]. Under load radius, angle and places are means over what each contact
-/// carries. The displacement a failure is about is the fault's index.
+/// `load` each, without friction [N]. Under load radius, angle and places are means weighted by the
+/// regions' normal forces. The displacement a failure is about is the fault's index.
 Fault settle_wheelset(const Model& model, double load, std::uint32_t count, const double* lateral,
                       SettledWheelset* settled);
 

@@ -44,9 +44,10 @@ double depth_at(const WearStep& step, double arc) {
   return of(below) + (at - below) * (of(below + 1.0) - of(below));
 }
 
-/// Values every `spacing`, through a bell curve that halves waves of length `wave`. What would pass an end is
-/// thrown back, so that nothing is lost.
+/// Values every `spacing`, through a bell curve that halves waves of length `wave`. Weights beyond an end
+/// are reflected there, so that the sum is kept.
 std::vector<double> smoothed(const std::vector<double>& values, double spacing, double wave) {
+  // exp(-x^2 / 2 sigma^2) lets exp(-(2 pi sigma / wave)^2 / 2) of a wave through: a half
   const double ln2 = ln2_high + ln2_low, sigma = wave * std::sqrt(0.5 * ln2) / pi;
   const auto reach = static_cast<std::ptrdiff_t>(4.0 * sigma / spacing);
   if (reach < 1) return values;
@@ -58,6 +59,7 @@ std::vector<double> smoothed(const std::vector<double>& values, double spacing, 
     sum += (k == 0 ? 1.0 : 2.0) * weight[static_cast<std::size_t>(k)];
   }
   const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+  // every value spread by the weights; beyond an end it is reflected there
   std::vector<double> result(values.size());
   for (std::ptrdiff_t i = 0; i <= last; ++i) {
     const double share = values[static_cast<std::size_t>(i)] / sum;
@@ -80,6 +82,7 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   SplineProfile given;
   Fault fault = given.make(step.body, count, y, z);
   if (fault.failed()) return fault;
+  // depth of wear at even places along the curve, smoothed
   const double length = given.end() - given.begin();
   const auto pieces = std::max<std::int32_t>(8, static_cast<std::int32_t>(length / step.spacing + 0.5));
   const double spacing = length / pieces;
@@ -87,6 +90,7 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   for (std::int32_t i = 0; i <= pieces; ++i)
     depth[static_cast<std::size_t>(i)] = depth_at(step, given.begin() + spacing * i);
   if (step.smoothing > 0.0) depth = smoothed(depth, spacing, step.smoothing);
+  // passages: as wanted, or as many as the largest depth of a step allows
   const double deepest = *std::max_element(depth.begin(), depth.end());
   worn.passages = deepest * step.passages > step.largest_depth ? step.largest_depth / deepest : step.passages;
   worn.depth = deepest * worn.passages;
@@ -107,7 +111,7 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
       return Fault::profile({"worn profile", i}, {worn.y[k], "m"},
                             "it crosses itself at this point: take off less at a time, or smooth more");
   }
-  // laid anew, evenly along the new curve
+  // new points, evenly along the worn curve
   SplineProfile moved;
   fault = moved.make(step.body, static_cast<std::uint32_t>(worn.y.size()), worn.y.data(), worn.z.data());
   if (fault.failed()) return fault;
@@ -129,6 +133,7 @@ Fault measure_flange(std::uint32_t count, const double* y, const double* z, doub
   const Fault fault = given.make(ProfileBody::wheel, count, y, z);
   if (fault.failed()) return fault;
   const Profile& wheel = given.profile();
+  // tip of the flange: lowest point of the profile on the flange's side
   const double datum = evaluate(wheel, 0.0).z;
   std::int32_t tip = 0;
   for (std::int32_t i = 0; i < wheel.count && wheel.y[i] < 0.0; ++i)

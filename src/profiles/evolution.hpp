@@ -1,5 +1,5 @@
-/// A profile that wears: depth taken off along its normal, smoothed, in steps, its points laid anew; and what
-/// gauges measure of a wheel's flange. Offline: it allocates.
+/// A profile that wears: depth taken off along its normal, smoothed, in steps, with new points; and a wheel's
+/// flange as gauges measure it. Offline: it allocates.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ namespace wrc {
 struct WearStep {
   ProfileBody body = ProfileBody::wheel;
   std::uint32_t bins = 0;
-  double first = 0.0, width = 0.0;  ///< of the bins [m]
-  const double* depth = nullptr;    ///< of each, for one passage [m], >= 0
+  double first = 0.0, width = 0.0;  ///< start and width of the bins [m]
+  const double* depth = nullptr;    ///< depth of each bin for one passage, >= 0 [m]
   double passages = 1.0;            ///< wanted
   double largest_depth = 0.0;       ///< most that is taken off in one step [m]
   double smoothing = 0.0;           ///< waves of the depth of this length keep half their height [m]; 0: none
-  double spacing = 0.0;             ///< of the new points along the curve [m]
+  double spacing = 0.0;             ///< distance of the new points along the curve [m]
 };
 
-/// What a step came to.
+/// Result of a step.
 struct WornProfile {
   std::vector<double> y, z;  ///< [m]
   double passages = 0.0;     ///< that were taken off

@@ -3,7 +3,7 @@
 
 namespace wrc {
 
-/// Of the ellipses creepages, forces and y are those of the ellipse's centre.
+/// With an ellipse creepages, forces and y refer to the ellipse's centre.
 struct PatchModel {
   bool on_ellipse = false;  ///< on the strips of the equivalent ellipse; otherwise on those of the patch
   bool at_middle =

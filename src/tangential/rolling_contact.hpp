@@ -1,5 +1,5 @@
-/// What every tangential method is given: the patch as the normal method left it, its regularised shape, and
-/// the creepages.
+/// Input of every tangential method: the patch as the normal method left it, its regularised shape, and the
+/// creepages.
 #pragma once
 
 #include "tangential/march/march_grid.hpp"
@@ -37,7 +37,7 @@ struct RollingContact {
   double a = 0.0, b = 0.0;     ///< semi-axes of the equivalent ellipse or SDEC, a in rolling direction [m]
   double shape_number = 0.0;   ///< psi: the patch's mid-width lies at y = psi b [-]
   double shear_modulus = 0.0;  ///< G, times the slope reduction of a layer between the bodies [Pa]
-  const SdecTable* linear_theory = nullptr;  ///< of the bodies' Poisson ratio
+  const SdecTable* linear_theory = nullptr;  ///< coefficients of the bodies' Poisson ratio
   const MarchGrid* grid = nullptr;           ///< cells along each strip
   Creepage
       creepage;  ///< at the initial contact point, or at the ellipse's centre where `model` has it elsewhere
@@ -46,9 +46,9 @@ struct RollingContact {
   FlexibilityForm form = FlexibilityForm::separate;
   SlopeFall slope{};
   double slope_reduction = 1.0;             ///< the factor that is in shear_modulus already [-]
-  PatchModel model{};                       ///< what `region` and the coefficients are those of
-  double normal_force = 0.0;                ///< of the patch, for methods that do not look at its strips [N]
-  const ForceTable* force_table = nullptr;  ///< of the model, if it has one
+  PatchModel model{};                       ///< whose strips `region` has, and whose the coefficients are
+  double normal_force = 0.0;                ///< the patch's, for methods that do not read its strips [N]
+  const ForceTable* force_table = nullptr;  ///< the model's, if it has one
   RollingMemory memory{};
   void* workspace = nullptr;  ///< as many bytes as the method asks for
 

@@ -23,6 +23,7 @@ struct HermiteTable {
   HermiteTable(const std::array<double, n>& nodes, const std::array<double, n>& values)
       : x(nodes), y(values) {
     for (std::size_t i = 0; i < n; ++i) {
+      // the parabola through three nodes: weighted slope at the middle one, plus its bending at an end
       const std::size_t m = std::clamp<std::size_t>(i, 1, n - 2);  // at an end: the last three nodes
       const double left = x[m] - x[m - 1], right = x[m + 1] - x[m];
       const double slope_left = (y[m] - y[m - 1]) / left, slope_right = (y[m + 1] - y[m]) / right;
@@ -33,6 +34,7 @@ struct HermiteTable {
 
   /// Value and slope at `at`, which must lie within [x[0], x[n - 1]].
   Interpolated operator()(double at) const {
+    // the interval, and y = y_i + t (m0 + t (c2 + t c3)) in it, m0, m1 the slopes at its ends per interval
     std::size_t i = 0;
     while (i + 2 < n && at > x[i + 1]) ++i;
     const double dx = x[i + 1] - x[i];

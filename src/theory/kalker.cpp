@@ -11,9 +11,8 @@ namespace {
 
 using Reciprocal = HermiteTable<tables::ratio_count>;
 
-/// What a coefficient is divided by before its reciprocal is tabulated, and the derivative with respect to
-/// a/b: C23 ~ sqrt(a/b) for narrow ellipses, so sqrt(a/b) / C23 stays finite and smooth there as 1/C11 and
-/// 1/C22 do.
+/// Divisor of a coefficient before its reciprocal is tabulated, and the derivative with respect to a/b: C23 ~
+/// sqrt(a/b) for narrow ellipses, so sqrt(a/b) / C23 stays finite and smooth there as 1/C11 and 1/C22 do.
 Interpolated scale(tables::Coefficient coefficient, double ratio) {
   if (coefficient != tables::c23s) return {1.0, 0.0};
   const double root = std::sqrt(ratio);
@@ -31,6 +30,7 @@ Reciprocal reciprocals(tables::Coefficient coefficient, double poisson) {
 
 /// The coefficient and its derivative with respect to a/b inside the table.
 Interpolated in_table(tables::Coefficient coefficient, const Reciprocal& table, double ratio) {
+  // C = scale / f(u), u the slenderness, du / d(a/b) = 2 / (a/b + 1)^2
   const Interpolated s = scale(coefficient, ratio), f = table(slenderness(ratio));
   const double du = 2.0 / ((ratio + 1.0) * (ratio + 1.0));
   return {s.value / f.value, (s.slope - s.value * f.slope * du / f.value) / f.value};
@@ -43,6 +43,7 @@ struct Asymptotes {
 
 /// a << b, g = a/b.
 Asymptotes narrow(double g, double nu) {
+  // C11 = pi^2 / (4 (1 - nu)), C22 = pi^2 / 4, C23 = pi sqrt(g) / (3 (1 - nu)) (1 + nu (ln(16 / g) - 5))
   const double bracket = 1.0 + nu * (natural_log(16.0 / g) - 5.0);
   const double scale = pi * std::sqrt(g) / (3.0 * (1.0 - nu));
   return {{pi * pi / (4.0 * (1.0 - nu)), 0.0},
@@ -59,6 +60,7 @@ Interpolated slender_form(double g, double D, double d0, double k) {
 
 /// a >> b, g = b/a.
 Asymptotes wide(double g, double nu) {
+  // C11 and C22 in slender_form(), C23 = 2 pi / (3 g sqrt(g) ((1 - nu) L - 2 + 4 nu))
   const double L = natural_log(16.0 / (g * g));
   const double k = 3.0 - natural_log(4.0);
   const double D23 = (1.0 - nu) * L - 2.0 + 4.0 * nu;
@@ -96,6 +98,7 @@ KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
 
   keep_worst(fault, Fault::table_range("patch axis ratio a/b", {ratio, "1", lowest, highest},
                                        "Kalker's asymptote for slender ellipses is used"));
+  // Beyond the table: asymptotes in g, here and at the table's end, and the table's slope there by g.
   const bool is_narrow = ratio < lowest;
   const double end = is_narrow ? lowest : highest;
   const double g = is_narrow ? ratio : 1.0 / ratio;

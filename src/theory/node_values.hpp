@@ -34,6 +34,7 @@ constexpr double at_poisson(const std::array<double, 3>& value, double poisson) 
 /// Poisson ratio (for C11 of a narrow patch exactly so): the parabola is good to 0.03 %. That through
 /// (1 + nu) / C23 is good to 0.2 %, and to 0.1 % for nu from 0.2 to 0.32; through 1/C23 itself, to 0.8 %.
 inline double reciprocal(Coefficient c, std::size_t ratio, std::size_t shape, double poisson) {
+  // factor / C is interpolated, factor 1 + nu for C23
   const auto factor = [c](double nu) { return c == c23s ? 1.0 + nu : 1.0; };
   std::array<double, 3> value{};
   for (std::size_t k = 0; k < 3; ++k) value[k] = factor(poisson_nodes[k]) / entry(k, ratio, shape).value[c];

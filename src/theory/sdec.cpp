@@ -47,6 +47,7 @@ std::array<double, 2> least_squares(const std::array<double, shape_count>& f,
     fy += weight[k] * f[k] * y[k];
     gy += weight[k] * g[k] * y[k];
   }
+  // normal equations of two unknowns
   const double determinant = ff * gg - fg * fg;
   return {(fy * gg - gy * fg) / determinant, (gy * ff - fy * fg) / determinant};
 }
@@ -68,6 +69,7 @@ SdecTable::Influence SdecTable::influence(std::size_t coefficient, double poisso
   const auto c = static_cast<tables::Coefficient>(coefficient);
   tables::OverRatio second{}, fourth{};
   for (std::size_t i = 0; i < ratio_count; ++i) {
+    // Cs / C - 1 at the nodes psi of one a/b, fitted by b psi^2 + d psi^4
     std::array<double, shape_count> psi2{}, psi4{}, change{}, weight{};
     for (std::size_t k = 0; k < shape_count; ++k) {
       psi2[k] = tables::shape_node(k) * tables::shape_node(k);
@@ -90,6 +92,7 @@ SdecTable::SdecTable(double poisson)
       c23_(influence(tables::c23s, poisson)) {
   tables::OverRatio constant{}, second{};
   for (std::size_t i = 0; i < ratio_count; ++i) {
+    // K13 / (0.75 C11 sqrt(b/a)) at the nodes psi > 0 of one a/b, fitted by k + m psi^2
     std::array<double, shape_count> one{}, psi2{}, k13{}, weight{};
     for (std::size_t k = 1; k < shape_count; ++k) {
       one[k] = 1.0;
@@ -112,6 +115,7 @@ SdecTable::SdecTable(double poisson)
 SdecCoefficients SdecTable::at(double ratio, double shape_number, Fault& fault) const {
   const KalkerCoefficients ellipse = ellipse_.at(ratio, fault);  // flags the axis ratio
   check_range("shape number psi", shape_number, -tables::highest_shape, tables::highest_shape, fault);
+  // the ellipse's coefficients times 1 + b psi^2 + d psi^4; K13 = 0.75 C11 sqrt(b/a) (k + m psi^2)
   const double u = slenderness(ratio);
   const double psi2 = shape_number * shape_number;
   const auto factor = [&](const Influence& influence) {

@@ -65,7 +65,7 @@ def main():
         print(f"written to {COUNTS.name}")
         return
     print(f"{len(found) - worse} passed, {worse} failed")
-    sys.exit(1 if worse else 0)
+    sys.exit(1 if worse or not found else 0)
 
 
 main()

@@ -25,21 +25,26 @@ cmake -S . -B build >/dev/null
 # counts EXPECTED_LINE EXPECTED_STATUS COMMAND...
 counts() {
   local said status=0
-  said=$(. "$source/.ci/counts.sh"; "${@:3}" >log; say_counts) || status=$?
+  said=$(set -euo pipefail; . "$source/.ci/parts.sh"; "${@:3}" >log 2>&1; say_counts) || status=$?
   [ "$said:$status" = "$1:$2" ] || { echo "WRONG: ${*:3}: '$said', status $status"; cat log; wrong=1; }
 }
-tests() { count_ctest ctest.log --test-dir build "$@"; }
+tests() { run_ctest ctest.log --test-dir build "$@"; }
 counts "2 passed, 0 failed, 0 skipped" 0 tests -R good
 counts "2 passed, 0 failed, 1 skipped" 0 tests -R 'good|skip'
 counts "2 passed, 2 failed, 1 skipped" 1 tests
 counts "0 passed, 1 failed, 0 skipped" 1 tests -R no_program
 counts "0 passed, 1 failed, 0 skipped" 1 tests -R matches_nothing
 counts "0 passed, 1 failed, 1 skipped" 1 tests -R skip
-counts "0 passed, 1 failed, 0 skipped" 1 count_ctest ctest.log --test-dir no_such_folder
-counts "0 passed, 1 failed, 0 skipped" 1 count_ctest ctest.log --preset no_such_preset
-counts "1 passed, 0 failed, 0 skipped" 0 count_check good true
-counts "0 passed, 1 failed, 0 skipped" 1 count_check bad false
-counts "0 passed, 0 failed, 1 skipped" 1 count_check skip sh -c "exit 77"
+counts "0 passed, 1 failed, 0 skipped" 1 run_ctest ctest.log --test-dir no_such_folder
+counts "0 passed, 1 failed, 0 skipped" 1 run_ctest ctest.log --preset no_such_preset
+counts "0 passed, 1 failed, 0 skipped" 1 failure "it does not build"
+counts "0 passed, 0 failed, 0 skipped" 1 true
+
+# --- builds: how far they are is said, once for each tenth; a failed one fails and prints its log.
+said=$(. "$source/.ci/parts.sh"; compile library made.log sh -c 'for i in 1 2 3 4; do echo "[$i/4] compiles"; done')
+[ "$(grep -c 'library: step . of 4 of the build, . s' <<<"$said")" -eq 4 ] && grep -q '4/4' made.log || { echo "WRONG: a build says '$said'"; wrong=1; }
+if said=$(. "$source/.ci/parts.sh"; compile library made.log sh -c 'echo "the error"; exit 3'); then echo "WRONG: a failed build passes"; wrong=1; fi
+grep -q "the error" <<<"$said" || { echo "WRONG: a failed build says '$said'"; wrong=1; }
 
 # Every preset that is for tests refuses to run none.
 python3 - "$source/CMakePresets.json" <<'PYTHON' || wrong=1

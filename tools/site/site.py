@@ -21,7 +21,7 @@ import headers  # which header is of which class of stability
 
 NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a table in embedding.md
 WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
-# The manuals in the order of a reader; all pages must be here.
+# The manuals in the order of a reader; pages that are not here go to the last entry, decisions into one of their own.
 TABS = [
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
     ("Accuracy", [("Results", "accuracy.md"), ("How the figures are made", "accuracy_method.md")]),
@@ -35,7 +35,8 @@ TABS = [
     ("Gallery", "gallery.md"),
     ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.2 to 0.9", "interface_0_9.md"),
               ("Packages", "in_tools_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
-              ("Architecture", "architecture.md"), ("Code of others", "third_party.md")]),
+              ("Architecture", "architecture.md"), ("Pressure solver", "surface_solver.md"), ("Decisions", "decisions/README.md"),
+              ("Contributing", "CONTRIBUTING.md"), ("Code of others", "third_party.md")]),
 ]
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 
@@ -45,10 +46,10 @@ def pages():
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.md"], capture_output=True, text=True).stdout.split()
     if not listed:  # no history
         listed = [str(each.relative_to(ROOT)) for each in ROOT.rglob("*.md") if "build" not in each.parts]
-    wanted = [each for each in listed if re.match(r"(README|CHANGELOG|docs/\w+|(bindings|tools/packages)/(.*/)?README)\.md$", each)]
+    wanted = [each for each in listed if re.match(r"(README|CHANGELOG|CONTRIBUTING|docs/(decisions/)?\w+|(bindings|tools/packages)/(.*/)?README)\.md$", each)]
     names = {}
     for each in wanted:
-        name = re.sub("^docs/", "", each) if "README" not in each else "in_" + each.removesuffix("/README.md").replace("/", "_") + ".md"
+        name = re.sub("^docs/", "", each).replace("/", "_") if "README" not in each else "in_" + each.removesuffix("/README.md").replace("/", "_") + ".md"
         names[each] = "start.md" if each == "README.md" else name
     return names
 
@@ -126,8 +127,14 @@ def layout(names):
     """Doxygen's own layout with the manuals as tabs."""
     def tab(title, name):
         return f'<tab type="user" title="{title}" url="@ref {identifier(name)}"/>'
+    told = {"start.md"} | {name for _, entry in TABS for name in ([entry] if isinstance(entry, str) else [each for _, each in entry])}
+    assert told <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
+    rest = [(re.search("^# (.*)$", (ROOT / path).read_text(), re.M)[1], path, name) for path, name in sorted(names.items()) if name not in told]
+    decisions = [(title, name) for title, path, name in rest if path.startswith("docs/decisions/")]
+    others = [(title, name) for title, path, name in rest if not path.startswith("docs/decisions/")]
+    entries = TABS[:-1] + [(TABS[-1][0], TABS[-1][1] + others)] + ([("Decisions", decisions)] if decisions else [])
     tabs = ['<tab type="mainpage" visible="yes" title="Start"/>']
-    for title, entry in TABS:
+    for title, entry in entries:
         if isinstance(entry, str):
             tabs.append(tab(title, entry))
         else:
@@ -138,10 +145,6 @@ def layout(names):
     subprocess.run(["doxygen", "-l", WORK / "layout.xml"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     whole = (WORK / "layout.xml").read_text()
     (WORK / "layout.xml").write_text(re.sub(r"<navindex>.*</navindex>", lambda _: "<navindex>" + "".join(tabs) + "</navindex>", whole, flags=re.S))
-    told = {"start.md"} | {entry for _, entry in TABS if isinstance(entry, str)}
-    told |= {each for _, entry in TABS if not isinstance(entry, str) for _, each in entry}
-    missing = set(names.values()) ^ told
-    assert not missing, f"pages and tabs differ: {missing}"
 
 
 def examples():

@@ -5,15 +5,17 @@
 namespace wrc {
 namespace {
 
-constexpr std::int32_t most_rounds = 20;  ///< of strips entering and leaving within an iteration
+constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
 constexpr std::int32_t paired_with_all = -1, paired_with_none = -2;  ///< values of Scratch::paired_count
 
 /// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
 void list_active(const Problem& problem, const StripSet& s, Scratch& w) {
+  // By increasing place, so that kernels and sums have the order of the rail.
   ActiveStrips& active = w.active;
   active.count = 0;
   for (std::int32_t i = 0; i < s.count; ++i)
     if (w.in_contact[i]) active.index[active.count++] = i;
+  // A line of half length l under unit q = lambda l^2 has the peak 1 / l: C w / l times J displaces.
   for (std::int32_t a = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
     const double inverse = 1.0 / w.half_length[i];
@@ -136,6 +138,7 @@ bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratc
   problem.kernels.surface.influence(problem.tables, sources_of(w.active), pairs_of(problem, s, w),
                                     {count, w.outside, w.outside_place, w.outside_x}, s.skewed, w.matrix,
                                     stride);
+  // Their displacement against their overlap [m].
   bool any = false;
   for (std::int32_t b = 0; b < count; ++b) {
     const std::int32_t i = w.outside[b];
@@ -152,8 +155,10 @@ bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratc
 }
 
 void solve_contact(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+  // Each round solves for all loads; near a solution the first one changes nothing.
   for (std::int32_t round = 0; round < most_rounds; ++round) {
     list_active(problem, s, w);
+    // Nothing presses yet, or everything has left: the deepest overlap alone begins.
     if (w.active.count == 0) {
       if (!activate_deepest(s, w)) return;
       continue;

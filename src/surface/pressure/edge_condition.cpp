@@ -35,6 +35,7 @@ void read_edges(const StripSet& s, Scratch& w) {
   for (std::int32_t a = 0; a < w.active.count; ++a) {
     const std::int32_t i = w.active.index[a];
     const double l = w.half_length[i], L = l * l;
+    // Drop from the overlap at the centre to the mean displacement at the edges.
     const double drop = overlap_at_centre(s, i) - 0.5 * (leading[a] + trailing[a]);
     // Far from a solution a drop may vanish or change its sign: limits keep lengths finite.
     const double ratio =
@@ -44,12 +45,13 @@ void read_edges(const StripSet& s, Scratch& w) {
   }
 }
 
-/// lambda of active strips: means of what edges ask for over the strips within reach, weighted by their
+/// lambda of active strips: means of edge_lambda over the strips within reach, weighted by their
 /// loads, so that a strip that enters changes nothing yet. Adds the lengths q / lambda to the residual.
 void smooth_lambda(const StripSet& s, Scratch& w) {
   const ActiveStrips& active = w.active;
   for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
+    // A window that moves along: places increase.
     const double reach = lambda_reach(s.width[i]);
     while (active.place[a] - active.place[from] >= reach) ++from;
     double weights = 0.0, sum = 0.0;
@@ -60,6 +62,7 @@ void smooth_lambda(const StripSet& s, Scratch& w) {
       weights += weight;
       sum += weight * w.edge_lambda[b];
     }
+    // Without load anywhere near the strip's own edges decide. The next length: L = q / lambda.
     s.lambda[i] = weights > 0.0 ? sum / weights : w.edge_lambda[a];
     if (s.lambda[i] > 0.0) w.residual[i] += active.q[a] / s.lambda[i];
   }

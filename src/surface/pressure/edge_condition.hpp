@@ -1,5 +1,5 @@
-/// The edge condition: pressure ends where the surfaces part. Over a half length the displacement falls by
-/// what the overlap falls, kappa/2 l^2, which sets the peak per length lambda; a difference between the two
+/// The edge condition: pressure ends where the surfaces part. Over a half length the displacement falls as
+/// the overlap does, by kappa/2 l^2, which sets the peak per length lambda; a difference between the two
 /// edges sets the shift of the centre. Both are smoothed over neighbouring strips (smoothing.hpp).
 #pragma once
 

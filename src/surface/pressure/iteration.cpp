@@ -10,9 +10,9 @@
 namespace wrc {
 namespace {
 
-/// Preconditioner (precondition()). smooth_reach: smooth is what varies over more than this part of the mean
-/// half length; length_slope, narrow_slope: part of a rough error in L that the map takes away, on strips
-/// longer than wide and what is added on short ones; smooth_length_part: part of the residual's smooth part
+/// Preconditioner (precondition()). smooth_reach: over mean half length, the reach above which a residual is
+/// smooth; length_slope, narrow_slope: part of a rough error in L that the map takes away, on strips longer
+/// than wide, and the addition on short ones; smooth_length_part: part of the residual's smooth part
 /// that is left out; shift_step: factor on shifts.
 constexpr double smooth_reach = 0.5;
 constexpr double length_slope = 0.45, narrow_slope = 0.5, smooth_length_part = 0.45;
@@ -31,6 +31,7 @@ constexpr double load_follows = 0.3;
 
 /// Solves the equations of Anderson's method in place: symmetric, positive, `n` of them at most `history`.
 void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[history]) {
+  // Pivots in order: the equations' diagonal is positive.
   for (std::int32_t k = 0; k < n; ++k)
     for (std::int32_t i = k + 1; i < n; ++i) {
       const double f = a[i][k] / a[k][k];
@@ -43,21 +44,20 @@ void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[hist
   }
 }
 
-/// Smooth part W v of the moves f in `lengths`, along each run of active strips:
-///
-///     W v - reach^2 (W v')' = f,   W = l^1.5 = rim_weight, which vanishes towards the rims as errors do.
-///
-/// A tridiagonal system, eliminated along the strips and back: v in w.smooth_part.
+/// Smooth part R v of the moves f in `lengths`, along each run of active strips: v in w.smooth_part, R in
+/// w.rim_weight.
 void find_smooth_part(const StripSet& s, const double* lengths, Scratch& w) {
   const ActiveStrips& active = w.active;
   const std::int32_t n = active.count;
-  double mean = 0.0;
+  // R v - reach^2 (R v')' = f,   R = l^1.5, which vanishes towards the rims as errors do.
+  double mean = 0.0;  // L [m^2]
   for (std::int32_t a = 0; a < n; ++a) {
     const double l = active.half_length[a];
     mean += l * l;
     w.rim_weight[a] = l * root(l);
   }
   const double reach2 = smooth_reach * smooth_reach * mean / n;  // [m^2]
+  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, diagonal + next, -next.
   double coupled = 0.0, v = 0.0;  // coefficient to the strip before, and its element
   for (std::int32_t a = 0; a < n; ++a) {
     const std::int32_t i = active.index[a];
@@ -75,26 +75,8 @@ void find_smooth_part(const StripSet& s, const double* lengths, Scratch& w) {
     w.smooth_part[a] = v = (lengths[i] + coupled * v) * inverse;
     coupled = next;
   }
+  // And back.
   for (std::int32_t a = n - 2; a >= 0; --a) w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
-}
-
-/// Preconditioner: turns the fixed-point residual in `step` into a step, near that of Newton's method.
-///
-/// The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
-/// and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 W v) / 0.45. It leaves 0.1 to 0.15
-/// of an error; the numbers are fitted to derivatives of the map at 85 solutions. Of shifts, which lie on
-/// lines, the map takes away most whatever the error's shape: one factor, with which the fewest iterations
-/// are needed under yawed flanges.
-void precondition(const StripSet& s, double* step, Scratch& w) {
-  double *const lengths = step, *const shifts = step + s.count;
-  find_smooth_part(s, lengths, w);
-  for (std::int32_t a = 0; a < w.active.count; ++a) {
-    const std::int32_t i = w.active.index[a];
-    const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
-    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
-  }
-  if (s.skewed)
-    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
 }
 
 /// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
@@ -122,14 +104,11 @@ void remember(const StripSet& s, std::int32_t iteration, Scratch& w) {
   precondition(s, now.f, w);
 }
 
-/// Anderson's acceleration, into w.next: x + f less the combination of the last `used` differences that makes
-/// the step f smallest,
-///
-///     next = x + f - sum_a g_a ((x - x_a) + (f - f_a)),   g = argmin |f - sum_a g_a (f - f_a)|.
-///
-/// Shifts [m] weigh as lengths squared [m^2] by `shift_weight`.
+/// Anderson's acceleration, into w.next: combines the last `used` iterates so that the step becomes smallest.
+/// Shifts [m] weigh as L [m^2] by the root of `shift_weight`.
 void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, std::int32_t used,
                 Scratch& w) {
+  // next = x + f - sum_a g_a ((x - x_a) + (f - f_a)),   g = argmin |f - sum_a g_a (f - f_a)|
   const std::int32_t n = s.count, unknowns = s.skewed ? 2 * n : n;
   const auto slot = [iteration](std::int32_t a) { return slot_of(iteration, a); };
   const std::int32_t now = slot(0);
@@ -154,6 +133,7 @@ void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, 
   // A little more on the diagonal: steps become parallel as they get small.
   for (std::int32_t a = 0; a < used; ++a) G[a][a] = G[a][a] * (1.0 + 1e-10) + 1e-300;
   solve_small(used, G, g);
+  // Shares are kept: the last step mixes loads by them (extrapolate_loads()).
   std::copy_n(g, used, w.shares);
   for (std::int32_t a = 0; a < used; ++a) {
     const Iterate& earlier = w.iterate[slot(a + 1)];
@@ -168,12 +148,14 @@ void extrapolate_loads(const StripSet& s, std::int32_t iteration, std::int32_t u
   const Iterate& now = w.iterate[slot_of(iteration, 0)];
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
+    // q and the step at the mixed iterate.
     double q = s.q[i], step = now.f[i];
     for (std::int32_t a = 0; a < used; ++a) {
       const Iterate& earlier = w.iterate[slot_of(iteration, a + 1)];
       q -= w.shares[a] * (s.q[i] - earlier.q[i]);
       step -= w.shares[a] * (now.f[i] - earlier.f[i]);
     }
+    // q ~ L^0.3 along the rest of the step.
     const double part = smaller(larger(step / s.L[i], -settled), settled);
     s.q[i] = larger(q * (1.0 + load_follows * part), 0.0);
   }
@@ -192,6 +174,7 @@ double limited(double next, double old, double f, bool early) {
     next =
         f > 0.0 ? smaller(larger(next, plain), far) : larger(smaller(larger(next, far), plain), 0.5 * plain);
   }
+  // The first iterations may be far off: no strip grows or shrinks by more than ten times.
   if (old > 0.0 && next > 0.0 && early)
     next = smaller(larger(next, early_shrinking * old), early_growth * old);
   return next;
@@ -216,7 +199,25 @@ void finish(const StripSet& s, const Scratch& w) {
 
 }  // namespace
 
+void precondition(const StripSet& s, double* step, Scratch& w) {
+  // The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
+  // and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 R v) / 0.45, which leaves 0.1 to
+  // 0.15 of an error. The numbers are fitted to derivatives of the map at 85 solutions.
+  double *const lengths = step, *const shifts = step + s.count;
+  find_smooth_part(s, lengths, w);
+  for (std::int32_t a = 0; a < w.active.count; ++a) {
+    const std::int32_t i = w.active.index[a];
+    const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
+    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
+  }
+  // Shifts lie on lines, and the map takes away most of an error of theirs whatever its shape: one factor,
+  // with which the fewest iterations are needed under yawed flanges.
+  if (s.skewed)
+    for (std::int32_t i = 0; i < s.count; ++i) shifts[i] *= shift_step;
+}
+
 void begin_iterations(StripSet& s, Scratch& w) {
+  // Without yaw all overlaps are deepest at one x, and shifts are 0.
   s.skewed = false;
   for (std::int32_t i = 1; i < s.count; ++i) s.skewed = s.skewed || s.deepest_x[i] != s.deepest_x[0];
   for (std::int32_t i = 0; i < s.count; ++i) w.in_contact[i] = s.L[i] > 0.0;
@@ -239,6 +240,7 @@ void evaluate(const Problem& problem, const StripSet& s, bool everywhere, Scratc
   solve_contact(problem, s, everywhere, w);
   if (w.active.count == 0) return;
   edge_residual(problem, s, w);
+  // Size of the move beside the sum of w L, both [m^3]; a shift counts times l.
   w.change = {0.0, 0.0};
   const double *const f = w.residual, *const f_shift = w.residual + s.count;
   for (std::int32_t i = 0; i < s.count; ++i) {
@@ -253,13 +255,14 @@ PressureResult iterate(const Problem& problem, StripSet& s, double tolerance, do
   begin_iterations(s, w);
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0, work = 0.0;
+  // Work is the number of pairs that see each other.
   const auto affordable = [&options](std::int32_t iteration, double so_far) {
     return iteration < options.assured_iterations ||
            (iteration < options.max_iterations && so_far < options.max_work);
   };
   for (std::int32_t k = 0; affordable(k, work); ++k) {
     ++result.iterations;
-    // Active set, edges, residual. Far strips are asked whether they enter at the beginning and at the end.
+    // Active set, edges, residual f. Far strips are asked whether they enter at the beginning and at the end.
     evaluate(problem, s, k == 0, w);
     if (w.active.count == 0) break;
     work += 1.0 * w.active.count * w.active.count;

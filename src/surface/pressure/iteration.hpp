@@ -19,6 +19,10 @@ PressureResult iterate(const Problem& problem, StripSet& s, double tolerance, do
 /// in solve_contact(). No strip is active after it where none overlaps.
 void evaluate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
 
+/// Preconditioner: turns the fixed-point residual in `step`, L and then shifts, into a step near that of
+/// Newton's method.
+void precondition(const StripSet& s, double* step, Scratch& w);
+
 /// Makes `s` and `w` ready for evaluate(), as iterate() does.
 void begin_iterations(StripSet& s, Scratch& w);
 

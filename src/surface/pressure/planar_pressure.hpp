@@ -6,14 +6,14 @@
 /// the gap over its contact plane; where it is not there is no plane whose choice could leap, and forces act
 /// along the strips' own normals.
 ///
-/// What is a patch is decided by the overlap, smoothly (lobes.hpp). A lobe that is solved on its own has the
-/// gap beyond its valley turned over and bent away, so that its patch ends there.
+/// The overlap decides smoothly which strips are one patch (lobes.hpp). A lobe that is solved on its own has
+/// the gap beyond its valley turned over and bent away, so that its patch ends there.
 ///
 /// The method's strips, fitted to its patch, are laid over those of the rail: of each the load and the
-/// squared half length in proportion to the width that lies on a strip of the rail. Load is kept, and what
-/// enters a strip enters at zero.
+/// squared half length in proportion to the width that lies on a strip of the rail. Load is kept, and a patch
+/// enters a strip with zero load.
 ///
-/// What then still jumps is the method's own: a patch of several lobes has one lowest point, about which
+/// Jumps that remain are the method's own: a patch of several lobes has one lowest point, about which
 /// these methods solve it, and it jumps where two lobes are as deep as each other.
 #pragma once
 
@@ -35,7 +35,7 @@ struct PlanarMethod {
   double force_tolerance = 0.0;
 };
 
-/// Overlaps are wanted down to this far apart, for the gap beside the patch [m].
+/// Overlaps are needed down to this far apart, for the gap beside the patch [m].
 inline constexpr double planar_margin = 0.15e-3;
 
 struct PlanarResult {

@@ -13,6 +13,7 @@ constexpr double farthest_start = 0.3;
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
 bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StripSet& s) {
+  // Candidates that were not in contact then have L = 0 and may enter.
   bool started = false;
   s.count = o.count;
   for (std::int32_t i = 0; i < o.count; ++i) {
@@ -34,6 +35,7 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
 /// The solution over the candidates, and over the strips of the rail for the next start.
 void store(const RailStrips& rail, const Overlaps& o, const StripSet& s, PressureStart& start,
            const StripPressure& p) {
+  // Strips of the rail that are no candidates start the next solve without contact.
   for (std::int32_t j = 0; j < rail.count; ++j)
     start.length_squared[j] = start.shift[j] = start.depth[j] = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) {
@@ -72,13 +74,14 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
     store(rail, o, s, start, p);
     return result;
   }
-  // From an earlier solution, if there is one that is near enough and leads to the end.
+  // From an earlier solution, if there is one that is near enough and leads to the end. Lengths predicted by
+  // the caller are not moved again.
   if (started && !start.extrapolated) started = follow_overlaps(o, start, s);
   if (started) {
     result = iterate(problem, s, options.tolerance, farthest_start, options, w);
     started = result.converged;
   }
-  // Else from the overlaps.
+  // Else from the overlaps, which is the only way of a call without a past.
   if (!started) {
     const std::int32_t spent = result.iterations + start_from_overlaps(problem, o, options, w);
     result = iterate(problem, s, options.tolerance, any_change, options, w);

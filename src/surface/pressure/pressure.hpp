@@ -76,7 +76,7 @@ struct StripPressure {
 };
 
 struct PressureResult {
-  std::int32_t iterations = 0;  ///< of all starts, those at half resolution included
+  std::int32_t iterations = 0;  ///< in all, those at half resolution included
   bool converged = false;
 };
 

@@ -1,15 +1,20 @@
-/// How the pressures of pressure.hpp change with the overlaps: the equations a solution stands for,
-/// differentiated where it stands.
+/// Derivatives of the pressures (pressure.hpp) by the pose: the equations of a solution, differentiated where
+/// it stands.
 ///
 /// With M, E+, E- the displacement at a strip's middle and edges per unit of q = lambda L, the unknowns q, L
 /// and c of the strips in contact obey
 ///
-///     sum_b M_ab q_b = d_a,            d_a = depth_a - kappa_a/2 (c_a - middle_a)^2
+///     sum_b M_ab q_b = d_a,            d_a = depth_a - kappa_a/2 (c_a - W_a)^2
 ///     L_a lambda_a - q_a = 0,           lambda_a = mean of q_b kappa_b / (2 (d_b - (E+ q + E- q)_b / 2))
-///     c_a = middle_a + shift_a,         shift_a = mean of ((E- - E+) q)_b / (2 l_b kappa_b)
+///     c_a - shift_a = W_a,              shift_a on the line of ((E- - E+) q)_b / (2 l_b kappa_b)
 ///
-/// with the means of surface_normal.cpp, weighted by q. One elimination gives the changes of all three for
-/// all four ways in which a wheel moves (PlaceInput).
+/// with the mean and the line of smoothing.hpp, weighted by q. One elimination gives the changes of all three
+/// for all four ways in which a wheel moves (PlaceInput):
+///
+///     rows       unknowns  q_1 .. q_n   L_1 .. L_n   c_1 .. c_n  |  right-hand sides, one for each PlaceInput
+///     contact               M            dM/dL q      dM/dc q        d depth - ...
+///     lambda               - 1/lambda    1 + ...      ...
+///     shift                 ...          ...          1 + ...        d W
 #pragma once
 
 #include <cstdint>

@@ -16,12 +16,14 @@ Scratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   arena.each(stride, {&w.solution, &w.unused});
   w.pairs.stride = padded;
   arena.each(padded * most, {&w.pairs.axis_place, &w.pairs.cosine, &w.pairs.correction});
+  // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;
   arena.each(padded, {&a.place, &a.centre, &a.half_length, &a.inverse_length, &a.half_width, &a.factor, &a.q,
                       &a.load_factor, &a.load, &a.width, &a.ny, &a.nz});
   arena.each(padded,
              {&w.half_length, &w.outside_place, &w.outside_x, &w.u_leading, &w.u_trailing, &w.edge_lambda,
               &w.edge_shift, &w.inverse_reach, &w.rim_weight, &w.upper, &w.smooth_part});
+  // Vectors of all unknowns: L, then shifts.
   arena.each(2 * padded, {&w.residual, &w.next});
   for (Iterate& iterate : w.iterate) {
     arena.each(2 * padded, {&iterate.x, &iterate.f});

@@ -68,24 +68,24 @@ struct Change {
 struct Scratch {
   StripSet fine, coarse;
   ActiveStrips active;
-  std::int32_t* in_contact;            ///< of each strip: 1 in the active set
-  double* half_length;                 ///< of each strip, at least a part of its width
-  double *matrix, *solution, *unused;  ///< of the elimination, which solves for two right-hand sides
+  std::int32_t* in_contact;            ///< each strip: 1 in the active set
+  double* half_length;                 ///< each strip: l, at least a part of its width [m]
+  double *matrix, *solution, *unused;  ///< elimination, which solves for two right-hand sides
   simd::SurfacePairs pairs;  ///< table of all strips over all, or over the `paired` first active ones
   std::int32_t* paired;      ///< active strips the table was made for
   std::int32_t paired_count;
   std::int32_t* outside;  ///< strips asked whether they enter
   double *outside_place, *outside_x;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
-  double* inverse_reach;  ///< of each strip: one over shift_reach() [1/m]
+  double* inverse_reach;  ///< each strip: one over shift_reach() [1/m]
   double* residual;
-  Change change;                             ///< of the last iteration
-  double *rim_weight, *upper, *smooth_part;  ///< of precondition()
+  Change change;                             ///< in the last iteration
+  double *rim_weight, *upper, *smooth_part;  ///< for precondition()
   Iterate iterate[history + 1];
-  double products[history + 1][history + 1];  ///< of the iterates' steps
-  double shares[history];                     ///< of earlier iterates in `next`
+  double products[history + 1][history + 1];  ///< scalar products of the iterates' steps
+  double shares[history];                     ///< shares g of earlier iterates in `next`
   double* next;                               ///< accelerated iterate
-  std::int32_t* pair_of;                      ///< of each strip, in `coarse`
+  std::int32_t* pair_of;                      ///< each strip: its pair in `coarse`
 };
 
 /// Cuts the arrays for at most so many strips.

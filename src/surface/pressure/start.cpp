@@ -5,13 +5,13 @@
 namespace wrc {
 namespace {
 
-constexpr double coarse_tolerance = 0.1;  ///< of the solution on pairs, part of the area
+constexpr double coarse_tolerance = 0.1;  ///< for the solution on pairs, part of the area
 constexpr std::int32_t fewest_pairs = 12;
 /// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
 /// overlaps are nearer, and lead to another solution less often where there are two.
 constexpr double farthest_followed = 0.5;
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
-/// of wheel and rail a millisecond apart.
+/// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
@@ -20,6 +20,7 @@ void pair_up(const Overlaps& o, Scratch& w) {
   StripSet& c = w.coarse;
   c.count = 0;
   for (std::int32_t i = 0; i < s.count;) {
+    // Neighbours on the rail; at a gap between two faces or the end of the candidates a strip stays alone.
     const bool two = i + 1 < s.count && o.strip[i + 1] == o.strip[i] + 1;
     const std::int32_t j = two ? i + 1 : i, k = c.count++;
     const double a = s.width[i], b = two ? s.width[j] : 0.0, per = 1.0 / (a + b);
@@ -89,12 +90,13 @@ bool follow_overlaps(const Overlaps& o, const PressureStart& start, const StripS
   mean = mean / weights;
 
   // In Hertz's contact of equal curvatures L grows by L / d times a growth of d that is the same everywhere,
-  // and twice as much with what is shifted sideways: overlaps of a near pose tell how much of either there
+  // and twice as much with overlap that moves sideways: overlaps of a near pose tell how much of either there
   // is.
   const double per = longest / deepest;
   double moved = 0.0, area = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
+    // Within a factor of four, so that strips at the rim stay in contact.
     const double grown = s.depth[i] - start.depth[o.strip[i]];
     const double next = s.L[i] + per * (follows_mean * mean + follows_rest * (grown - mean));
     const double limited = smaller(larger(next, 0.25 * s.L[i]), 4.0 * s.L[i]);

@@ -19,10 +19,10 @@ constexpr double pressure_centre_share = 0.75;  // mean place of an SDEC's load 
 
 struct Scratch {
   double* line_load;          ///< half length times peak [N/m], all strips
-  double *load, *shares;      ///< of a part: load [N], friction over its mean [-]
-  double *cold, *heat_share;  ///< of a part: coefficient of cold surfaces, its share that heat leaves [-]
+  double *load, *shares;      ///< part: load [N], friction over its mean [-]
+  double *cold, *heat_share;  ///< part: coefficient of cold surfaces, and its share with heat [-]
   double* hot;                ///< coefficient of friction with heat [-], all strips
-  Strips strips;              ///< of a part, as the method sees them
+  Strips strips;              ///< part: as the method sees them
   void* method;               ///< the method's own
 };
 

@@ -17,7 +17,7 @@
 namespace wrc {
 namespace {
 
-/// Slips that make tractions: along x what neighbours share, plus the local part times gain.
+/// Slips that make tractions: along x the part that neighbours share, plus the local part times gain.
 Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::int32_t j) {
   return {a.mean[RollingArrays::slip][j] + a.own[j], in.slip_y[j], in.spin[j]};
 }
@@ -75,7 +75,7 @@ SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const Rollin
   const SlipDirections directions{fields.traction_x, fields.traction_y, fields.traction_x, fields.traction_y};
   const double G = in.shear_modulus;
   RolledStrip total;
-  double balance = 0.0;  // of power, over the rolling speed [N]
+  double balance = 0.0;  // power of the forces over the rolling speed [N]
   for (std::int32_t j = 0; j < in.count; ++j) {
     // closed form of the strip, about its own middle: growth of strip theory [Pa] against t' = mu p / l
     // [Pa/m]

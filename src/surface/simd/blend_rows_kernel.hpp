@@ -22,6 +22,7 @@ void blend_columns(const BlendRowsTask& task, std::int64_t first) {
 
 /// SurfaceKernels::blend_rows.
 inline void blend_rows_kernel(const BlendRowsTask& task) {
+  // Four vectors at a time stay in registers over all rows, then one at a time.
   constexpr int vectors = 4;
   std::int64_t first = 0;
   for (; first + vectors * native_lanes <= task.columns; first += vectors * native_lanes)

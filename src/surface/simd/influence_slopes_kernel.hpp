@@ -1,6 +1,6 @@
-/// What strips of semi-elliptic pressure do to a point of the curved surface, and how that changes with their
-/// half lengths and with the point's place along x. The formulas are those of influence_kernel.hpp, whose
-/// tables are read with the slope of the interval they are read in: that of the number itself.
+/// Displacement of a point of the curved surface by strips of semi-elliptic pressure, with its derivatives by
+/// their half lengths and by the point's place along x. The formulas are those of influence_kernel.hpp;
+/// tables are linear in each interval, so the slope of the interval is the derivative of the number itself.
 #pragma once
 
 #include "surface/simd/influence_kernel.hpp"
@@ -44,9 +44,11 @@ inline Sloped smaller(const Sloped& a, const Sloped& b) { return select(a.v < b.
 /// f(a) from its value and f'(a).
 inline Sloped chained(const Sloped& a, Pack value, Pack slope) { return {value, slope * a.l, slope * a.x}; }
 
-/// By how much the fraction of locate() grows with x: 0 beyond the axis.
+/// Derivative of the fraction of locate() by x: 0 beyond the axis.
 template <int lowest_exponent, int octaves, int bits_per_octave>
 Pack fraction_slope(Pack x) {
+  // An octave is divided evenly: the fraction grows by 2^bits intervals over the octave's width, which is the
+  // power of two in the exponent's bits of x.
   constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
   constexpr double low = axis.node(0), high = axis.node(axis.intervals());
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
@@ -60,6 +62,7 @@ inline Sloped read_sloped(const double* table, const Sloped& tau) {
   constexpr OctaveAxis axis = InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours value = pick(table, indices(place.interval));
+  // Linear between two nodes: the rise times the slope of the fraction is the derivative.
   const Pack rise = value.behind - value.at;
   return chained(tau, value.at + place.fraction * rise,
                  rise * fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v));
@@ -84,12 +87,14 @@ inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sl
 inline Sloped row_place(Pack distance, Pack inverse_length) {
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
   constexpr double origin = InfluenceTables::line_rows.origin(), last = InfluenceTables::line_rows.last();
-  const Mask some = inverse_length > 0.0;  // and not behind the last source
+  // Derivative of the axis's polynomial in 1 / l at the octave's own t; 1 / l is 0 behind the last source.
+  const Mask some = inverse_length > 0.0;
   const Pack inverse = select(some, inverse_length, 1.0);
   const Pack t = octaves_of(inverse).within, octave = pack_of(bits_of(inverse) & exponent);
   const Pack slope = (LogAxis::first + t * (2.0 * LogAxis::second +
                                             t * (3.0 * LogAxis::third + t * (4.0 * LogAxis::fourth)))) /
                      octave;
+  // By l, with d(1/l)/dl = -1/l^2; outside the table's rows the place is held and does not change.
   const Pack place = place_from_one(distance) + origin + place_from_one(inverse);
   const Mask inside = (place > 0.0) & (place < last);
   return {place, select(inside, Pack(0.0) - slope * inverse * inverse, 0.0), 0.0};
@@ -99,6 +104,7 @@ inline Sloped row_place(Pack distance, Pack inverse_length) {
 inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const Sloped& xi) {
   constexpr OctaveAxis axis = InfluenceTables::from_end;
   constexpr double least = axis.node(0);
+  // Bilinear in (row, from_end = xi - 1); the axis of columns is of |xi - 1| + least, hence the sign.
   const LineRows rows = line_rows_at(row.v);
   const Pack from_end = xi.v - 1.0, sign = with_sign(1.0, from_end);
   const BetweenColumns j = between_columns(tables, rows, from_end);
@@ -109,7 +115,7 @@ inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row
   return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_row * row.x + by_xi * xi.x};
 }
 
-/// A pack of sources as a point sees them.
+/// A pack of sources with their distances from a point, in half lengths.
 struct SeenSources {
   Sloped tau, xi, half_width, factor;
   Sloped row;  ///< place on the rows' axis
@@ -118,12 +124,14 @@ struct SeenSources {
 
 inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t first,
                                 const SurfacePoint& point) {
+  // a / l has the derivative -a / l^2 by l.
   const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
   const auto over_length = [&](Pack a) { return Sloped{a * inverse, zero - a * inverse * inverse, zero}; };
   SeenSources s;
   const Pack distance = magnitude(load_pack(sources.place + first) - Pack(point.place));
   s.tau = over_length(distance);
   s.row = row_place(distance, inverse);
+  // |x - c| / l has the sign of x - c in its derivative by x.
   const Pack offset = Pack(point.x) - load_pack(sources.centre + first);
   s.xi = over_length(magnitude(offset));
   s.xi.x = select(offset < zero, zero - inverse, inverse);
@@ -144,6 +152,7 @@ inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlope
 inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
                                      const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
+    // On the middle plane, and beside it where xi is not small: line_potential_near() of the values.
     const SeenSources s = seen_sources(sources, first, point);
     const Sloped tau = select(s.own, 1.0, s.tau);
     const MiddlePlane<Sloped> middle = read_middle_plane(tables.line, tau);
@@ -153,6 +162,7 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
     Sloped seen = close;
     if (any(y.v > beside_middle_plane))
       seen = close + part_off_middle_plane(y) * (line_potential_sloped(tables.line, s.row, s.xi) - close);
+    // The width of near sources, and the mean over the width for the point's own.
     const Mask is_near = s.tau.v < near_strip * s.half_width.v;
     if (any(is_near)) {
       const Sloped correction = width_correction(s.half_width / tau, middle.inverse_to_end);
@@ -168,6 +178,7 @@ inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSource
                                 const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     const SeenSources s = seen_sources(sources, first, point);
+    // J(tau, xi); the mean over its own width where the point is an edge of the source.
     Sloped seen = line_potential_sloped(tables.line, s.row, s.xi);
     if (any(s.own)) seen = select(s.own, read_sloped(tables.line.edge_under, s.half_width), seen);
     store_sloped(s.factor * seen, first, slopes);

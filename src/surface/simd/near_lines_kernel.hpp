@@ -1,4 +1,5 @@
-/// Lines through what neighbouring strips have, read at strips (surface/pressure/smoothing.hpp).
+/// Lines of least squares through values of neighbouring strips, read at strips
+/// (surface/pressure/smoothing.hpp).
 #pragma once
 
 #include "base/pack.hpp"
@@ -11,6 +12,7 @@ namespace {
 inline void near_lines_kernel(const NearLinesTask& task) {
   for (std::int32_t first = 0; first < task.count; first += lanes) {
     const Pack place = load_pack(task.place + first), inverse = load_pack(task.inverse_reach + first);
+    // Moments of the sources within reach; beyond it `near` is 0.
     Pack weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
     for (std::int32_t b = 0; b < task.sources; ++b) {
       const Pack y = (task.source_place[b] - place) * inverse;
@@ -22,6 +24,7 @@ inline void near_lines_kernel(const NearLinesTask& task) {
       v += weight * task.value[b];
       yv += of_y * task.value[b];
     }
+    // The line at y = 0: <v> - <y> slope. Strips with no source within reach have 0 for all moments.
     const Pack per = 1.0 / select(weights > 0.0, weights, 1.0);
     const Pack mean_y = y1 * per, mean = v * per;
     const Pack spread = y2 * per - mean_y * mean_y + task.least_spread;

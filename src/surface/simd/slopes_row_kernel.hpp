@@ -1,4 +1,4 @@
-/// A row of the differentiated equations of the normal problem (surface/pressure/pressure_jacobian.hpp): one
+/// A row of the differentiated equations of the pressures (surface/pressure/pressure_jacobian.hpp): one
 /// source per lane for the row, one direction per lane for the sums, which run in the order of the sources.
 #pragma once
 
@@ -12,21 +12,22 @@ namespace {
 inline void slopes_row_kernel(const SlopesRowTask& task) {
   constexpr std::int32_t directions = SlopesRowTask::directions, vectors = directions / native_lanes;
   const std::int32_t n = task.count;
+  // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x.
   for (std::int32_t first = 0; first < n; first += lanes) {
     const std::int32_t count = n - first < lanes ? n - first : lanes;
     const Pack cosine =
         task.ny * load_pack(task.source_ny + first) + task.nz * load_pack(task.source_nz + first);
-    const Pack strength = load(task.strength, first, count, 0.0),
-               growing = load(task.growing, first, count, 0.0);
+    const Pack q = load(task.line_load, first, count, 0.0), q_dl_dL = load(task.q_dl_dL, first, count, 0.0);
     double* const row = task.row + first;
     store(load_pack(task.seen.value + first) * cosine, row, count);
-    store(load_pack(task.seen.by_length + first) * cosine * growing, row + n, count);
-    store(-(load_pack(task.seen.by_x + first) * cosine * strength), row + 2 * n, count);
+    store(load_pack(task.seen.by_length + first) * cosine * q_dl_dL, row + n, count);
+    store(-(load_pack(task.seen.by_x + first) * cosine * q), row + 2 * n, count);
   }
+  // Sums of q J with each element of the directions and of their derivatives by the inputs.
   Native sum[vectors];
   for (std::int32_t k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
   for (std::int32_t b = 0; b < n; ++b) {
-    const Native weight = broadcast(task.strength[b] * task.seen.value[b]);
+    const Native weight = broadcast(task.line_load[b] * task.seen.value[b]);
     const double* const direction = task.direction + b * directions;
     for (std::int32_t k = 0; k < vectors; ++k)
       sum[k] = sum[k] + weight * load_lanes(direction + k * native_lanes);

@@ -1,5 +1,5 @@
-/// What crosses between contact on the rail's surface and the kernels of an instruction set: plain data, no
-/// constructors.
+/// Numbers that cross between contact on the rail's surface and the kernels of an instruction set: plain
+/// data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,13 @@ struct SurfaceStrips {
   const double *ny, *nz;        ///< directions
 };
 
-/// What does not change while strips press more or less: a row for each strip of a list, over strips.
+/// Constants of pairs of strips, whatever their lengths and loads: a row for each strip of a list, over
+/// strips.
 struct SurfacePairs {
-  double*
-      axis_place;  ///< of the distance over 1 m on the axis of the table's rows; a length's is taken from it
-  double* cosine;  ///< between the directions; 0 of a strip with itself
-  double* correction;   ///< of width_correction() (normal/simd/line_tables.hpp), without inverse_to_end
+  double* axis_place;  ///< place of distance / 1 m on the table's logarithmic axis of rows; that of
+                       ///< distance / l is the difference to the place of l
+  double* cosine;      ///< between the directions; 0 of a strip with itself
+  double* correction;  ///< width_correction() (normal/simd/line_tables.hpp) without its factor inverse_to_end
   std::int64_t stride;  ///< from row to row
 };
 
@@ -44,7 +45,7 @@ struct SurfaceSources {
   const double* centre;          ///< x of the middle [m]
   const double* inverse_length;  ///< 1 / l [1/m]
   const double* half_width;      ///< half the width over l [-]
-  const double* factor;          ///< what the displacement is multiplied by
+  const double* factor;          ///< on the influence J: C w / l [1/Pa], or times q [m]
 };
 
 /// Tables of the influence function (normal/elasticity/influence_tables.hpp).
@@ -65,30 +66,30 @@ struct SurfacePoints {
   const double *place, *x;
 };
 
-/// Edges of the sources themselves: x = centre +- half length, and what is found there. Whole packs.
+/// Edges of the sources themselves, x = centre +- half length, and the displacements there. Whole packs.
 struct SurfaceEdges {
-  const std::int32_t* row;     ///< of each strip's pairs with the sources
+  const std::int32_t* row;     ///< row of each strip's pairs with the sources
   const double* half_length;   ///< [m]
-  double *leading, *trailing;  ///< displacements; trailing nullptr: as the leading ones, not asked for
+  double *leading, *trailing;  ///< results [m]; trailing nullptr: not wanted
 };
 
-/// What each source does to a point of another direction: without the cosine between them, and its
-/// derivatives by the source's half length, factor included, and by the point's x. Whole packs.
+/// Displacement of a point by each source of unit q, without the cosine between their directions [1/Pa], and
+/// its derivatives by the source's half length, factor included, and by the point's x. Whole packs.
 struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// The row of a point's displacement over the sources' changes, from what they do to it without the cosine,
-/// and its sums over the sources with their directions.
+/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, and
+/// the sums of J q with the sources' directions.
 struct SlopesRowTask {
   std::int32_t count;
   SurfaceSlopes seen;
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
-  const double *strength, *growing;  ///< of each source; growing: its half length's growth times strength
-  const double* direction;           ///< of each source, `directions` of them
-  double* row;                       ///< by strength, by squared length and by centre, `count` of each
-  double* sum;                       ///< strength times value times direction
+  const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
+  const double* direction;            ///< each source: `directions` numbers
+  double* row;                        ///< by q, by L and by centre, `count` of each
+  double* sum;                        ///< sums of q J direction over the sources
 
   static constexpr std::int32_t directions = 16;
 };

@@ -13,7 +13,7 @@ double corner(double x, double y, double r) {
   return x == 0.0 ? 0.0 : std::copysign(x, x * y) * natural_log((std::abs(y) + r) / std::abs(x));
 }
 
-// Integral of x/r^2 from a corner at the distances x, y, but for what drops out between the corners.
+// Integral of x/r^2 from a corner at the distances x, y, without terms that cancel between the corners.
 double coupling_corner(double x, double y) {
   const double square = x * x + y * y;
   return (square > 0.0 ? 0.5 * y * natural_log(square) : 0.0) + (x == 0.0 ? 0.0 : x * arctangent(y / x));
@@ -26,6 +26,7 @@ double coupling_corner(double x, double y) {
 // double differences over the corners; 1/r is the sum of the first two. asinh(Y/|X|) replaces ln(Y + r): the
 // difference ln|X| does not depend on Y and drops out, and nothing cancels for negative Y.
 CellInfluence cell_influence(const Material& material, double x, double y, double dx, double dy) {
+  // double differences over the corners of the cell
   const double xs[2] = {x - 0.5 * dx, x + 0.5 * dx};
   const double ys[2] = {y - 0.5 * dy, y + 0.5 * dy};
   double yy_over_r3 = 0.0, xx_over_r3 = 0.0, xy_over_r3 = 0.0;
@@ -38,6 +39,7 @@ CellInfluence cell_influence(const Material& material, double x, double y, doubl
       xy_over_r3 -= sign * r;
     }
   }
+  // Boussinesq and Cerruti: (1 - nu) / r and nu x^2 / r^3 over pi G, with 1/r = (x^2 + y^2) / r^3
   const double scale = 1.0 / (pi * material.shear_modulus);
   const double nu = material.poisson;
   return {.zz = scale * (1.0 - nu) * (xx_over_r3 + yy_over_r3),

@@ -1,15 +1,15 @@
 /// Newton's method for steady rolling with Coulomb friction on a grid of equal cells: Kalker's exact theory,
 /// for the exact solver (halfspace/tangential.hpp).
 ///
-/// Particles travel towards -x. The slip of a cell is its rigid slip plus what all tractions cause,
+/// Particles travel towards -x. The slip of a cell is its rigid slip plus that by all tractions,
 ///     s = w + C p;
 /// where |p| < g the surfaces stick, s = 0; elsewhere p = -g s / |s|. Both say p = P(p - rho s) for any
 /// rho > 0, P the projection onto the disk of radius g. A Newton step moves the adhesion area (a primal-dual
 /// active set) and solves a linear system for the change of traction: two unknowns in a cell that sticks, one
 /// along the circle |p| = g in a cell that slides. That is done by GMRES with every row of cells along x
-/// inverted on its own as preconditioner: what makes the equations hard is along the rows (a cell acts on the
-/// slip upstream and downstream, with opposite signs, and the solution builds up from the leading edge); with
-/// the rows inverted, GMRES needs 10 to 20 products whatever the grid.
+/// inverted on its own as preconditioner: the difficulty of the equations lies along the rows (a cell acts on
+/// the slip upstream and downstream, with opposite signs, and the solution builds up from the leading edge);
+/// with the rows inverted, GMRES needs 10 to 20 products whatever the grid.
 ///
 /// A problem over a grid has these members (arrays or vectors; fields by rows along x), which the solution
 /// reads and writes, in memory of its own:
@@ -40,8 +40,8 @@ namespace wrc {
 enum class CellState : std::uint8_t { exterior, adhesion, slip };
 
 struct NewtonLimits {
-  double tolerance = 0.0;  ///< of the residual
-  double accuracy = 0.0;   ///< of a step's linear system: |b - A x| / |b|
+  double tolerance = 0.0;  ///< largest residual
+  double accuracy = 0.0;   ///< largest |b - A x| / |b| of a step's linear system
   int max_iterations = 0, max_products = 0;
 };
 
@@ -65,14 +65,19 @@ struct NewtonRow {
   std::size_t factors = 0;  ///< where its own begin
 };
 
-constexpr std::size_t newton_vectors(std::size_t cells, std::size_t max_products) {
-  return 4 * cells + gmres_memory(2 * cells, max_products);
+/// Doubles of `vectors` for so many cells with traction, of two unknowns each at most.
+inline std::size_t newton_vectors(std::size_t cells, std::size_t max_products) {
+  Arena arena;
+  cut_gmres(arena, 2 * cells, max_products);
+  return static_cast<std::size_t>(arena.doubles());
 }
+
+/// Floats of `factors` for a row of so many cells: a matrix, and a vector to work in.
 constexpr std::size_t newton_factors(std::size_t cells_of_row) {
   return 2 * cells_of_row * (2 * cells_of_row + 1);
 }
 
-/// What a cell adds to the norm that errors of its traction p are compared with, min(g, max(|p|, rho |w|)),
+/// A cell's part of the norm that errors of its traction p are compared with, min(g, max(|p|, rho |w|)),
 /// squared: small creepages ask for tractions far below the bound.
 inline double asked_squared(double bound, double px, double py, double rho_wx, double rho_wy) {
   return std::min(bound * bound, std::max(px * px + py * py, rho_wx * rho_wx + rho_wy * rho_wy));
@@ -157,7 +162,7 @@ void RollingNewton<Problem>::update_slip() {
 /// cell slides; with e = z / |z| and t across it, the derivative of p = g z / |z| demands e.(p + d) = g, and
 /// along t
 ///     (|z| - g) / (rho g) d_t + (C d)_t = -|z| / (rho g) p_t,
-/// where (|z| - g) / (rho g) tends to |s| / g. Sticking tractions may exceed g on the way: cut back to the
+/// where (|z| - g) / (rho g) tends to |s| / g. Sticking tractions may exceed g meanwhile: cut back to the
 /// circle they would hide from the next step how far the adhesion area is from carrying itself, and the
 /// border would creep by one cell per step.
 template <class Problem>
@@ -168,6 +173,7 @@ void RollingNewton<Problem>::linearise() {
     NewtonRow& row = p_.rows[r];
     row.sticking = 0;
     for (int k = row.begin; k < row.end; ++k) {
+      // z = p - rho s decides; the residual is p - P(z)
       NewtonCell& c = p_.cells[k];
       const double g = p_.bound[c.at], px = p_.px[c.at], py = p_.py[c.at];
       const double sx = p_.sx[c.at], sy = p_.sy[c.at];
@@ -189,6 +195,7 @@ void RollingNewton<Problem>::linearise() {
         ++row.sticking;
       }
     }
+    // Order of a row's unknowns: p_x of the cells that stick, p_y of these, one of each cell that slides.
     row.first = size_;
     row.size = row.end - row.begin + row.sticking;
     int sticking = size_, sliding = size_ + 2 * row.sticking;
@@ -204,11 +211,12 @@ void RollingNewton<Problem>::linearise() {
 
 /// LU factors of the equations of one row of cells on its own, by columns. No exchange of rows is needed:
 /// displacement falls and flattens with the distance, so that the symmetric part of the row's coefficients is
-/// diagonally dominant, and what friction adds is positive. Among cells that stick p_x and p_y do not meet
+/// diagonally dominant, and friction adds to the diagonal. Among cells that stick p_x and p_y do not meet
 /// (the coefficient is odd in y): the parts that stay 0 are neither written nor read. Single precision: it
 /// only steers the iteration.
 template <class Problem>
 void RollingNewton<Problem>::factor(const NewtonRow& row) {
+  // Coefficients rho C of the row by columns, on the directions t in which the cells' tractions may change.
   const NewtonCell* const cells = &p_.cells[0];
   const int size = row.size, a = row.sticking, first = row.first;
   for (int b = row.begin; b < row.end; ++b) {
@@ -231,6 +239,7 @@ void RollingNewton<Problem>::factor(const NewtonRow& row) {
     }
     if (from.slides) one[from.first - first] += static_cast<float>(rho_ * from.stiffening);
   }
+  // LU by columns, left-looking; the diagonal is kept inverted. Columns of p_x leave p_y out.
   for (int c = 0; c < size; ++c) {
     float* const column = factors(row, c);
     eliminate(row, column, c >= a && c < 2 * a ? a : 0, c);
@@ -241,8 +250,7 @@ void RollingNewton<Problem>::factor(const NewtonRow& row) {
   }
 }
 
-/// v less what the factors of the unknowns from `begin` to `end` take from the others: the forward half of a
-/// solution.
+/// Eliminates the unknowns from `begin` to before `end` from v: the forward half of a solution.
 template <class Problem>
 void RollingNewton<Problem>::eliminate(const NewtonRow& row, float* v, int begin, int end) const {
   const int size = row.size, a = row.sticking;
@@ -272,6 +280,7 @@ template <class Problem>
 void RollingNewton<Problem>::precondition(const double* in, double* out) {
   for (int r = 0; r < row_count_; ++r) {
     const NewtonRow& row = p_.rows[r];
+    // forward and backward substitution in single precision, behind the row's factors
     float* const v = factors(row, row.size);
     for (int k = 0; k < row.size; ++k) v[k] = static_cast<float>(in[row.first + k]);
     eliminate(row, v, 0, row.size);
@@ -288,6 +297,8 @@ void RollingNewton<Problem>::precondition(const double* in, double* out) {
 /// The equations' left-hand sides.
 template <class Problem>
 void RollingNewton<Problem>::multiply(const double* in, double* out) {
+  // Change of traction d over the grid, its slip C d, and of that both components where a cell sticks, or the
+  // one along the circle, plus the resistance to turning.
   double *const x = &p_.x[0], *const y = &p_.y[0];
   std::fill_n(x, all_, 0.0);
   std::fill_n(y, all_, 0.0);
@@ -311,14 +322,18 @@ void RollingNewton<Problem>::multiply(const double* in, double* out) {
 template <class Problem>
 void RollingNewton<Problem>::step() {
   double *const x = &p_.x[0], *const y = &p_.y[0];
-  double *const rhs = &p_.vectors[0], *const change = rhs + size_;
+  const auto max_products = static_cast<std::size_t>(limits_.max_products);
+  Arena arena(&p_.vectors[0]);
+  const Gmres system = cut_gmres(arena, static_cast<std::size_t>(size_), max_products);
+  double *const rhs = system.rhs, *const change = system.x;
+  // Slip by the parts of the change that are known: tractions that slide back onto the circle.
   std::fill_n(x, all_, 0.0);
   std::fill_n(y, all_, 0.0);
   for (int k = 0; k < cell_count_; ++k) {
     x[p_.cells[k].at] = p_.cells[k].radial_x;
     y[p_.cells[k].at] = p_.cells[k].radial_y;
   }
-  if (size_ < 2 * cell_count_) p_.slip();  // otherwise all cells stick
+  if (size_ < 2 * cell_count_) p_.slip();  // otherwise all cells stick, and there are none
   for (int k = 0; k < cell_count_; ++k) {
     const NewtonCell& c = p_.cells[k];
     if (c.slides) {
@@ -329,11 +344,11 @@ void RollingNewton<Problem>::step() {
       rhs[c.second] = -p_.sy[c.at] - y[c.at];
     }
   }
+  // unknown changes, by GMRES with the rows' inverses
   for (int r = 0; r < row_count_; ++r) factor(p_.rows[r]);
   gmres([this](const double* in, double* out) { multiply(in, out); },
-        [this](const double* in, double* out) { precondition(in, out); }, rhs,
-        static_cast<std::size_t>(size_), limits_.accuracy, static_cast<std::size_t>(limits_.max_products),
-        change + size_, change);
+        [this](const double* in, double* out) { precondition(in, out); }, static_cast<std::size_t>(size_),
+        limits_.accuracy, max_products, system);
   // A full step converges in a few iterations; where a few cells keep changing between adhesion and slip
   // (about one problem in 400, near a spin pole) shorter steps break the cycle.
   constexpr int full_steps = 12;

@@ -74,11 +74,12 @@ using Values = std::array<double, force_table_values>;
 /// Where to read: spin >= 0 in the direction.
 struct Place {
   Stencil ratio, shape;
-  CreepageScale direction;  // of any length but zero
+  CreepageScale direction;  // any length but zero
   double saturation = 0.0;
 };
 
 Values interpolate(const ForceTable& table, const Place& at) {
+  // Stencils of the axes: elevation over the plane without spin, azimuth round the circle, saturation.
   const ForceTableAxes& axes = table.axes;
   const CreepageScale& d = at.direction;
   const double in_plane = std::sqrt(d.longitudinal * d.longitudinal + d.lateral * d.lateral);
@@ -97,7 +98,9 @@ Values interpolate(const ForceTable& table, const Place& at) {
   const float* const corner = table.coefficients + at.ratio.first * stride_ratio +
                               along.first * stride_saturation + at.shape.first * force_table_values;
 
-  constexpr int width = 3 * force_table_values;  // of three neighbouring shapes
+  // Tensor product of the B-splines, shape last. Beyond a pole of the sphere a row lies half a turn on; below
+  // the plane forces and moment change their signs, the share that sticks does not.
+  constexpr int width = 3 * force_table_values;  // numbers of three neighbouring shapes
   std::array<double, width> sum{};
   for (int i = 0; i < 3; ++i) {
     const Row row = row_at(axes, up.first + i);
@@ -114,7 +117,7 @@ Values interpolate(const ForceTable& table, const Place& at) {
       }
     }
     for (int m = 0; m < width; ++m) {
-      const bool odd = m % force_table_values != force_table_values - 1;  // adhesion has no sign
+      const bool odd = m % force_table_values != force_table_values - 1;
       sum[m] += up.weight[i] * (odd ? row.sign : 1.0) * row_sum[m];
     }
   }
@@ -177,7 +180,7 @@ void adapt_to_poisson(double poisson, ForceTable& table) {
   const SdecTable wanted(poisson), given(table.axes.poisson);
   for (std::int32_t i = 0; i < table.axes.ratios; ++i) {
     const double ratio = node_ratio(table.axes, i);
-    Fault beyond_tables;  // of the coefficients: only their ratio is used
+    Fault beyond_tables;  // dropped: only the coefficients' ratio is used
     const SdecCoefficients ours = given.at(ratio, 0.0, beyond_tables);
     const SdecCoefficients theirs = wanted.at(ratio, 0.0, beyond_tables);
     table.stiffness[static_cast<std::size_t>(i)] = {theirs.c11 / ours.c11, theirs.c22 / ours.c22,
@@ -187,6 +190,7 @@ void adapt_to_poisson(double poisson, ForceTable& table) {
 
 TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double normal_force,
                               double shear_modulus, double friction, const Creepage& creepage, Fault& fault) {
+  // The patch within the table: mirrored to psi >= 0, shapes beyond its ends flagged and taken as the end.
   const ForceTableAxes& axes = table.axes;
   const double mirror = patch.psi < 0.0 ? -1.0 : 1.0;
   const double largest = axes.largest_ratio, actual = patch.a / patch.b;
@@ -213,10 +217,13 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
   const double s = scale.spin * stiff * c * creepage.spin * mirror;
   const double elastic_x = stiffness.longitudinal * x, elastic_y = stiffness.lateral * y,
                elastic_s = stiffness.spin * s;
+  // saturation t = r / (r + r0) of v with the stiffness of the bodies' Poisson ratio; r0 times the limit, as
+  // v is
   const double r = std::sqrt(elastic_x * elastic_x + elastic_y * elastic_y + elastic_s * elastic_s);
   if (!(r > 0.0)) return {.adhesion_fraction = 1.0};
   const double t = r / (r + axes.half_saturation * limit), rigid = t * t;
 
+  // direction with that stiffness at t = 0, without it at t = 1, turned to spin >= 0
   const double sign = s < 0.0 ? -1.0 : 1.0;
   at.direction = {sign * (elastic_x + rigid * (x - elastic_x)) / r,
                   sign * (elastic_y + rigid * (y - elastic_y)) / r,
@@ -224,6 +231,7 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
   at.saturation = t;
   const Values values = interpolate(table, at);
 
+  // back from force over mu N t to forces; the moment from the centre of pressure to the joint
   const double share = std::sqrt(values[0] * values[0] + values[1] * values[1]) * t;
   const double within = sign * t * limit / std::max(1.0, share);  // |F| <= mu N whatever the spline does
   TangentialForces forces;

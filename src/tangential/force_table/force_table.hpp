@@ -37,13 +37,13 @@ namespace wrc {
 struct ForceTableAxes {
   std::int32_t ratios = 0;       ///< a/b from 1 / largest_ratio to largest_ratio
   std::int32_t shapes = 0;       ///< psi from 0 to largest_shape_number
-  std::int32_t elevations = 0;   ///< of the direction of v over the plane without spin, 0 to 90 degrees
+  std::int32_t elevations = 0;   ///< angles of v over the plane without spin, 0 to 90 degrees
   std::int32_t azimuths = 0;     ///< in that plane, from nu_x towards nu_y, round the circle; even
   std::int32_t saturations = 0;  ///< t from 0 to 1
   double largest_ratio = 0.0;
   double largest_shape_number = 0.0;
   double half_saturation = 0.0;  ///< r0
-  double poisson = 0.0;          ///< of the solutions
+  double poisson = 0.0;          ///< Poisson ratio of the solutions [-]
 };
 
 /// Largest number of nodes along one axis.
@@ -61,7 +61,7 @@ struct CreepageScale {
 };
 CreepageScale creepage_scale(double ratio);
 
-/// What a node stands for.
+/// Places of the nodes along their axes.
 double node_ratio(const ForceTableAxes& axes, std::int32_t i);
 double node_shape_number(const ForceTableAxes& axes, std::int32_t i);
 double node_saturation(const ForceTableAxes& axes, std::int32_t i);

@@ -46,6 +46,7 @@ ForceTableAxes axes_of(const ForceTableFileHeader& header) {
 Fault open(const char* path, File& file, ForceTableFileHeader& header) {
   file.reset(std::fopen(path, "rb"));
   if (!file) return unusable("the file cannot be opened: is the path right, and may it be read?");
+  // Name first, then byte order: the numbers of a file that has another cannot be read.
   const ForceTableFileHeader ours;
   if (std::fread(&header, sizeof header, 1, file.get()) != 1) return unusable(ends_early);
   if (std::memcmp(header.name, ours.name, sizeof ours.name) != 0)
@@ -79,6 +80,7 @@ Fault read_force_table_axes(const char* path, ForceTableAxes& axes) {
 }
 
 Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coefficients) {
+  // The header once more: between the two readings the file may have become another.
   File file;
   ForceTableFileHeader header;
   const Fault fault = open(path, file, header);
@@ -88,6 +90,7 @@ Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coef
   if (std::fread(coefficients, sizeof(float), size, file.get()) != size) return unusable(ends_early);
   if (std::fgetc(file.get()) != EOF) return unusable("the file goes on after the table's end");
 
+  // the checksum is that of the header with 0 in its place, then the numbers
   const std::uint64_t given = header.checksum;
   header.checksum = 0;
   if (file_checksum(coefficients, size * sizeof(float), file_checksum(&header, sizeof header)) != given) {

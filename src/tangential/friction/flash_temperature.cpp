@@ -23,14 +23,15 @@ FlashWeights::FlashWeights(std::int32_t cells) {
 void flash_rise(const Strips& region, const TangentialFields& fields, std::int32_t cells, double speed,
                 const Effusivities& bodies, const FlashWeights& weights, double* rise) {
   const std::int32_t strips = region.count;
-  // Heat over the speed; what friction gives is not negative, though the march may leave a trace of the
-  // other sign beside a stick zone.
+  // Heat over the speed q / V = -s.p [N/m^2], not negative, though the march may leave a trace of the other
+  // sign beside a stick zone.
   for (std::int32_t at = 0; at < cells * strips; ++at) {
     const double work = fields.slip_x[at] * fields.traction_x[at] + fields.slip_y[at] * fields.traction_y[at];
     rise[at] = std::max(0.0, -work);
   }
   const double scale = std::sqrt(speed / pi) / bodies.sum();
-  // From the last cell to the first, each in the place of its own heat, which no other needs by then.
+  // theta_i = sqrt(V h / pi) / (beta_w + beta_r) times the weighted sum of q / V over the cells k <= i. From
+  // the last cell to the first, each in the place of its own heat, which the cells before it do not read.
   constexpr std::int32_t block = 64;  // strips at a time
   for (std::int32_t from = 0; from < strips; from += block) {
     const std::int32_t count = std::min(block, strips - from);

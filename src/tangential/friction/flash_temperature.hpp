@@ -2,7 +2,7 @@
 /// 253 (2002) 498; Jaeger 1942, a source that moves fast).
 ///
 /// In rolling heat has no time to spread along the surface: every strip is a row of points that pass, and
-/// heat flows into the depth alone. A surface that takes up the heat flow q(s) after the way s from the
+/// heat flows into the depth alone. A surface that takes up the heat flow q(s) at the distance s from the
 /// leading edge has risen by
 ///     theta(s) = 1 / (beta sqrt(pi V)) Int_0^s q(s') / sqrt(s - s') ds',   beta = sqrt(lambda rho c),
 /// c the specific heat. Both surfaces have the same temperature where they touch; that divides heat in the
@@ -13,7 +13,7 @@
 /// q is taken as linear between the middles of the cells and zero at the leading edge, and the integral is
 /// exact for that: with h the cell's length and G(d) = 4/3 d^(3/2), the weight of a cell d cells upstream is
 /// sqrt(h) (G(d + 1) - 2 G(d) + G(d - 1)), and that of the first, half a cell behind the edge,
-/// sqrt(h) (2 G(d + 1/2) - 3 G(d) + G(d - 1)); G of what is negative is none.
+/// sqrt(h) (2 G(d + 1/2) - 3 G(d) + G(d - 1)); G(d) = 0 for d < 0.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct Effusivities {
 struct BulkTemperatures {
   double wheel = 0.0, rail = 0.0;
 
-  /// What both surfaces have as soon as they touch.
+  /// Common temperature of both surfaces as soon as they touch.
   double at_entry(const Effusivities& bodies) const {
     return (bodies.wheel * wheel + bodies.rail * rail) / bodies.sum();
   }
@@ -43,7 +43,8 @@ struct BulkTemperatures {
 /// Most cells along a strip.
 inline constexpr std::int32_t most_flash_cells = 512;
 
-/// Weights of the integral over a strip of so many cells, but for sqrt(h).
+/// Weights of the integral over a strip of so many cells, over sqrt(h): of a cell so many cells upstream, and
+/// of the first cell seen from so many behind it.
 struct FlashWeights {
   explicit FlashWeights(std::int32_t cells);
 

@@ -17,32 +17,28 @@ double integral_between(double y0, double c0, double y1, double c1, double from,
   return (high - low) * (c0 + (c1 - c0) * (middle - y0) / (y1 - y0));
 }
 
-/// The mean and each strip's share of it, in the place of the coefficients.
-StripFriction shared_out(double limit, double load, std::int32_t strips, double* coefficients) {
-  constexpr double least_friction = 1e-9;  // below, nothing to share out
-  if (limit <= least_friction * load) {
-    std::fill_n(coefficients, strips, 1.0);
-    return 0.0;
-  }
-  const double mean = limit / load;
-  for (std::int32_t j = 0; j < strips; ++j) coefficients[j] /= mean;
-  return {mean, coefficients};
-}
-
 }  // namespace
 
 StripFriction shared_out(const Strips& strips, double* coefficients) {
+  // mean = sum of mu_j N_j over N; loads without their common factor pi / 2
   double limit = 0.0, load = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
     limit += coefficients[j] * carried;
     load += carried;
   }
-  return shared_out(limit, load, strips.count, coefficients);
+  constexpr double least_friction = 1e-9;  // below, nothing to share out
+  if (limit <= least_friction * load) {
+    std::fill_n(coefficients, strips.count, 1.0);
+    return 0.0;
+  }
+  const double mean = limit / load;
+  for (std::int32_t j = 0; j < strips.count; ++j) coefficients[j] /= mean;
+  return {mean, coefficients};
 }
 
 double speed_factor(const FrictionLaw& law, double sliding_speed) {
-  constexpr double endless = 690.0;  // e^-690 is nothing, and within what natural_exp takes
+  constexpr double endless = 690.0;  // e^-690 is nothing, and within the range of natural_exp()
   const double A = law.kinetic_ratio;
   switch (law.speed_law) {
     case SpeedLaw::none:
@@ -78,6 +74,7 @@ double temperature_factor(const FrictionLaw& law, double temperature, double* sl
 }
 
 double mean_friction(const FrictionZones& zones, double from, double to) {
+  // constant beyond the first and the last breakpoint, linear between
   const double* y = zones.y;
   const double* c = zones.coefficient;
   const std::int64_t last = zones.count - 1;
@@ -89,6 +86,7 @@ double mean_friction(const FrictionZones& zones, double from, double to) {
 }
 
 double zone_friction(const FrictionZones& zones, double y) {
+  // the first breakpoint beyond y; of two at y, a step, the second has been passed
   std::int64_t behind = 0;
   while (behind < zones.count && zones.y[behind] <= y) ++behind;
   if (behind == 0) return zones.coefficient[0];
@@ -102,8 +100,8 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
                        const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares) {
   const double patch_x = creepage.longitudinal - creepage.spin * frame.origin;
   const double patch_slip = std::sqrt(patch_x * patch_x + creepage.lateral * creepage.lateral);
-  double limit = 0.0, load = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j) {
+    // mu_0: one number, or the mean of the zones over the strip's width in their coordinate
     const double y = frame.origin + strips.y[j];
     double mu = law.coefficient;
     if (law.zones.count > 0) {
@@ -111,6 +109,7 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
       const double half = 0.5 * std::fabs(frame.zone_slope) * strips.width[j];
       mu = mean_friction(law.zones, middle - half, middle + half);
     }
+    // f at the root mean square of the rigid slip along the strip, or at that of the patch
     double slip = patch_slip;
     if (sliding == SlidingSpeed::of_strip) {
       const double x = creepage.longitudinal - creepage.spin * y;
@@ -120,15 +119,13 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
     }
     shares[j] =
         flush_subnormals(mu * speed_factor(law, speed * slip));  // an exponential law falls without end
-    const double carried = strips.half_length[j] * strips.peak[j] * strips.width[j];
-    limit += shares[j] * carried;
-    load += carried;
   }
+  // one number stays that number: the mean over strips would only round it
   if (law.is_one_number()) {
     std::fill_n(shares, strips.count, 1.0);
     return law.coefficient;
   }
-  return shared_out(limit, load, strips.count, shares);
+  return shared_out(strips, shares);
 }
 
 }  // namespace wrc

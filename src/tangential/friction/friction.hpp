@@ -12,8 +12,8 @@
 ///
 ///     w_j^2 = V^2 ( (nu_x - phi y_j)^2 + (nu_y + phi x_j)^2 + phi^2 l_j^2 / 3 ).
 ///
-/// It is what particles of a strip that slips as a whole really slide by, up to the elastic part, and in
-/// strips that stick the bound is not felt. It takes no iteration, unlike the true slip, of which friction
+/// Particles of a strip that slips as a whole really slide by that, up to the elastic part, and in strips
+/// that stick the bound is not felt. It takes no iteration, unlike the true slip, of which friction
 /// would be a function at every point; falling friction there has several solutions. A strip's own value,
 /// rather than one for the patch, because under spin the sliding speed differs between the middle and the
 /// borders as much as it does between vehicles; the mean square rather than the middle's value, because that
@@ -21,8 +21,8 @@
 /// V sqrt(nu_x^2 + nu_y^2), as published.
 ///
 /// g is the mean over the strip's load of a function of the temperature T: 1 up to a temperature, a share
-/// from another on, and linear between (the form of CONTACT's user guide, method L = 4). T is what tractions
-/// with these coefficients make (tangential/friction/heated_friction.hpp).
+/// from another on, and linear between (the form of CONTACT's user guide, method L = 4). T is the temperature
+/// that tractions with these coefficients make (heated_friction.hpp).
 #pragma once
 
 #include <cstdint>
@@ -64,7 +64,7 @@ struct FrictionLaw {
   double half_speed = 1.0;     ///< w_half [m/s]
   double hot_ratio = 1.0;      ///< friction of hot surfaces over that of cold ones [-]
   double cold_temperature = 0.0, hot_temperature = 1.0;    ///< where the fall begins, and ends [degC]
-  double wheel_temperature = 0.0, rail_temperature = 0.0;  ///< of the bodies [degC]
+  double wheel_temperature = 0.0, rail_temperature = 0.0;  ///< bulk temperatures [degC]
 
   bool heated() const { return temperature_law != TemperatureLaw::none; }
   bool falls() const { return speed_law != SpeedLaw::none || heated(); }

@@ -13,6 +13,7 @@ HeatedFriction::HeatedFriction(const FrictionLaw& law, const Effusivities& bodie
       speed_(speed),
       entry_(BulkTemperatures{law.wheel_temperature, law.rail_temperature}.at_entry(bodies)),
       flash_(cells) {
+  // weights of a mean over the strip's load: the semi-ellipse of pressure at the cells' middles
   for (std::int32_t i = 0; i < cells; ++i) {
     const double xi = (2.0 * i + 1.0) / cells - 1.0;
     weight_[i] = std::sqrt(1.0 - xi * xi);
@@ -22,6 +23,7 @@ HeatedFriction::HeatedFriction(const FrictionLaw& law, const Effusivities& bodie
 
 double HeatedFriction::settle(const Strips& region, const TangentialFields& fields, bool keep, double* rise,
                               double* share) {
+  // temperatures of all cells, then the share of each strip by itself
   constexpr double least_share = 1e-6;  // below, there is no heat to go by
   flash_rise(region, fields, cells_, speed_, bodies_, flash_, rise);
   double change = 0.0;
@@ -34,8 +36,10 @@ double HeatedFriction::settle(const Strips& region, const TangentialFields& fiel
   return change;
 }
 
-/// The share of one strip, by Newton's method in its bracket.
+/// The share g of one strip, whose cells' rises `rise` are those of the share `before`.
 double HeatedFriction::settled(double* rise, std::int32_t strips, double before) const {
+  // Newton's method on g - mean of h(T_entry + g rise / g_before), which grows with g; steps that leave the
+  // bracket are halved into it.
   for (std::int32_t i = 0; i < cells_; ++i) rise[i * strips] /= before;
   double low = law_.hot_ratio, high = 1.0, f = before;
   constexpr int most_steps = 30;

@@ -5,8 +5,8 @@
 
 namespace wrc {
 
-/// What the friction law (friction.hpp) leaves for the march: the mean over the load, which is what Coulomb's
-/// limit of the whole patch sees, and each strip's share of it. One number serves as friction everywhere.
+/// Result of the friction law (friction.hpp): the mean over the load, of which Coulomb's limit of the whole
+/// patch is made, and each strip's share of it. One number serves as friction everywhere.
 struct StripFriction {
   double mean = 0.0;               ///< sum of mu_j N_j over N [-]
   const double* shares = nullptr;  ///< mu_j / mean of every strip; nullptr: 1

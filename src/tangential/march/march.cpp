@@ -3,42 +3,41 @@
 #include "base/elementary.hpp"
 #include "kernels/kernels.hpp"
 #include "patch/strips.hpp"
-#include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
 
-/// Bound at the middle of each strip, as the factors of a common part and of what differs between strips.
-struct BoundScale {
-  double per_pressure = 0.0;       ///< elliptic: mu
-  double per_length = 0.0;         ///< ellipsoidal: mu N / IInt sqrt(x_l^2 - x^2) dA
-  double per_length_square = 0.0;  ///< parabolic: mu N / IInt (x_l^2 - x^2) dA
-};
-
-BoundScale bound_scale(const TangentialProblem& problem) {
-  if (problem.bound == TractionBound::elliptic) return {.per_pressure = problem.friction.mean};
-  const bool parabolic = problem.bound == TractionBound::parabolic;
+/// Sets the bound at the middle of a strip, mu times its peak pressure, or a scale times its half length or
+/// the square of that: mu N over the integral of the bound's form over all strips, 4/3 l^3 or pi/2 l^2 per
+/// width.
+void set_bound(const TangentialProblem& problem, simd::MarchTask& task) {
+  task.parabolic = problem.bound == TractionBound::parabolic;
+  if (problem.bound == TractionBound::elliptic) {
+    task.per_pressure = problem.friction.mean;
+    return;
+  }
   double integral = 0.0;
   const Strips& strips = problem.region;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double l = strips.half_length[j];
-    integral += parabolic ? 4.0 / 3.0 * l * l * l * strips.width[j] : 0.5 * pi * l * l * strips.width[j];
+    integral += task.parabolic ? 4.0 / 3.0 * l * l * l * strips.width[j] : 0.5 * pi * l * l * strips.width[j];
   }
   const double scale = integral > 0.0 ? problem.friction.mean * normal_force(strips) / integral : 0.0;
-  return parabolic ? BoundScale{.per_length_square = scale} : BoundScale{.per_length = scale};
+  (task.parabolic ? task.per_length_square : task.per_length) = scale;
 }
 
 /// The problem for the kernels; it points into its arguments.
 simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
                         const TangentialFields& fields) {
+  // growths g_x = nu_x / L11 - phi y / L13 and g_y = nu_y / L22 + phi x / L23 [Pa/m], with their derivatives
+  // by nu_x, nu_y, phi
   const Creepage& c = problem.creepage;
   const Flexibility& L = problem.flexibility;
-  const BoundScale scale = bound_scale(problem);
   simd::MarchTask task{};
   task.strips = problem.region.count;
   task.cells = grid.cells;
-  task.parabolic = problem.bound == TractionBound::parabolic;
   task.shape = &grid.shape(problem.bound);
   task.fields = &fields;
   task.region = &problem.region;
@@ -49,15 +48,8 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   task.gy_by_x = {c.spin / L.l23, {0.0, 0.0, 1.0 / L.l23}};
   task.l11 = L.l11;
   task.l22 = L.l22;
-  task.per_pressure = scale.per_pressure;
-  task.per_length = scale.per_length;
-  task.per_length_square = scale.per_length_square;
+  set_bound(problem, task);
   return task;
-}
-
-TangentialForces forces_of(const simd::Sums& sums) {
-  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
-          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
 }
 
 }  // namespace
@@ -67,6 +59,7 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   simd::Sums sums;
   const simd::MarchTask task = task_of(problem, grid, fields);
   const Kernels& kernels = *grid.kernels;
+  // a kernel of its own for each kind of result: no field or derivative costs calls that do not ask for it
   const auto kernel = sensitivities  ? kernels.tangential.march_sensitivities
                       : fields.any() ? kernels.tangential.march_fields
                                      : kernels.tangential.march;

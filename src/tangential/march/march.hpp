@@ -8,7 +8,7 @@
 /// where the excess r vanishes where the surfaces stick, and where they slip it holds the traction on the
 /// bound, p = tau e, by r = -lambda e, lambda >= 0. Sliding per unit rolled length is the excess times the
 /// flexibility, s = (L11 r_x, L22 r_y), so that the power density -s.p = lambda tau (L11 e_x^2 + L22 e_y^2)
-/// is what the model dissipates: elastic energy integrates to zero over a strip, and
+/// is the power the model dissipates: elastic energy integrates to zero over a strip, and
 ///
 ///     IInt -s.p dA = -Fx nu_x - Fy nu_y - phi ((L22/L23) IInt x p_y dA - (L11/L13) IInt y p_x dA),
 ///

@@ -1,5 +1,4 @@
-/// The cells of a strip, what a traction bound amounts to in each of them, and the kernels that march over
-/// them.
+/// The cells of a strip, the traction bound in each of them, and the kernels that march over them.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +20,7 @@ struct BoundShape {
   const double* rise = nullptr;
 };
 
-/// The middle of each cell, relative to its strip: what holds there for all strips.
+/// The middle of each cell, relative to its strip: the same numbers for all strips.
 struct CellMiddles {
   const double* place = nullptr;             ///< s = (x - centre) / half_length [-]
   const double* pressure = nullptr;          ///< sqrt(1 - s^2): pressure / peak of the strip [-]
@@ -36,7 +35,7 @@ struct MarchGrid {
   /// 1 / ((n - i)^(3/2) - (n - i - 1)^(3/2)) for cell i of n: one over the integral over the cell of
   /// 3/2 sqrt(u / h), u the distance from the trailing edge.
   const double* inverse_weight = nullptr;
-  const Kernels* kernels = nullptr;  ///< of an instruction set the processor has
+  const Kernels* kernels = nullptr;  ///< kernels of an instruction set the processor has
 
   const BoundShape& shape(TractionBound bound) const {
     return bound == TractionBound::parabolic ? parabolic : elliptic;
@@ -44,7 +43,7 @@ struct MarchGrid {
 };
 
 /// Memory a grid needs [doubles].
-constexpr std::size_t march_grid_size(std::int32_t cells) { return 8 * static_cast<std::size_t>(cells); }
+std::size_t march_grid_size(std::int32_t cells);
 
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
 MarchGrid make_march_grid(std::int32_t cells, double* memory, const Kernels& kernels);

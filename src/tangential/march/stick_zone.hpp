@@ -70,6 +70,7 @@ Number onset_elliptic(const AdhesionGrowth<Number>& g, const Number& E, const Nu
   const auto bends = c3 > zero;
   const Number bend = select(bends, turn / select(bends, 3.0 * c3, one), zero);
   Number s = select(bend <= zero, one, select(f(within(bend)) < zero, one, zero));
+  // Laguerre for a cubic: s - 3 f / (f' + sqrt(4 f'^2 - 6 f f''))
   for (int i = 0; i < 6; ++i) {
     const Number value = f(s), slope = c1 + s * (2.0 * c2 + s * 3.0 * c3);
     const Number bending = 2.0 * c2 + 6.0 * c3 * s;

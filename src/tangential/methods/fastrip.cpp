@@ -1,8 +1,10 @@
 #include "tangential/methods/fastrip.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "base/arena.hpp"
 #include "patch/material.hpp"
 #include "tangential/march/march.hpp"
 #include "tangential/methods/fastrip_strip.hpp"
@@ -12,6 +14,7 @@ namespace wrc {
 namespace {
 
 StripGrowth growth_on_ellipse(const RollingContact& contact, Fault& fault) {
+  // strip theory with Kalker's coefficients; k13 = 3 G c C23 / (2 pi a (1 - nu)), w = 1 - nu
   const KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
   const Creepage& creep = contact.creepage;
   const double G = contact.shear_modulus, c = std::sqrt(contact.a * contact.b);
@@ -22,6 +25,7 @@ StripGrowth growth_on_ellipse(const RollingContact& contact, Fault& fault) {
 }
 
 StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
+  // the double ellipse's: k13 = 3 G c^3 K13 / (4 pi a b^2), w = 1
   const double a = contact.a, b = contact.b;
   const SdecCoefficients s = contact.linear_theory->at(a / b, contact.shape_number, fault);
   const Creepage& creep = contact.creepage;
@@ -32,30 +36,39 @@ StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
           1.0};
 }
 
-/// FASTSIM's part: traction bound and flexibilities.
-struct Fastsim {
-  Flexibility separate;
-  double common = 0.0;  ///< where a strip slips as a whole
-  TractionBound bound = TractionBound::elliptic;
-  double load_factor = 1.0;
-};
+/// Arrays of FASTSIM's tractions over cells.
+std::array<double*, 4> cut(Arena& arena, std::int64_t cells) {
+  std::array<double*, 4> arrays{};
+  for (double*& array : arrays) array = arena.take(cells);
+  return arrays;
+}
 
-/// Its tractions, in the contact's workspace.
-SlipDirections directions_of(const Fastsim& fastsim, const RollingContact& contact) {
-  const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(contact.region.count) * contact.grid->cells;
-  auto* const x = static_cast<double*>(contact.workspace);
-  double *const y = x + cells, *const common_x = y + cells, *const common_y = common_x + cells;
-  const StripFriction friction{contact.friction.mean * fastsim.load_factor, contact.friction.shares};
-  TangentialProblem problem{contact.region, contact.creepage, fastsim.separate, friction, fastsim.bound};
+/// FASTSIM's tractions with separate flexibilities, and with the common one, in the contact's workspace.
+SlipDirections directions_of(const RollingContact& contact, Fault& fault) {
+  const Flexibility separate = linear_flexibility(contact, fault);
+  const double common =
+      common_flexibility(separate, contact.a, contact.b, contact.elastic_shape_number(), contact.creepage);
+  TangentialProblem problem{contact.region, contact.creepage, separate, contact.friction,
+                            TractionBound::elliptic};
+  // on the equivalent ellipse, as published: the parabolic bound, of a load larger by 1 + (1 - a/b)^4 for a <
+  // b
+  if (contact.model.on_ellipse) {
+    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
+    problem.bound = TractionBound::parabolic;
+    problem.friction.mean *= 1.0 + slender * slender * slender * slender;
+  }
+  Arena arena(contact.workspace);
+  const auto [x, y, common_x, common_y] =
+      cut(arena, static_cast<std::int64_t>(contact.region.count) * contact.grid->cells);
   march(problem, *contact.grid, {x, y, nullptr, nullptr});
-  const double l = fastsim.common;
-  problem.flexibility = {l, l, l, l};
+  problem.flexibility = {common, common, common, common};
   march(problem, *contact.grid, {common_x, common_y, nullptr, nullptr});
   return {x, y, common_x, common_y};
 }
 
 TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
                        const SlipDirections& directions, const TangentialFields& fields) {
+  // each strip in closed form where it sticks, along FASTSIM's direction where it slips
   constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
   const Strips& strips = contact.region;
   RolledStrip total;
@@ -68,36 +81,29 @@ TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
                                strips.y[j],           bound,           contact.creepage};
     total += roll_strip(sliding, strip, *contact.grid, directions, strips.count, j, fields);
   }
+  // power by the balance -(Fx nu_x + Fy nu_y + Mz phi), and slips scaled to dissipate it
   const Creepage& c = contact.creepage;
   const double balance =
       std::max(0.0, -(total.fx * c.longitudinal + total.fy * c.lateral + total.mz * c.spin));
   const double scale = total.power > 0.0 ? balance / total.power : 0.0;
   const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(strips.count) * contact.grid->cells;
-  for (double* slip : {fields.slip_x, fields.slip_y}) {
-    std::transform(slip, slip + cells, slip, [scale](double s) { return s * scale; });
-  }
+  scale_slips(scale, cells, fields);
   return {total.fx, total.fy, total.mz, balance, total.adhesion_fraction()};
 }
 
 }  // namespace
 
 std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells) {
-  return static_cast<std::int64_t>(4 * sizeof(double)) * strips * cells;
+  Arena arena;
+  cut(arena, static_cast<std::int64_t>(strips) * cells);
+  return arena.bytes();
 }
 
 TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault) {
-  Fastsim fastsim;
-  fastsim.separate = linear_flexibility(contact, fault);
-  fastsim.common = common_flexibility(fastsim.separate, contact.a, contact.b, contact.elastic_shape_number(),
-                                      contact.creepage);
-  if (contact.model.on_ellipse) {
-    const double slender = std::max(0.0, 1.0 - contact.a / contact.b);
-    fastsim.bound = TractionBound::parabolic;
-    fastsim.load_factor = 1.0 + slender * slender * slender * slender;
-  }
+  const SlipDirections directions = directions_of(contact, fault);
   const StripGrowth growth =
       contact.model.of_sdec ? growth_on_sdec(contact, fault) : growth_on_ellipse(contact, fault);
-  return solve(contact, growth, directions_of(fastsim, contact), fields);
+  return solve(contact, growth, directions, fields);
 }
 
 }  // namespace wrc

@@ -30,9 +30,9 @@
 /// The weight w is 1 - nu as in the reference program's source, where the formulas come from; the strip part
 /// is confirmed against its results. d belongs to w = 1 alone, for which (q, r + psi d) / d is a unit vector
 /// and the stick zone moves as a rigid body; FaStrip-SDEC takes that. Where the program's variants differ
-/// from ours: theory manual, section 5. Not published, or not read: what cells see (here means over them),
-/// and the slip: power is the balance -(Fx nu_x + Fy nu_y + Mz phi), and the slip, in the form of Carter's
-/// solution, is scaled to dissipate that.
+/// from ours: theory manual, section 5. Not published, or not read: the numbers cells see (here means over
+/// them), and the slip: power is the balance -(Fx nu_x + Fy nu_y + Mz phi), and the slip, in the form of
+/// Carter's solution, is scaled to dissipate that.
 #pragma once
 
 #include <cstdint>

@@ -17,6 +17,7 @@ double stick_share(double ahead, double slip_cells) {
 
 StripSolution solve_strip(const StripGrowth& growth, double steepness, double y, double centre,
                           double half_length) {
+  // q, r [m] and psi [-]; with q = r = 0 all of the strip sticks where |psi| < 1
   StripSolution strip;
   const double q = -(growth.longitudinal - growth.longitudinal_spin * y) / steepness;
   strip.psi = -growth.lateral_spin / steepness;
@@ -26,9 +27,11 @@ StripSolution solve_strip(const StripGrowth& growth, double steepness, double y,
   // d = (r psi + root) / (1 - psi^2), in the form that stays finite at psi = 1
   const double square = r * r + (1.0 - strip.psi * strip.psi) * q * q;
   const double divisor = std::sqrt(std::max(0.0, square)) - r * strip.psi;
+  // d >= l, or none: the strip slips as a whole
   strip.slip_length = 2.0 * half_length;
   if (square < 0.0 || forces2 >= half_length * divisor) return strip;
   const double d = forces2 / divisor;
+  // (kappa, lambda): direction of (w q, w r + psi d)
   const double along = growth.weight * q, across = growth.weight * r + strip.psi * d;
   const double size = std::sqrt(along * along + across * across);
   if (size == 0.0) return strip;
@@ -54,6 +57,8 @@ RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, 
   const bool slips_as_a_whole = strip.slip_length >= 2.0 * l;
   double px_sum = 0.0, py_sum = 0.0, x_py_sum = 0.0, power_sum = 0.0;
   for (std::int32_t i = 0; i < cells; ++i) {
+    // Traction over the bound: in stick the closed form, with s the mean of sqrt(1 - 2 d / u) over the cell;
+    // in slip FASTSIM's direction.
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * strips + j;
     const double from_centre = l - (i + 0.5) * h, x = sliding.centre + from_centre;
     const double ahead = cells - i;  // leading border of the cell, in cells from the trailing edge
@@ -90,6 +95,7 @@ RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, 
     fields.slip_x[at] = -slip * ex;
     fields.slip_y[at] = -slip * ey;
 
+    // moment about the origin of the creepages; power of slip against the traction
     px_sum += bound * ex;
     py_sum += bound * ey;
     x_py_sum += x * bound * ey;

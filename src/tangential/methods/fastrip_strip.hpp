@@ -9,13 +9,14 @@
 
 namespace wrc {
 
-/// What creepages make of a strip in strip theory, corrected to the linear theory of the patch [Pa, Pa/m].
+/// Growth of a strip's tractions with the creepages in strip theory, corrected to the linear theory of the
+/// patch [Pa, Pa/m].
 struct StripGrowth {
   double longitudinal = 0.0;       ///< 2 G C11 / pi^2 nu_x
   double longitudinal_spin = 0.0;  ///< k13 phi
   double lateral = 0.0;            ///< 2 G C22 / pi^2 nu_y
   double lateral_spin = 0.0;       ///< 3 G c C23 / (2 pi a) phi
-  double weight = 1.0;             ///< of (q, r) against psi d in the direction of traction
+  double weight = 1.0;             ///< w: weight of (q, r) against psi d in the direction of traction [-]
 };
 
 /// Where a strip slips, and its direction of traction at the border of the stick zone.
@@ -35,7 +36,8 @@ struct SlidingStrip {
   Creepage creepage;
 };
 
-/// What a strip adds to the sums; power: of the slip, not yet scaled.
+/// A strip's part of the sums: forces [N], moment [N m], areas [m^2], power of the slip before it is scaled
+/// [N].
 struct RolledStrip {
   double fx = 0.0, fy = 0.0, mz = 0.0, area = 0.0, slid = 0.0, power = 0.0;
 

@@ -17,10 +17,11 @@ double longitudinal_coefficient(const RollingContact& contact, Fault& fault) {
                                : contact.linear_theory->ellipse().at(ratio, fault).c11;
 }
 
-/// k / k0: what slip leaves of the slope of the creep curve [-].
-double slope_left(const RollingContact& contact) {
+/// k / k0: factor on the slope of the creep curve by slip [-].
+double slope_factor(const RollingContact& contact) {
   constexpr double least_force = 1e-9;  // [N]: where nothing resists, the slope does not matter
   Fault reported;                       // the same fault comes from the flexibilities
+  // eps = G pi a b k0 C11 s / (4 mu N), s with the larger of nu_y and nu_y + phi a
   const double c11 = longitudinal_coefficient(contact, reported);
   const Creepage& c = contact.creepage;
   const double with_spin = c.lateral + c.spin * contact.a;
@@ -44,10 +45,11 @@ TangentialForces roll(const RollingContact& contact, const TangentialFields& fie
 TangentialForces fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                          TangentialSensitivities* sensitivities) {
   if (!contact.slope.falls()) return roll(contact, fields, fault, sensitivities);
+  // every flexibility over k: all go with 1 / G
   RollingContact softened = contact;
-  const double left = slope_left(contact);
-  softened.shear_modulus *= left;
-  softened.slope_reduction *= left;
+  const double factor = slope_factor(contact);
+  softened.shear_modulus *= factor;
+  softened.slope_reduction *= factor;
   return roll(softened, fields, fault, sensitivities);
 }
 

@@ -24,6 +24,7 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
   const double s = std::sqrt(a * b) * std::fabs(creepage.spin);
   const double size = std::sqrt(x * x + y * y + s * s);
   if (size == 0.0) return separate.l11;
+  // L3: mean of L23 and L13, weighted as spin makes F_y and F_x through them
   const double across = lateral_of_spin(a), along = std::fabs(longitudinal_of_spin(b, shape_number));
   const double l3 = (across * separate.l23 + along * separate.l13) / (across + along);
   return (x * separate.l11 + y * separate.l22 + s * l3) / size;
@@ -31,6 +32,7 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
 
 double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage) {
+  // L_c = sum n^2 / sum (n^2 / L), n = nu_x, nu_y, (3 pi a / 32) phi with L23, (3 b psi / 4) phi with L13
   const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
   const double across2 = square(lateral_of_spin(a) * creepage.spin);
   const double along2 = square(longitudinal_of_spin(b, shape_number) * creepage.spin);
@@ -43,6 +45,7 @@ Flexibility blended_flexibility(const Flexibility& separate, double a, double b,
                                 const Creepage& creepage, double limit) {
   const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
   const double common = common_flexibility(separate, a, b, shape_number, creepage);
+  // nu_i* = 3 mu N L_ii / (8 a^2 b) saturates the patch; w = min(1, f / 3)
   const double per_flexibility = 3.0 * limit / (8.0 * a * a * b);
   const double saturation2 = square(per_flexibility) * (square(separate.l11) + square(separate.l22));
   const double w = x2 + y2 < 9.0 * saturation2 ? std::sqrt((x2 + y2) / saturation2) / 3.0 : 1.0;

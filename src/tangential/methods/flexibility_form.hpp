@@ -27,7 +27,7 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
 double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage);
 
-/// Flexibilities on the way from separate to common (same source):
+/// Flexibilities between separate and common (same source):
 ///     L_i <- (1 - w) L_i + w L_c,   w = min(1, f / 3),
 ///     f^2 = (nu_x^2 + nu_y^2) / (nu_x*^2 + nu_y*^2),   nu_i* = 3 mu N L_ii / (8 a^2 b).
 /// limit: mu N, times the slope reduction k where `separate` is that of bodies softened by it (L_i / k): the

@@ -9,7 +9,7 @@
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
 #include "tangential/methods/strip_calibration.hpp"
-#include "tangential/simd/sensitivities.hpp"
+#include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
@@ -19,19 +19,19 @@ namespace {
 using Number = Dual<simd::inputs>;
 
 constexpr double least_force2 = 1e-30;       // [N^2]: neither friction nor creepages
-constexpr double largest_slenderness = 0.6;  // of the patches the calibration was fitted to
+constexpr double largest_slenderness = 0.6;  // the calibration was fitted up to here
 
-/// What the patch, its load and the creepages make of the model; T carries derivatives or not.
+/// The model for a patch, its load and the creepages; T carries derivatives or not.
 template <class T>
 struct Model {
-  T nu_x, nu_y, phi;
-  T l11, l13, l22, l23;  ///< flexibilities of the stick zone [m/Pa]
-  T neutral_y;           ///< neutral line of spin in the stick zone [m]
-  double t11, t22;       ///< flexibilities of linear theory, for the turning of slip [m/Pa]
-  T turning;             ///< factor on them
-  T torsion;             ///< lateral elastic slip of a patch that spins [-]
-  double elastic;        ///< what the elastic slip differs by between x and y, (l_x - l_y) B [1/m]
-  double B;              ///< bound of the march [Pa/m^2]
+  T gx_constant, gx_by_y;  ///< growth along x of adhesion tractions: gx_constant - gx_by_y y [Pa/m]
+  T gy_constant, gy_by_x;  ///< along y: gy_constant + gy_by_x x [Pa/m]
+  T l11, l22;              ///< flexibilities of creepages in the stick zone [m/Pa]
+  double t11, t22;         ///< flexibilities of linear theory, for the turning of slip [m/Pa]
+  T turning;               ///< factor on them
+  T torsion;               ///< lateral elastic slip of a patch that spins [-]
+  double elastic;          ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
+  double B;                ///< bound of the march [Pa/m^2]
 };
 
 /// The double ellipse that stands for the patch in linear theory, from the strips' pressure: see the header.
@@ -44,6 +44,7 @@ struct Equivalent {
 
 Equivalent equivalent(const RollingContact& c) {
   const Strips& strips = c.region;
+  // Int p dy [N/m], Int l dy [m^2] and their first moments; p and l of a strip are its peak and half length
   double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double p = strips.width[j] * strips.peak[j], l = strips.width[j] * strips.half_length[j];
@@ -54,6 +55,8 @@ Equivalent equivalent(const RollingContact& c) {
   }
   const double load = normal_force(strips);
   if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
+  // a = 3 N / (4 Int p dy), area pi a b = 2 Int l dy, and psi from the centre 8 / (3 pi) psi b of a double
+  // ellipse's length, here midway between the centroids of area and of stiffness (peaks)
   Equivalent patch;
   patch.a = 0.75 * load / pressure;
   patch.b = 2.0 * length / (pi * patch.a);
@@ -69,6 +72,8 @@ Equivalent equivalent(const RollingContact& c) {
 template <class T>
 std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_number, const T& x,
                                                          const T& e, const T& s, double limit, const T& Q) {
+  // saturations x^2 / Q, ..., e s / Q; `even` is 1 where s^2 = limit^2, its fourth power times the share
+  // without creepages the term `unison`; in the order of StripCalibration's terms
   const double limit2 = limit * limit + least_force2;
   const T inverse = 1.0 / Q;
   const T longitudinal = x * x * inverse, lateral = e * e * inverse, spin = s * s * inverse;
@@ -93,13 +98,15 @@ std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_
 template <class T>
 Model<T> model(const RollingContact& c, const StripCalibration& calibration, const T& nu_x, const T& nu_y,
                const T& phi, Fault& fault) {
+  // The equivalent double ellipse, its coefficients of linear theory and its flexibilities. The fault of a
+  // shape beyond the tables is reported once.
   const Equivalent patch = equivalent(c);
   const double a = patch.a, b = patch.b, psi = patch.shape_number, u = slenderness(a / b);
   const SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
   Fault reported;
   const Flexibility flexibility = sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
 
-  // Forces of linear theory and what friction allows [N].
+  // Forces of linear theory and the friction limit mu N [N].
   const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
   const T longitudinal = stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi);
   const T lateral = (stiffness * linear.c22) * nu_y, spin = (stiffness * size * linear.c23) * phi;
@@ -118,22 +125,29 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   // Linear forces of the tractions sqrt(v/u) / 2, sqrt(uv) relative to those of v, uv, integrated over an
   // SDEC: creepage_area for creepages, pi / 4 for the part of spin that acts along x, 1 for the other part.
   constexpr double spin_area = pi / 4.0;
-  // The centre of an SDEC's length is at 8 / (3 pi) psi b: what shifts the neutral line must stiffen spin.
+  // The centre of an SDEC's length is at 8 / (3 pi) psi b: a shift of the neutral line towards it must
+  // stiffen spin, or C13 would change.
   constexpr double centre = 8.0 / (3.0 * pi);
   const double neutral = neutral_line(u, c.linear_theory->poisson(), psi);
+  const T l13 = flexibility.l13 * spin_area * (1.0 - neutral / centre) *
+                factor(fitted(StripCalibration::flexibility_spin_x));
+  const T l23 = flexibility.l23 * factor(fitted(StripCalibration::flexibility_spin_y));
   Model<T> m;
-  m.nu_x = nu_x;
-  m.nu_y = nu_y;
-  m.phi = phi;
   m.t11 = flexibility.l11;
   m.t22 = flexibility.l22;
   m.l11 = flexibility.l11 * creepage_area * factor(fitted(StripCalibration::flexibility_x));
   m.l22 = flexibility.l22 * creepage_area * factor(fitted(StripCalibration::flexibility_y));
-  m.l13 = flexibility.l13 * spin_area * (1.0 - neutral / centre) *
-          factor(fitted(StripCalibration::flexibility_spin_x));
-  m.l23 = flexibility.l23 * factor(fitted(StripCalibration::flexibility_spin_y));
-  m.neutral_y =
+
+  // Growth of adhesion tractions. Along x spin counts from the neutral line y_n [m], chi psi b of a double
+  // ellipse; the fitted part moves it to the axis as the patch saturates.
+  const T neutral_y =
       (patch.y_stiff - (centre - neutral) * psi * b) * (1.0 + fitted(StripCalibration::neutral_line));
+  m.gx_constant = nu_x / m.l11 + neutral_y * phi / l13;
+  m.gx_by_y = phi / l13;
+  m.gy_constant = nu_y / m.l22;
+  m.gy_by_x = phi / l23;
+
+  // Slip: turning, and elastic slip under the march's bound B u v, B = 4 mu (mean of p / l) / (3 a).
   m.turning = 1.4 * factor(fitted(StripCalibration::turning));
   m.B = 4.0 / (3.0 * a) * patch.pressure_per_length * c.friction.mean;
   m.elastic = m.B * creepage_area * (m.t11 - m.t22);
@@ -160,10 +174,10 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.phi = contact.creepage.spin;
   task.friction = contact.friction.mean;
   task.shares = contact.friction.shares;
-  task.gx_constant = coefficient(m.nu_x / m.l11 + m.neutral_y * m.phi / m.l13);
-  task.gx_by_y = coefficient(m.phi / m.l13);
-  task.gy_constant = coefficient(m.nu_y / m.l22);
-  task.gy_by_x = coefficient(m.phi / m.l23);
+  task.gx_constant = coefficient(m.gx_constant);
+  task.gx_by_y = coefficient(m.gx_by_y);
+  task.gy_constant = coefficient(m.gy_constant);
+  task.gy_by_x = coefficient(m.gy_by_x);
   task.l11 = value_of(m.l11);
   task.l22 = value_of(m.l22);
   task.t11 = m.t11;
@@ -175,18 +189,21 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   return task;
 }
 
-/// Where derivatives are found: here, or where creepages are so small that the forces' differences drown in
-/// rounding, or none, as far from rest as makes 1e-8 of what friction allows. Forces are linear up to there.
+/// The creepages at which derivatives are found: the contact's own; or, where these are so small that changes
+/// of the forces drown in rounding, others that make 1e-8 of the friction limit. Forces are linear up to
+/// there.
 Creepage away_from_rest(const RollingContact& contact) {
+  // nu ~ mu N / (G a b) saturates a patch; spin counts as a creepage by sqrt(a b) phi
   constexpr double least = 1e-8;
   const Creepage& c = contact.creepage;
   const double ab = contact.a * contact.b;
-  const double level = contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
+  const double saturating =
+      contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
   const double size =
       std::sqrt(c.longitudinal * c.longitudinal + c.lateral * c.lateral + ab * c.spin * c.spin);
-  if (size >= least * level) return c;
-  if (!(size > 0.0)) return {least * level, 0.0, 0.0};
-  const double scale = least * level / size;
+  if (size >= least * saturating) return c;
+  if (!(size > 0.0)) return {least * saturating, 0.0, 0.0};
+  const double scale = least * saturating / size;
   return {scale * c.longitudinal, scale * c.lateral, scale * c.spin};
 }
 
@@ -209,12 +226,13 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
   };
   simd::Sums sums;
   if (sensitivities) {
-    RollingContact moved = contact;
-    moved.creepage = away_from_rest(contact);
-    const Creepage& c = moved.creepage;
-    const Model<Number> m = model<Number>(moved, calibration, Number::input(c.longitudinal, 0),
+    // Derivatives come with the forces of their creepages; forces of other creepages are solved again.
+    RollingContact shifted = contact;
+    shifted.creepage = away_from_rest(contact);
+    const Creepage& c = shifted.creepage;
+    const Model<Number> m = model<Number>(shifted, calibration, Number::input(c.longitudinal, 0),
                                           Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
-    kernels.tangential.strip_fastsim_sensitivities(task_of(moved, m, fields), sums);
+    kernels.tangential.strip_fastsim_sensitivities(task_of(shifted, m, fields), sums);
     *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
     const Creepage& asked = contact.creepage;
     if (c.longitudinal != asked.longitudinal || c.lateral != asked.lateral || c.spin != asked.spin)
@@ -222,18 +240,17 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
   } else {
     forces(sums);
   }
-  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
-          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
+  return forces_of(sums);
 }
 
 StripMarch strip_march(const RollingContact& contact, const Creepage& c, Fault& fault) {
   const Model<double> m =
       model<double>(contact, fitted_calibration, c.longitudinal, c.lateral, c.spin, fault);
   const Equivalent patch = equivalent(contact);
-  return {.gx_constant = m.nu_x / m.l11 + m.neutral_y * m.phi / m.l13,
-          .gx_by_y = m.phi / m.l13,
-          .gy_constant = m.nu_y / m.l22,
-          .gy_by_x = m.phi / m.l23,
+  return {.gx_constant = m.gx_constant,
+          .gx_by_y = m.gx_by_y,
+          .gy_constant = m.gy_constant,
+          .gy_by_x = m.gy_by_x,
           .gx_by_nu_x = 1.0 / m.l11,
           .gy_by_nu_y = 1.0 / m.l22,
           .turn_x = m.turning * m.t11,

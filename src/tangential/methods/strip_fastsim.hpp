@@ -25,11 +25,11 @@
 ///  - Flexibilities: the adhesion tractions go like sqrt(v/u) for creepages and sqrt(u v) for spin instead
 ///    of v and u v; factors from integrating both over an SDEC restore the forces of linear theory.
 ///  - Spin stretches the surfaces along x by -phi y. Neighbouring strips resist each other's differences:
-///    the longitudinal adhesion tractions vanish not on the x axis but at the neutral line, y_n on the way to
-///    the patch's centre, and grow faster from there. Two numbers, slope and y_n, give C13 and C33 of linear
+///    the longitudinal adhesion tractions vanish not on the x axis but at the neutral line, y_n towards the
+///    patch's centre, and grow faster from there. Two numbers, slope and y_n, give C13 and C33 of linear
 ///    theory, and so the power of spin. As the patch saturates the line moves to the axis.
 ///  - Slip opposes the true rigid slip w plus the elastic slip, not the creepages each over its own
-///    flexibility: with those the force of large creepages points up to 7 degrees the wrong way. Under the
+///    flexibility: with those the force of large creepages is up to 7 degrees off its direction. Under the
 ///    semi-elliptic traction of a slipping strip du/dx is linear, 2 B L x; its part that differs between x
 ///    and y is kept.
 ///  - Calibration (strip_calibration.hpp): deviations of a patch of finite width from strip theory, smooth
@@ -65,16 +65,16 @@ Number neutral_line(const Number& u, double poisson, double shape_number) {
          0.077 * shape_number * shape_number;
 }
 
-/// What the patch, its load and the creepages make of the march, for strip_memory.hpp: in the strip at y
-/// adhesion tractions grow by -(gx_constant - gx_by_y y, gy_constant + gy_by_x x) per length [Pa/m].
+/// The march of a patch, its load and creepages, for strip_memory.hpp: in the strip at y adhesion tractions
+/// grow by -(gx_constant - gx_by_y y, gy_constant + gy_by_x x) per length [Pa/m].
 struct StripMarch {
   double gx_constant = 0.0, gx_by_y = 0.0, gy_constant = 0.0, gy_by_x = 0.0;
   double gx_by_nu_x = 0.0, gy_by_nu_y = 0.0;  ///< their slopes at fixed flexibilities
   double turn_x = 0.0, turn_y = 0.0;          ///< flexibilities with which slip turns tractions [m/Pa]
   double torsion = 0.0;                       ///< added to the lateral slip [-]
-  double elastic = 0.0;     ///< what the elastic slip differs by between x and y, per x [1/m]
-  double bound = 0.0;       ///< B of the bound B u v [Pa/m^2]
-  double a = 0.0, b = 0.0;  ///< of the double ellipse that stands for the patch [m]
+  double elastic = 0.0;                       ///< difference of the elastic slip between x and y, per x [1/m]
+  double bound = 0.0;                         ///< B of the bound B u v [Pa/m^2]
+  double a = 0.0, b = 0.0;  ///< semi-axes of the double ellipse that stands for the patch [m]
 };
 
 StripMarch strip_march(const RollingContact& contact, const Creepage& creepage, Fault& fault);

@@ -15,20 +15,20 @@ constexpr double all_remembered = 2.0, all_forgotten = 6.0;  // steps, in length
 constexpr double least_step = 1e-9;                          // the same: less is none
 constexpr double least = 1e-290;                             // keeps divisions finite
 
-// S G sqrt(ab) = compliance (a / b)^-slenderness_power: how the half-spaces give way as a whole. By Mindlin a
-// circle that sticks gives way by 0.43 / (G a) in all.
+// S G sqrt(ab) = compliance (a / b)^-slenderness_power [-], S the compliance of the half-spaces as a whole.
+// By Mindlin the compliance of a circle that sticks is 0.43 / (G a) in all.
 constexpr double compliance_x = 0.23, compliance_y = 0.205, slenderness_power = 0.2;
 
 /// Tractions of the march [Pa].
 struct Traction {
-  double x = 0.0, y = 0.0;  ///< of the part that grows evenly over the strip
+  double x = 0.0, y = 0.0;  ///< the part that grows evenly over the strip
   double spin = 0.0;        ///< lateral, the part k u v
 };
 
 Traction operator+(const Traction& p, const Traction& q) { return {p.x + q.x, p.y + q.y, p.spin + q.spin}; }
 Traction operator*(double f, const Traction& p) { return {f * p.x, f * p.y, f * p.spin}; }
 
-/// What is remembered of a strip.
+/// Memory of a strip.
 struct PastStrip {
   double y, centre, half_length;  ///< [m]
   double fx, fy;                  ///< its force, by the memory's cells [N]
@@ -38,10 +38,10 @@ struct PastStrip {
 
 struct Memory {
   std::int64_t capacity;  ///< strips
-  std::int64_t present;   ///< which of the two lists behind is remembered; the other is being written
-  std::int64_t count;     ///< strips of that list
-  std::int64_t written;   ///< of the other
-  double mean[cells];     ///< of sqrt(1 - s^2) over each cell; zero before the first step
+  std::int64_t present;   ///< the list of the two behind that is remembered; the other is being written
+  std::int64_t count;     ///< strips of the list that is remembered
+  std::int64_t written;   ///< strips of the other list
+  double mean[cells];     ///< mean of sqrt(1 - s^2) over each cell; zero before the first step
 
   PastStrip* list(std::int64_t which) { return reinterpret_cast<PastStrip*>(this + 1) + which * capacity; }
 };
@@ -52,7 +52,7 @@ struct Strip {
   double y, centre, half_length, width;
   double limit;              ///< mu times the peak pressure [Pa]
   double gx, gy, curvature;  ///< even growth of adhesion tractions [Pa/m], k [Pa/m^2]
-  double wx, wy, spin;       ///< slip at its middle, and what that grows by with x
+  double wx, wy, spin;       ///< slip at its middle [-], and its growth along y with x [1/m]
   double elastic, bound;     ///< StripMarch's, by the strip's share of friction
   double y_moment;           ///< y about the origin of the creepages [m]
 
@@ -63,8 +63,8 @@ struct Strip {
   double tau(double x) const { return std::max(0.0, bound * (x - trail()) * (lead() - x)); }
 };
 
-/// Forces, how much they grow against a creepage of the whole step, and what slides dissipates per distance
-/// [N].
+/// Forces [N] and moment [N m], slopes of the forces against a creepage of the whole step [N], power of the
+/// slip over the rolling speed [N].
 struct Sum {
   double fx = 0.0, fy = 0.0, mz = 0.0, stiff_x = 0.0, stiff_y = 0.0, power = 0.0;
 
@@ -90,6 +90,8 @@ Direction unit(double x, double y) {
 /// Direction of a slipping traction that was along e at the beginning of a path over which the bound was
 /// `tau`: the angle between it and minus the slip falls as in march.hpp.
 Direction turned(const Strip& s, const StripMarch& m, double x, double path, double tau, Direction e) {
+  // rigid and elastic slip w, z = path |w| / (flexibility tau), and tan(d/2) over 1 + z + z^2/2, d the angle
+  // to -w
   const double from_middle = x - s.centre;
   const double wx = s.wx + s.elastic * from_middle * e.x;
   const double wy = s.wy + (s.spin - s.elastic * e.y) * from_middle;
@@ -108,8 +110,8 @@ Direction turned(const Strip& s, const StripMarch& m, double x, double path, dou
 }
 
 /// Direction of the traction of a particle that slips at x, having come over `path` with (before_x, before_y)
-/// and with (px, py) if it had stuck: as it was when slip set in, or turned if it has slipped all the way;
-/// what lies between goes from one to the other.
+/// and with (px, py) if it had stuck: that of the onset of slip, or the turned one if it has slipped on all
+/// of the path, and between these in proportion to how near the bound the traction was before.
 Direction slipping(const Strip& s, const StripMarch& m, double x, double path, double before_x,
                    double before_y, double px, double py) {
   const Direction onset = unit(px, py);
@@ -122,7 +124,7 @@ Direction slipping(const Strip& s, const StripMarch& m, double x, double path, d
   return unit(onset.x + slipped * (last.x - onset.x), onset.y + slipped * (last.y - onset.y));
 }
 
-/// Share t at which slip set in: |c / t + (0, psi)| = 1.
+/// Share t at which slip set in: |c / t + (0, psi)| = 1, at most 1; 0: nowhere.
 double onset_share(double cx, double cy, double psi) {
   const double c2 = cx * cx + cy * cy, across = cy * psi, rest = 1.0 - psi * psi;
   const double root = std::sqrt(std::max(0.0, across * across + rest * c2));
@@ -136,6 +138,7 @@ double onset_share(double cx, double cy, double psi) {
 /// peak, to the sum.
 Traction roll(const Strip& s, const StripMarch& m, double x, double pressure, double path, Traction p,
               Sum& sum) {
+  // traction if it sticks: grown by g over the path, and by k u v of spin, whose growth changes along it
   const double before_x = p.x, before_y = p.y + p.spin;
   p.x -= s.gx * path;
   p.y -= s.gy * path;
@@ -144,14 +147,15 @@ Traction roll(const Strip& s, const StripMarch& m, double x, double pressure, do
   const double load = s.limit * pressure * s.width * s.cell();
   double x_share, y_share;
   if (px * px + py * py > tau * tau) {
+    // Slip: on the bound B u v, spin's part as in steady rolling, the rest even growth.
     const Direction e = slipping(s, m, x, path, before_x, before_y, px, py);
     p.spin = -s.curvature * (x - s.trail()) * (s.lead() - x);
     p.x = tau * e.x;
     p.y = tau * e.y - p.spin;
     x_share = e.x;
     y_share = e.y;
-    // What the traction lacks of what it had grown to if it had stuck, it has slid, half way at the pressure
-    // there.
+    // The traction it lacks, (p if it had stuck) - tau e, over its growth with the creepage is the distance
+    // slid; dissipated against the friction at the middle of the path.
     if (path > 0.0) {
       const double place = (x + 0.5 * path - s.centre) / s.half_length;
       const double half_way = s.limit * std::sqrt(std::max(0.0, 1.0 - place * place)) * s.width * s.cell();
@@ -159,6 +163,7 @@ Traction roll(const Strip& s, const StripMarch& m, double x, double pressure, do
       sum.power += half_way * slid / path;
     }
   } else {
+    // Stick: p / (mu p_n) = psi + c / (1 + sqrt(1 - t)), within the bound, and its slope against creepages.
     const double per_tau = 1.0 / std::max(tau, least);
     const double cx = p.x * per_tau, cy = p.y * per_tau, psi = p.spin * per_tau;
     const double share = 1.0 / (1.0 + std::sqrt(1.0 - onset_share(cx, cy, psi)));
@@ -193,15 +198,17 @@ Traction remembered(const PastStrip& past, double v) {
          (0.5 * g * (g + 1.0)) * past.traction[i + 1];
 }
 
-/// Where a particle comes from: how far it has rolled in contact, and with what it began.
+/// Origin of a particle: distance rolled in contact, and its traction at the beginning of it.
 struct Departure {
   double path;
   Traction traction;
 };
 
-/// Of one that is at x now, over a step h; the leading edge moves evenly from where it was. Without a strip
-/// it was beside the contact.
+/// Origin of the particle that is at x now, over a step h; the leading edge moves evenly from where it was.
+/// Without a strip it was beside the contact.
 Departure departure(const PastStrip* past, const Strip& s, double x, double h) {
+  // Behind the old leading edge: in contact all the time. Ahead of it: in contact since it met the edge,
+  // which closes the distance -behind at the rate `closing` per step.
   if (past == nullptr) return {std::min(h, s.lead() - x), {}};
   const double lead = past->centre + past->half_length, behind = lead - (x + h);
   if (behind > 0.0) return {h, remembered(*past, behind)};
@@ -216,6 +223,7 @@ struct Neighbours {
 };
 
 Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
+  // the nearest on either side; beyond the last one that alone
   Neighbours n;
   for (std::int64_t k = 0; k < count; ++k) {
     const PastStrip*& side = past[k].y <= y ? n.first : n.second;
@@ -238,12 +246,13 @@ Departure departure(const Neighbours& from, const Strip& s, double x, double h) 
           (1.0 - from.share) * one.traction + from.share * other.traction};
 }
 
-/// A patch on its way through a step.
+/// A patch during a step.
 class PatchStep {
  public:
   PatchStep(const RollingContact& contact, Memory& memory);
 
-  /// Rolls the memory on by h; `first`: from the list remembered, else from what this patch has written.
+  /// Rolls the memory on by h; `first`: from the list remembered, else from the strips this patch has
+  /// written.
   void step(double h, bool first, Fault& fault);
 
   /// The same cells in steady rolling; with `keep`, they are written.
@@ -266,7 +275,7 @@ class PatchStep {
   Creepage rigid_;
   Memory& memory_;
   PastStrip* written_;
-  double length_ = 0.0;                   // of the longest strip
+  double length_ = 0.0;                   // length of the longest strip [m]
   double creep_x_ = 0.0, creep_y_ = 0.0;  // dU/dq
   Sum sum_;                               // at the end of the last step
 };
@@ -276,6 +285,7 @@ PatchStep::PatchStep(const RollingContact& contact, Memory& memory)
       rigid_(contact.creepage),
       memory_(memory),
       written_(memory.list(1 - memory.present) + memory.written) {
+  // the patch's width in the coordinate of the memory, and its longest strip
   const Strips& region = contact.region;
   double low = 0.0, high = 0.0;
   for (std::int32_t j = 0; j < region.count; ++j) {
@@ -284,6 +294,7 @@ PatchStep::PatchStep(const RollingContact& contact, Memory& memory)
     low = j == 0 ? y - half : std::min(low, y - half);
     high = j == 0 ? y + half : std::max(high, y + half);
   }
+  // Forces before, and dU/dq as mean, of the strips remembered within that width: the patch's past.
   const PastStrip* const past = memory.list(memory.present);
   double strips = 0.0;
   for (std::int64_t k = 0; k < memory.count; ++k) {
@@ -357,6 +368,7 @@ void PatchStep::set_creep(double share) {
 // dU/dq = S (F - F_before) / h is solved with the forces' own slope, in one step from the dU/dq before: exact
 // where all sticks.
 void PatchStep::step(double h, bool first, Fault& fault) {
+  // One pass at the dU/dq before gives forces and their slopes; then the pass that counts.
   set_creep(1.0);
   StripMarch m = strip_march(contact_, contact_.creepage, fault);
   if (h > 0.0) {
@@ -376,6 +388,7 @@ void PatchStep::step(double h, bool first, Fault& fault) {
 }
 
 Sum PatchStep::steady(const StripMarch& m, bool keep) {
+  // from the leading edge on, half a cell to the first middle; a particle's past is the cell ahead
   Sum sum;
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     const Strip s = strip(m, j);
@@ -416,6 +429,7 @@ void begin_step(void* at) {
   Memory& memory = memory_at(at);
   memory.written = 0;
   if (memory.mean[0] > 0.0) return;
+  // means of sqrt(1 - s^2) over the cells, by its integral
   const auto integral = [](double s) {
     return 0.5 * (s * std::sqrt(std::max(0.0, 1.0 - s * s)) + arcsine(std::clamp(s, -1.0, 1.0)));
   };
@@ -433,20 +447,25 @@ void end_step(void* at) {
 
 TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields,
                                   Fault& fault) {
+  // Share of the memory: 1 up to all_remembered lengths rolled, 0 from all_forgotten on.
   PatchStep patch(contact, memory_at(contact.memory.at));
   const double lengths = contact.memory.rolled / std::max(patch.length(), least);
   const double t = std::clamp((lengths - all_remembered) / (all_forgotten - all_remembered), 0.0, 1.0);
   const double share = 1.0 - t * t * (3.0 - 2.0 * t);
+  // A long step: the steady method, and cells in steady rolling to be remembered.
   if (!(share > 0.0)) {
     patch.forget_creep();
     patch.steady(strip_march(contact, contact.creepage, fault), true);
     patch.finish();
     return strip_fastsim(contact, fields, fault);
   }
+  // The memory rolls on in parts of at most a cell, as far as the number of parts allows.
   const double rolled = lengths < least_step ? 0.0 : contact.memory.rolled;
   const std::int32_t steps = std::clamp(static_cast<std::int32_t>(std::ceil(lengths * cells)), 1, most_steps);
   for (std::int32_t k = 0; k < steps; ++k) patch.step(rolled / steps, k == 0, fault);
   patch.finish();
+  // Steady strip FASTSIM at the creepages with dU/dq, plus the memory's cells less the same cells in steady
+  // rolling.
   patch.set_creep(share);
   const Sum steady = patch.steady(strip_march(patch.contact(), patch.contact().creepage, fault), false);
   TangentialForces forces = strip_fastsim(patch.contact(), fields, fault);
@@ -457,10 +476,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   const double before = forces.power_per_speed;
   forces.power_per_speed = std::max(0.0, before + share * (patch.sum().power - steady.power));
   const double scale = before > 0.0 ? forces.power_per_speed / before : 1.0;
-  for (double* const slip : {fields.slip_x, fields.slip_y}) {
-    if (slip == nullptr) continue;
-    for (std::int32_t k = 0; k < contact.grid->cells * contact.region.count; ++k) slip[k] *= scale;
-  }
+  scale_slips(scale, static_cast<std::ptrdiff_t>(contact.grid->cells) * contact.region.count, fields);
   return forces;
 }
 

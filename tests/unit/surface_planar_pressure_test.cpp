@@ -84,7 +84,7 @@ TEST(Lobes, CutsMoveContinuouslyFromStripToStrip) {
     const LobeCuts cuts = find_lobes(place, value, 0, 11);
     ASSERT_EQ(cuts.count, 1);
     EXPECT_NEAR(cuts.of[0].place, middle, 1e-9);
-    EXPECT_NEAR(cuts.of[0].level, 0.1, 1e-12);
+    EXPECT_NEAR(cuts.of[0].value, 0.1, 1e-12);
     EXPECT_GT(cuts.of[0].place, before);
     before = cuts.of[0].place;
   }

@@ -1,6 +1,6 @@
-#include "base/fault.hpp"
-
 #include <gtest/gtest.h>
+
+#include "base/fault.hpp"
 
 namespace wrc {
 namespace {

@@ -1,4 +1,5 @@
-/// How offline calls are run, whichever file they lie in.
+/// Calls that may allocate: exceptions become faults, and the floating-point environment is the library's
+/// own.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 
 namespace wrc::abi {
 
-/// Everything offline: allocation may fail, and says so. `of`: what takes the memory.
+/// Runs `work`. `of` and `cause`: sentence where memory is short; nullptr: the status alone.
 template <typename Work>
 Fault guarded(Work&& work, const char* of = "grid",
               const char* cause = "the grid needs more memory than there is") {

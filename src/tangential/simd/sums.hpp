@@ -1,9 +1,14 @@
-/// From the derivatives a kernel gives to those a method gives.
+/// Results of a method from the sums of a kernel.
 #pragma once
 
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc {
+
+inline TangentialForces forces_of(const simd::Sums& sums) {
+  return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
+          sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
+}
 
 /// The forces are homogeneous of degree one in creepages and friction together, and load and friction act
 /// through their product: three derivatives give five.
@@ -12,6 +17,7 @@ inline TangentialSensitivities sensitivities_of(const simd::Sums& sums, const Cr
   const double forces[3] = {sums.fx, sums.fy, sums.mz};
   TangentialSensitivities s;
   for (int r = 0; r < 3; ++r) {
+    // Euler: F = nu_x dF/dnu_x + nu_y dF/dnu_y + phi dF/dphi + mu dF/dmu, and mu dF/dmu = N dF/dN
     const double* d = sums.d[r];
     const double by_creepages = d[0] * c.longitudinal + d[1] * c.lateral + d[2] * c.spin;
     const double by_friction = forces[r] - by_creepages;  // times friction

@@ -1,5 +1,3 @@
-#include "theory/generated_tables.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "kalker_printed_table.hpp"
 #include "linear_theory/ellipse_linear_theory.hpp"
 #include "linear_theory/linear_theory.hpp"
+#include "theory/generated_tables.hpp"
 #include "theory/sdec.hpp"
 
 namespace wrc {

@@ -1,9 +1,9 @@
-#include "base/elementary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "base/elementary.hpp"
 
 namespace wrc {
 namespace {

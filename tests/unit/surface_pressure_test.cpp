@@ -10,16 +10,26 @@
 #include "normal/elasticity/hertz_theory.hpp"
 #include "normal_gaps.hpp"
 #include "surface/pressure/pressure.hpp"
+#include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc {
 namespace {
 
+PressureModel model_of(double compliance) {
+  static const auto influence = [] {
+    auto made = std::make_unique<InfluenceTables>();
+    tabulate(*made);
+    return made;
+  }();
+  return {*influence, kernels_for(best_instruction_set()), compliance};
+}
+
 /// A flat rail's strips under a gap A x'^2 + B y'^2 whose axes are turned by an angle.
 struct TurnedGap {
   static constexpr double width = 0.25e-3;
   std::vector<std::int32_t> strip;
-  std::vector<double> place, widths, depth, curvature, middle, none, one;
+  std::vector<double> place, widths, depth, curvature, middle, ny, nz;
 
   TurnedGap(double A, double B, double angle, double approach) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -33,8 +43,8 @@ struct TurnedGap {
       depth.push_back(overlap);
       curvature.push_back(2.0 * xx);
       middle.push_back(-xy * y / (2.0 * xx));
-      none.push_back(0.0);
-      one.push_back(1.0);
+      ny.push_back(0.0);
+      nz.push_back(1.0);
     }
   }
 
@@ -49,11 +59,6 @@ struct TurnedGap {
   std::vector<double> L, shift, deep;
 
   PressureResult solve_from_start(double compliance, const PressureOptions& options = {}) {
-    static const auto influence = [] {
-      auto made = std::make_unique<InfluenceTables>();
-      tabulate(*made);
-      return made;
-    }();
     const std::size_t n = strip.size();
     const auto count = static_cast<std::int32_t>(n);
     RailStrips rail;
@@ -66,20 +71,19 @@ struct TurnedGap {
     overlaps.depth = depth.data();
     overlaps.curvature = curvature.data();
     overlaps.centre = middle.data();
-    overlaps.ny = none.data();
-    overlaps.nz = one.data();
+    overlaps.ny = ny.data();
+    overlaps.nz = nz.data();
     for (auto* a : {&length_squared, &peak_per_length, &centre, &line_load}) a->assign(n, 0.0);
     std::vector<double> workspace(static_cast<std::size_t>(pressure_doubles(count)));
     for (auto* a : {&L, &shift, &deep}) a->resize(n);
     start = {L.data(), shift.data(), deep.data(), start.set, start.extrapolated};
-    const PressureModel model{*influence, kernels_for(best_instruction_set()), compliance};
-    return solve_pressure(model, rail, overlaps, options, workspace.data(), start,
+    return solve_pressure(model_of(compliance), rail, overlaps, options, workspace.data(), start,
                           {length_squared.data(), peak_per_length.data(), centre.data(), line_load.data()});
   }
 };
 
 // Hertz's ellipse is a semi-ellipse along whatever strips it is cut into.
-TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
+TEST(SurfacePressure, HertzsEllipseLiesAskewToTheStrips) {
   const double compliance = test::steel.normal_compliance(), approach = 60e-6;
   for (const double ratio : {0.15, 0.4, 3.0})
     for (const double degrees : {0.0, 10.0, 30.0, 60.0}) {
@@ -105,8 +109,157 @@ TEST(SurfaceNormal, HertzsEllipseLiesAskewToTheStrips) {
     }
 }
 
+/// Derivatives of a solution: of a contact askew to strips that lie on an arc, by numbers that every strip
+/// has its own of. Input k of the four changes one of them: depth, deepest point, curvature, direction.
+struct ArcedGap : TurnedGap {
+  static constexpr double radius = 12e-3;  ///< [m]
+  std::vector<double> tilt;                ///< of the directions [rad]
+
+  ArcedGap() : TurnedGap(1.2, 3.0, 0.5, 60e-6) {
+    for (const double y : place) tilt.push_back(y / radius);
+    turn();
+  }
+  void turn() {
+    for (std::size_t i = 0; i < tilt.size(); ++i) {
+      ny[i] = std::sin(tilt[i]);
+      nz[i] = std::cos(tilt[i]);
+    }
+  }
+  /// Change of that number of strip i by one unit of input k.
+  double rate(int k, std::size_t i) const {
+    const double wave = std::sin(900.0 * place[i] + k);
+    const double rates[] = {1e-6 * (1.0 + wave), 1e-5 * wave, 0.1 * (1.0 - wave), 1e-2 * wave};
+    return rates[k];
+  }
+  void move(int k, double step) {
+    std::vector<double>* const of[] = {&depth, &middle, &curvature, &tilt};
+    for (std::size_t i = 0; i < place.size(); ++i) (*of[k])[i] += step * rate(k, i);
+    turn();
+  }
+  void solve_exactly(double compliance) {
+    start = {};
+    ASSERT_TRUE(solve_from_start(compliance, {.tolerance = 1e-12}).converged);
+  }
+  OverlapSlopes slopes(std::size_t i) const {
+    OverlapSlopes o;
+    o.depth = depth[i];
+    o.centre = middle[i];
+    o.curvature = curvature[i];
+    o.ny = ny[i];
+    o.nz = nz[i];
+    o.depth.d[0] = rate(0, i);
+    o.centre.d[1] = rate(1, i);
+    o.curvature.d[2] = rate(2, i);
+    o.ny.d[3] = nz[i] * rate(3, i);
+    o.nz.d[3] = -ny[i] * rate(3, i);
+    return o;
+  }
+};
+
+/// Numbers of the strips in contact, and their derivatives.
+struct DifferentiatedGap {
+  std::vector<std::size_t> number;
+  std::vector<double> place, width, line_load, length_squared, centre;
+  std::vector<PlaceDual> line_load_dual, length_squared_dual, centre_dual;
+
+  template <class Gap, class Slopes>
+  DifferentiatedGap(const Gap& gap, double compliance, const Slopes& slopes) {
+    std::vector<OverlapSlopes> overlap;
+    for (std::size_t i = 0; i < gap.place.size(); ++i) {
+      if (!(gap.length_squared[i] > 0.0)) continue;
+      number.push_back(i);
+      place.push_back(gap.place[i]);
+      width.push_back(gap.width);
+      line_load.push_back(gap.line_load[i]);
+      length_squared.push_back(gap.length_squared[i]);
+      centre.push_back(gap.centre[i]);
+      overlap.push_back(slopes(i));
+    }
+    const std::size_t n = number.size();
+    for (auto* dual : {&line_load_dual, &length_squared_dual, &centre_dual}) dual->resize(n);
+    PressedStrips s;
+    s.count = static_cast<std::int32_t>(n);
+    s.place = place.data();
+    s.width = width.data();
+    s.line_load = line_load.data();
+    s.length_squared = length_squared.data();
+    s.centre = centre.data();
+    s.overlap = overlap.data();
+    s.line_load_dual = line_load_dual.data();
+    s.length_squared_dual = length_squared_dual.data();
+    s.centre_dual = centre_dual.data();
+    std::vector<double> workspace(static_cast<std::size_t>(pressure_jacobian_doubles(s.count)));
+    differentiate_pressures(model_of(compliance), workspace.data(), s);
+  }
+};
+
+// Central differences of the solver, by every number of an overlap, in every unknown. Over so small steps
+// hardly a distance passes a node of the tables, where derivatives leap.
+TEST(SurfacePressure, DerivativesOfPressuresAreDifferencesOfSolutions) {
+  const double compliance = test::steel.normal_compliance(), step = 1e-6;
+  ArcedGap gap;
+  gap.solve_exactly(compliance);
+  const DifferentiatedGap there(gap, compliance, [&gap](std::size_t i) { return gap.slopes(i); });
+  ASSERT_GT(there.number.size(), 20u);
+  for (int k = 0; k < place_inputs; ++k) {
+    ArcedGap less, more;
+    less.move(k, -step);
+    more.move(k, step);
+    less.solve_exactly(compliance);
+    more.solve_exactly(compliance);
+    const struct {
+      const char* name;
+      const std::vector<PlaceDual>& dual;
+      const std::vector<double>&low, &high;
+    } unknowns[] = {{"q", there.line_load_dual, less.line_load, more.line_load},
+                    {"L", there.length_squared_dual, less.length_squared, more.length_squared},
+                    {"c", there.centre_dual, less.centre, more.centre}};
+    for (const auto& u : unknowns) {
+      SCOPED_TRACE(testing::Message() << u.name << " by input " << k);
+      double largest = 0.0, off = 0.0;
+      for (std::size_t a = 0; a < there.number.size(); ++a) {
+        const std::size_t i = there.number[a];
+        const double difference = (u.high[i] - u.low[i]) / (2.0 * step);
+        largest = std::fmax(largest, std::fabs(difference));
+        off = std::fmax(off, std::fabs(u.dual[a].d[static_cast<std::size_t>(k)] - difference));
+      }
+      EXPECT_GT(largest, 0.0);
+      EXPECT_LT(off, 2e-5 * largest);
+    }
+  }
+}
+
+// dN/d(approach) = 3/2 N / approach, dL/L = d(approach)/approach at the middle: Hertz.
+TEST(SurfacePressure, DerivativesOfPressuresAreHertzs) {
+  const double compliance = test::steel.normal_compliance(), approach = 60e-6;
+  for (const double degrees : {0.0, 30.0}) {
+    SCOPED_TRACE(degrees);
+    TurnedGap gap(1.2, 3.0, degrees * pi / 180.0, approach);
+    ASSERT_TRUE(gap.solve(compliance).converged);
+    const DifferentiatedGap there(gap, compliance, [&gap](std::size_t i) {
+      OverlapSlopes o;
+      o.depth = PlaceDual::input(gap.depth[i], place_z);
+      o.centre = gap.middle[i];
+      o.curvature = gap.curvature[i];
+      o.ny = 0.0;
+      o.nz = 1.0;
+      return o;
+    });
+    double load = 0.0, stiffness = 0.0, longest = 0.0, grows = 0.0;
+    for (std::size_t a = 0; a < there.number.size(); ++a) {
+      load += there.line_load[a];
+      stiffness += there.line_load_dual[a].d[place_z];
+      if (there.length_squared[a] <= longest) continue;
+      longest = there.length_squared[a];
+      grows = there.length_squared_dual[a].d[place_z];
+    }
+    EXPECT_NEAR(stiffness * approach / load, 1.5, 5e-3);
+    EXPECT_NEAR(grows * approach / longest, 1.0, 2e-2);
+  }
+}
+
 // Least squares, solved as the two equations that its definition gives; 0 where nothing is within reach.
-TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
+TEST(SurfacePressure, LinesGoThroughWhatIsNear) {
   constexpr int sources = 11, strips = 37;
   constexpr double reach = 4e-3, least = 1e-3;
   double source_place[sources], weight[sources], value[sources];
@@ -143,7 +296,7 @@ TEST(SurfaceNormal, LinesGoThroughWhatIsNear) {
 }
 
 // Lowered and moved along the rail at once, by what a wheel does in a millisecond or two.
-TEST(SurfaceNormal, AWarmStartFollowsItsOverlaps) {
+TEST(SurfacePressure, AWarmStartFollowsItsOverlaps) {
   const double compliance = test::steel.normal_compliance(), A = 1.0, B = 1.5;
   constexpr struct {
     double deeper, aside, left;  // [m], [m], of what moves otherwise: strips at the rim enter and leave
@@ -163,12 +316,12 @@ TEST(SurfaceNormal, AWarmStartFollowsItsOverlaps) {
       ASSERT_TRUE(gap.solve_from_start(compliance).converged);
       load[way] = 0.0;
       for (const double q : gap.line_load) load[way] += q;
-      // part of the area that the first sweep moves: the largest at which that is not the last one
+      // part of the area that the first iteration moves: the largest at which that is not the last one
       moved[way] = 1.0;
       for (TurnedGap again = before;; again = before, moved[way] *= 0.9)
         if (again.solve_from_start(compliance, {.tolerance = moved[way]}).iterations > 1) break;
     }
-    std::printf("first sweep moves %.4f, without %.4f\n", moved[followed], moved[as_before]);
+    std::printf("first iteration moves %.4f of the area, without %.4f\n", moved[followed], moved[as_before]);
     EXPECT_LT(moved[followed], motion.left * moved[as_before]);
     for (const int way : {as_before, followed}) EXPECT_NEAR(load[way], load[anew], 1e-7 * load[anew]);
   }

@@ -1,6 +1,4 @@
 // The table of methods: its rows against the enumerations, and against what the manual says of them.
-#include "contact/methods.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/methods.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc {
