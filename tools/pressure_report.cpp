@@ -71,13 +71,13 @@ class Case {
     load();
     return start_from_overlaps(problem(), overlaps_, options, w);
   }
-  Problem problem() const {
+  PressureProblem problem() const {
     return {kernels_for(best_instruction_set()),
             {influence_->tables(), influence_->mean_under.data()},
             steel.normal_compliance()};
   }
 
-  Scratch w;
+  PressureScratch w;
   const Material steel = {82e9, 0.28};
 
  private:
@@ -100,7 +100,8 @@ PressureOptions at_most(std::int32_t iterations) {
   return options;
 }
 
-void print_iteration(const char* stage, std::int32_t k, const StripSet& s, const Scratch& w, double end) {
+void print_iteration(const char* stage, std::int32_t k, const StripSet& s, const PressureScratch& w,
+                     double end) {
   double longest = 0.0, aside = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     longest = std::max(longest, std::sqrt(s.L[i]));
@@ -112,7 +113,7 @@ void print_iteration(const char* stage, std::int32_t k, const StripSet& s, const
 
 void trace(double A, double B, double degrees, double approach) {
   Case c(A, B, degrees, approach);
-  const Problem problem = c.problem();
+  const PressureProblem problem = c.problem();
   c.start({});
   const PressureResult result = iterate(problem, c.w.fine, PressureOptions{}.tolerance, any_change, {}, c.w);
   const double end = load_of(c.w.fine);
@@ -145,7 +146,7 @@ void trace(double A, double B, double degrees, double approach) {
 /// left.
 void print_map(double A, double B) {
   Case c(A, B, 0.0, 60e-6);
-  const Problem problem = c.problem();
+  const PressureProblem problem = c.problem();
   StripSet& s = c.w.fine;
   c.start({});
   PressureOptions exact;

@@ -20,6 +20,7 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   kxy_.assign(coefficients, 0.0);
   const bool shear = kernel == Kernel::shear || kernel == Kernel::shear_slip || kernel == Kernel::tangential;
   const bool couples = kernel == Kernel::coupling || kernel == Kernel::coupling_slip;
+  // which displacements, and whether they are differenced upstream, (u - u one cell ahead) / dx
   const bool differenced =
       kernel == Kernel::normal_slip || kernel == Kernel::tangential || kernel == Kernel::coupling_slip;
   // K / (pi G)

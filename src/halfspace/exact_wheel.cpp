@@ -15,6 +15,7 @@ namespace {
 // The knots of a curve of the real-time side, as the exact solver's own curve; z from that of the profile's
 // origin, which is the nominal radius in the wheel's curve.
 SectionCurve section_of(const Curve& curve, double z_of_origin) {
+  // knots are the pieces' beginnings and the last piece's end
   std::vector<double> y, z;
   for (std::int32_t k = 0; k <= curve.pieces; ++k) {
     const std::int32_t piece = std::min(k, curve.pieces - 1);
@@ -74,12 +75,14 @@ std::int32_t add_regions(const std::vector<RowForces>& rows, double cell_s, Wren
   Resultant resultant;
   double end = -1.0;  // arc length up to which a row continues the region [m]
   for (const RowForces& row : rows) {
+    // a row further than the next, or on another face, begins a region
     if (row.s > end || row.face != face) {
       resultant.close(wrench);
       ++regions;
     }
     end = row.s + 1.5 * cell_s;
     face = row.face;
+    // vector sum of the rows' normal forces
     const SineCosine turned = sine_cosine(row.angle);
     resultant.along += row.normal_force * cell_s * turned.cosine;
     resultant.across += row.normal_force * cell_s * turned.sine;

@@ -28,6 +28,7 @@ struct Direction {
   // A field as it is to one as the mirror shows it, or back; `along_x`: components along x, which change
   // sign.
   Field seen(const Grid& g, const Field& field, bool along_x) const {
+    // x -> -x: columns from the other end
     if (sign > 0.0) return field;
     Field out(field.size());
     for (int j = 0; j < g.ny; ++j) {
@@ -50,6 +51,8 @@ void find_sliding(const RollingSurfaces& surfaces, const SurfaceCells& cells, Co
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       if (!cells.points[at].found) continue;
+      // ahead of the cell's centre in the direction of rolling; the cell's own point on the wheel starts the
+      // search
       const double x = g.x(i) + ahead;
       surfaces.sliding(cells.rows[j], x, surfaces.point(cells.rows[j], x, cells.points[at].wheel_s),
                        direction.sliding_x[at], direction.sliding_y[at]);
@@ -109,6 +112,7 @@ Field friction_of_rows(const FaceProblem& in, const SurfaceCells& cells, const F
   const FrictionLaw& law = *state.law;
   Field friction(g.cells(), 0.0);
   for (int j = 0; j < g.ny; ++j) {
+    // sums over the row's cells in contact: squared sliding velocity, places on the wheel's profile
     double squares = 0.0, count = 0.0, on_wheel = 0.0;
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
@@ -135,6 +139,7 @@ Field friction_of_rows(const FaceProblem& in, const SurfaceCells& cells, const F
 
 // A field of one piece of the lattice on another; zero where they do not overlap.
 Field moved(const Grid& from, const Field& field, const Grid& to) {
+  // both are pieces of one lattice: whole cells apart
   Field out(to.cells(), 0.0);
   const int di = nearest_integer((to.x0 - from.x0) / from.dx);
   const int dj = nearest_integer((to.y0 - from.y0) / from.dy);
@@ -153,6 +158,7 @@ Fault at_edge(const FaceProblem& in, const SurfaceCells& cells, const Field& pre
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t at = g.index(i, j);
       if (pressure[at] <= 0.0) continue;
+      // within a cell of either end of the rail's or the wheel's profile
       const bool rail_ends = g.y(j) < g.dy || g.y(j) > in.face.section.length() - g.dy;
       const double on_wheel = cells.points[at].wheel_s;
       if (rail_ends || on_wheel < g.dy || on_wheel > in.bodies.wheel.length() - g.dy)
@@ -199,6 +205,7 @@ void sum_up(const FaceProblem& in, const SurfaceCells& cells, const Direction* d
   s.pressure_sum = s.area = s.peak_pressure = s.power = 0.0;
   s.row_forces.clear();
   for (int j = 0; j < g.ny; ++j) {
+    // sums per length of the row, in its own frame
     const SurfaceRow& place = s.rows[j];
     const SineCosine turned = sine_cosine(place.angle);
     RowForces row{.s = g.y(j), .y = place.y, .z = place.z, .angle = place.angle};
@@ -221,6 +228,7 @@ void sum_up(const FaceProblem& in, const SurfaceCells& cells, const Direction* d
       row.peak_pressure = std::max(row.peak_pressure, p);
       add_cell(in.state, cells, turned, i, j, lag, s);
     }
+    // and over the rows in contact
     if (row.normal_force <= 0.0) continue;
     s.pressure_sum += row.normal_force * g.dy;
     s.area += row.length * g.dy;
@@ -280,6 +288,7 @@ RollingFace::RollingFace(const FaceProblem& in, const RollingSurfaces& surfaces,
       turned_(s.grid.cells()) {
   if (in.bodies.coupling != 0.0)
     opening_.emplace(s.grid, in.bodies.material, Convolution::Kernel::coupling, angles, in.bodies.coupling);
+  // rigid sliding velocities of both directions: they differ by where on a cell the collocation wants them
   directions_[1].sign = -1.0;
   for (Direction& direction : directions_) {
     find_sliding(surfaces, cells, in.options.collocation, direction);
@@ -416,6 +425,7 @@ void RollingFace::solve(NormalSolver& normal, GapProblem& gap) {
 // Pressures alone, damped.
 void press_without_friction(const FaceProblem& in, const RollingSurfaces& surfaces, const SurfaceCells& cells,
                             NormalSolver& normal, const GapProblem& gap, SurfaceSolution& s) {
+  // no turn follows: tractions are zero
   const GapSolution pressed = normal.solve(gap);
   s.pressure = pressed.pressure;
   if (in.state.damping != 0.0) damp(surfaces, cells, in.state.damping, s.pressure);

@@ -22,6 +22,7 @@ struct Pass {
 };
 
 void radix2(const Pass& s) {
+  // sum; difference times exp(-i theta)
   const double c = s.cos[0], d = s.sin[0];
   for (std::size_t q = 0; q < s.count; ++q) {
     const double ar = s.in_re[q], ai = s.in_im[q];
@@ -109,6 +110,7 @@ void radix5(const Pass& s) {
 // Sine and cosine of 2 pi k / n, 0 <= k < n: of the angle within its quarter turn, in whole numbers, and that
 // many quarters.
 SineCosine root_of_unity(int k, int n) {
+  // angle = quarters * pi/2 + rest, 0 <= rest < pi/2: exact but for the rest's own rounding
   const int quarters = 4 * k / n;
   const SineCosine rest = sine_cosine(0.5 * pi * (4 * k - quarters * n) / n);
   switch (quarters) {

@@ -44,6 +44,7 @@ Fault check(const Grid& grid, const GapProblem& problem) {
   for (const double h : problem.gap) {
     if (!std::isfinite(h)) return Fault::not_finite("halfspace.gap", {h});
   }
+  // the load or the approach, whichever is prescribed; a load must press
   if (problem.prescribed == Prescribed::load &&
       !(problem.normal_force > 0.0 && std::isfinite(problem.normal_force))) {
     return Fault::load("load.normal_force", {problem.normal_force, "N"});
@@ -187,6 +188,7 @@ NormalSolver::NormalSolver(const Grid& grid, const Material& material, const Fie
     : grid_(grid), convolution_(grid, material, Convolution::Kernel::normal, angles) {}
 
 GapSolution NormalSolver::solve(const GapProblem& problem) {
+  // a problem that cannot be solved leaves zero pressure
   GapSolution s;
   s.pressure.assign(grid_.cells(), 0.0);
   s.fault = check(grid_, problem);

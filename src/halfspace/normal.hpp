@@ -4,6 +4,10 @@
 /// On every cell either p > 0 and the bodies touch, e = h + u_z(p) - delta = 0, or p = 0 and e >= 0: the
 /// minimum of p A p / 2 + p (h - delta) over p >= 0, found by conjugate gradients that add and drop cells as
 /// they go (Polonsky & Keer, Wear 231, 1999) with FFT convolutions as products.
+///
+///     h      GapProblem::gap        [m]     p      GapSolution::pressure  [Pa]
+///     delta  approach               [m]     u_z    displacement           [m]
+///     e      error = h + u_z - delta  [m]   A      influence: u_z = A p   [m/Pa]
 #pragma once
 
 #include "base/fault.hpp"

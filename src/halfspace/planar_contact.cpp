@@ -18,6 +18,7 @@ double friction_at(Contact& contact, double y) {
   double nearest = std::numeric_limits<double>::infinity(), friction = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
+    // regions share no strips: the nearest of all counts
     const Strips region = region_strips(contact, patch);
     const double* each = array(contact, Array::strip_friction) + patch.region_first;
     for (std::int32_t j = 0; j < region.count; ++j) {

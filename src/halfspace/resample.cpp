@@ -58,6 +58,7 @@ Field row_values(const Grid& fine, const Field& rows, const Grid& coarse) {
 Field interpolate(const Grid& coarse, const Field& field, const Field& weight, const Grid& fine) {
   Field out(fine.cells(), 0.0);
   for (int j = 0; j < fine.ny; ++j) {
+    // place among the coarse cells' centres, in cells; k0 and l0 may lie beyond the border
     const double v = (fine.y(j) - coarse.y0) / coarse.dy;
     const int k0 = static_cast<int>(std::floor(v));
     for (int i = 0; i < fine.nx; ++i) {

@@ -8,17 +8,9 @@
 namespace wrc::halfspace {
 namespace {
 
-struct Vector3 {
-  double x = 0.0, y = 0.0, z = 0.0;
-};
+using Vector3 = Vec3<double>;
 
-Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vector3 operator*(double f, const Vector3& a) { return {f * a.x, f * a.y, f * a.z}; }
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 Vector3 unit(const Vector3& a) { return 1.0 / std::sqrt(dot(a, a)) * a; }
 
 Vector3 to_wheel(const double (&r)[3][3], const Vector3& t) {
@@ -211,6 +203,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
     const double s_step = (e1 + gap_step * ray.y) * p.dy + (e2 + gap_step * ray_r) * p.dz;
     // shorter where s would move too far
     const double factor = longest_step / std::max(longest_step, std::abs(s_step));
+    // off the profile's ends there is no wheel to meet
     found.gap += factor * gap_step;
     found.wheel_s += factor * s_step;
     if (found.wheel_s < 0.0 || found.wheel_s > bodies_.wheel.length()) return found;
@@ -224,6 +217,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x, double whee
 }
 
 SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
+  // the ray in wheel axes, and its direction into the wheel
   constexpr double spacing = 2e-4;
   const Vector3 n = normal_of(row);
   const RailFall fallen = fall(row, x);
@@ -240,6 +234,7 @@ SurfacePoint RollingSurfaces::point(const SurfaceRow& row, double x) const {
     const SectionCurve::Point p = bodies_.wheel.at(s);
     if (-p.dz * normal.y + p.dy * normal.z < 0.2) continue;
     const double r = bodies_.nominal_radius + p.z;
+    // from the ray's start to the profile's point, in the plane of the axle through the start
     const Vector3 to{0.0, p.y - start.y, std::sqrt(std::max(r * r - start.x * start.x, 0.0)) - start.z};
     const double along = dot(to, normal);
     const Vector3 off = to - along * normal;
@@ -288,19 +283,19 @@ void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
 
 void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
   constexpr double farthest = 0.1, near_enough = 1e-7;  // [m]
-  const double way = gap_slope(row, at) > 0.0 ? -1.0 : 1.0;
+  const double direction = gap_slope(row, at) > 0.0 ? -1.0 : 1.0;
   // doubled steps downhill until the slope changes its sign, then halves
   double known = row.middle, step = 1e-3;  // the middle lies beyond `known`, by a step at most at last
-  for (; at.found && way * gap_slope(row, at) < 0.0 && step < farthest; step *= 2.0) {
+  for (; at.found && direction * gap_slope(row, at) < 0.0 && step < farthest; step *= 2.0) {
     known = row.middle;
-    row.middle += way * step;
+    row.middle += direction * step;
     at = point(row, row.middle, at.wheel_s);
   }
   double beyond = row.middle;
   while (at.found && std::abs(beyond - known) > near_enough) {
     row.middle = 0.5 * (known + beyond);
     at = point(row, row.middle, at.wheel_s);
-    (way * gap_slope(row, at) < 0.0 ? known : beyond) = row.middle;
+    (direction * gap_slope(row, at) < 0.0 ? known : beyond) = row.middle;
   }
 }
 
@@ -314,6 +309,7 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     row.radius = std::max(1.0 / bodies_.roller_curvature - p.z, least_radius);
   }
   if (surface_.varying != nullptr) {  // Lagrange's cubic through the strips beside it
+    // the four knots around s and their weights, L_k = prod over l != k of (s - s_l) / (s_k - s_l)
     const std::vector<double>& places = surface_.section.places();
     const auto above = std::upper_bound(places.begin(), places.end(), s) - places.begin();
     const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(places) - 4);
@@ -350,6 +346,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     if (normals == RowNormals::rail || !at.found) break;
     if (surface_.varying != nullptr) on_rail = rail_angle(row, s, row.middle);
     // Where the surfaces part at a large angle they do not touch: there the rail's normal will do.
+    // halfway between the wheel's normal angle and the rail's, whose middle moves with it: four rounds, or
+    // until it rests
     constexpr double largest_turn = 0.25;
     const double wheel_angle = arctangent2(-at.normal[1], at.normal[2]);
     const double turn = std::clamp(0.5 * (wheel_angle - on_rail), -largest_turn, largest_turn);
@@ -364,8 +362,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   return row;
 }
 
-void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
-                             double (&normal)[3]) const {
+RollingSurfaces::Motion RollingSurfaces::motion(const SurfaceRow& row, double x,
+                                                const SurfacePoint& at) const {
   const Vector3 n = normal_of(row);
   // velocity of the wheel's surface point: v + omega x arm
   const Vector3 rail_point{x, row.y + at.fall.y, row.z + at.fall.z};
@@ -380,6 +378,7 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
   Vector3 rail_velocity{0.0, rail_.velocity_y - rail_.velocity_roll * rail_arm_z,
                         rail_.velocity_z + rail_.velocity_roll * rail_arm_y};
   if (row.radius > 0.0) {  // about the axle, which lies at x = 0
+    // v = omega x r of the roller's surface
     const double from_axle = std::sqrt(row.radius * row.radius - x * x);
     rail_velocity = rail_velocity + rail_.turning * Vector3{-from_axle, x * roll_.sine, -x * roll_.cosine};
   }
@@ -389,27 +388,17 @@ void RollingSurfaces::motion(const SurfaceRow& row, double x, const SurfacePoint
   const Vector3 wheel_normal{at.normal[0], at.normal[1], at.normal[2]};
   const double rail_x = -(at.fall.slope_y * n.y + at.fall.slope_z * n.z);
   const Vector3 across = unit(n + Vector3{0.5 * (wheel_normal.x / dot(wheel_normal, n) + rail_x), 0.0, 0.0});
-  // as plain arrays
-  const Vector3* const from[] = {&velocity, &across};
-  double* const to[] = {moving, normal};
-  for (int k = 0; k < 2; ++k) {
-    to[k][0] = from[k]->x;
-    to[k][1] = from[k]->y;
-    to[k][2] = from[k]->z;
-  }
+  return {velocity, across};
 }
 
 double RollingSurfaces::approach(const SurfaceRow& row, double x, const SurfacePoint& at) const {
-  double v[3], n[3];
-  motion(row, x, at, v, n);
-  return v[0] * n[0] + v[1] * n[1] + v[2] * n[2];
+  const auto [velocity, across] = motion(row, x, at);
+  return dot(velocity, across);
 }
 
 void RollingSurfaces::sliding(const SurfaceRow& row, double x, const SurfacePoint& at, double& along_x,
                               double& along_row) const {
-  double v[3], n[3];
-  motion(row, x, at, v, n);
-  const Vector3 velocity{v[0], v[1], v[2]}, across{n[0], n[1], n[2]};
+  const auto [velocity, across] = motion(row, x, at);
   // axes of the plane across the mean normal: x's projection, and the row's tangent
   const Vector3 e_x = unit(Vector3{1.0, 0.0, 0.0} - across.x * across);
   along_x = dot(velocity, e_x);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/elementary.hpp"
+#include "base/vec3.hpp"
 #include "halfspace/grid.hpp"
 #include "halfspace/section_curve.hpp"
 #include "halfspace/wheel_deviation.hpp"
@@ -126,9 +127,12 @@ class RollingSurfaces {
   double approach(const SurfaceRow& row, double x, const SurfacePoint& at) const;
 
  private:
-  /// Velocity of the wheel's surface over the rail's at a cell, and the mean of both normals; track axes.
-  void motion(const SurfaceRow& row, double x, const SurfacePoint& at, double (&moving)[3],
-              double (&normal)[3]) const;
+  /// Velocity of the wheel's surface over the rail's at a cell [m/s], and the mean of both normals; track
+  /// axes.
+  struct Motion {
+    Vec3<double> velocity, normal;
+  };
+  Motion motion(const SurfaceRow& row, double x, const SurfacePoint& at) const;
   RailFall fall(const SurfaceRow& row, double x) const;
   /// Angle of the rail's normal about x [rad].
   double rail_angle(const SurfaceRow& row, double s, double x) const;

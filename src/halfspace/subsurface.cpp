@@ -49,6 +49,7 @@ StressField::StressField(const BodyLoads& loads)
       padded_y_(Fft::good_length(2 * grid_.ny - 1)),
       fft_x_(padded_x_),
       fft_y_(padded_y_) {
+  // transforms long enough that images of a load do not reach the cells
   const auto nx = static_cast<std::size_t>(padded_x_), ny = static_cast<std::size_t>(padded_y_);
   for (Field* each : {&kernel_re_, &kernel_im_, &work_re_, &work_im_}) each->assign(nx * ny, 0.0);
   const Field* const fields[3] = {&loads.pressure, &loads.traction_x, &loads.traction_y};
@@ -147,6 +148,7 @@ void StressField::evaluate(double z) {
 
 Stress StressField::at(std::size_t cell) const {
   const auto columns = static_cast<std::size_t>(grid_.nx);
+  // x slow, as backward_2d() leaves it
   const std::size_t k = cell % columns * static_cast<std::size_t>(padded_y_) + cell / columns;
   return {re_[0][k], im_[0][k], re_[1][k], im_[1][k], re_[2][k], im_[2][k]};
 }
@@ -183,6 +185,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
     solution.levels.resize(depths.size());
     return solution;
   }
+  // eleven depths in shares of that, closer together where von Mises stress of a rolling contact peaks
   const double size = 0.5 * std::min((last_i - first_i + 1) * grid.dx, (last_j - first_j + 1) * grid.dy);
   constexpr double shares[] = {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 0.95, 1.2, 1.5};
   constexpr int coarse = static_cast<int>(std::size(shares)), refined = 10;

@@ -24,6 +24,7 @@ std::vector<NearestCell> nearest_cells(const RollingSurfaces& surfaces, int latt
   deepest = -gap_apart;
   for (int j = 0; j < lattice; ++j) {
     NearestCell& c = nearest[static_cast<std::size_t>(j)];
+    // the row's middle is where its gap is smallest; that one cell stands for it here
     c.row = surfaces.row((j + 0.5) * options.cell_s, options.normals, c.found);
     if (!c.found) continue;
     c.middle = surfaces.point(c.row, c.row.middle);
@@ -75,6 +76,7 @@ Extent extent_below(double margin, const RollingSurfaces& surfaces, const std::v
 
 // The lattice's cells over the extent with a border; x = 0 is a cell's centre whatever the extent.
 Grid grid_over(const Extent& extent, int lattice, const SurfaceOptions& options) {
+  // rows stay on the rail; columns are counted from x = 0
   const int first = std::max(extent.first - border, 0);
   const int last = std::min(extent.last + border, lattice - 1);
   const int left = static_cast<int>(std::floor(extent.low / options.cell_x)) - border;

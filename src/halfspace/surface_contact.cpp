@@ -16,9 +16,11 @@ namespace {
 double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
   constexpr double spacing = 1e-3;
   double lowest = 0.0, top = 0.0;
+  // largest radius of the wheel over the nominal one [m]
   const auto on_wheel = static_cast<int>(bodies.wheel.length() / spacing);
   for (int k = 0; k <= on_wheel; ++k) lowest = std::max(lowest, bodies.wheel.at(spacing * k).z);
   if (bodies.out_of_round != nullptr) lowest += bodies.out_of_round->largest;
+  // highest point of the rolled rail, z down
   const SineCosine rolled = sine_cosine(rail.roll);
   bool first = true;
   for (const RailSurface& face : bodies.rail) {
@@ -35,6 +37,7 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
 
 Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
   const WheelOnRail& state = problem.state;
+  // one number that is not finite makes the sum so
   double sum = state.vertical_load + state.friction + state.rail.y + state.rail.z + state.rail.roll +
                state.rail.slope_y + state.rail.slope_z + state.rail.velocity_y + state.rail.velocity_z +
                state.rail.velocity_roll;
@@ -57,6 +60,7 @@ Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
 
 // Adds the solution of face f to the sums over all faces.
 void add_face(SurfaceSolution& one, std::size_t f, SurfaceSolution& s) {
+  // forces act at places of their own, about one reference point: moments add up
   for (int k = 0; k < 3; ++k) {
     s.force[k] += one.force[k];
     s.moment[k] += one.moment[k];
@@ -97,6 +101,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
     s.fault = Fault::no_contact();
     double sticking = 0.0;
     for (std::size_t f = 0; f < bodies_.rail.size() && !s.fault.failed(); ++f) {
+      // each face takes its share of the progress, and of the start its own
       const double per_face = 1.0 / static_cast<double>(bodies_.rail.size()),
                    begun = per_face * static_cast<double>(f);
       PartOfProgress part(progress, begun, begun + per_face);
@@ -111,6 +116,7 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
     }
     if (s.area > 0.0) s.adhesion_fraction = sticking / s.area;
   }
+  // back to the track's axes
   turned_wheel.turn_back(s.force);
   turned_wheel.turn_back(s.moment);
   along_rail.turn_back(s.force);
@@ -129,6 +135,7 @@ double SurfaceContact::first_touch(const WheelOnRail& in) const {
     state.wheel.position[2] = height;
     const SeenAlongRail along(bodies_, state);
     const TurnedAboveAxle turned(bodies_, state);
+    // smallest distance of all faces, seen along the rail as in at_height()
     double nearest = gap_apart;
     for (const RailSurface& face : bodies_.rail) {
       const RollingSurfaces surfaces(bodies_, face, state);
@@ -136,6 +143,7 @@ double SurfaceContact::first_touch(const WheelOnRail& in) const {
       for (int j = 0; j < rows; ++j) {
         bool found = false;
         const SurfaceRow row = surfaces.row((j + 0.5) * options_.cell_s, options_.normals, found);
+        // the row's gap along its normal is closed by moving down by gap / cos(angle)
         if (!found) continue;
         const double down = sine_cosine(row.angle).cosine;
         if (down < least_down) continue;
@@ -155,6 +163,7 @@ SurfaceSolution SurfaceContact::at_load(const SurfaceProblem& problem) const {
   SurfaceSolution s;
   const double load = problem.state.vertical_load, touch = first_touch(problem.state);
   const bool with_friction = problem.state.friction > 0.0;
+  // first touch carries nothing: the lower end of the bracket
   HeightSearch search(load);
   search.take(touch, 0.0, 0.0);
   double height = touch + 6e-5 * straightened(load / 8e4);  // Hertz's approach of a wheel on a rail, about
@@ -167,11 +176,13 @@ SurfaceSolution SurfaceContact::at_load(const SurfaceProblem& problem) const {
     const double begun = friction ? 0.1 : 0.0, rest = (with_friction && !friction ? 0.1 : 1.0) - begun;
     double nearest = 1.0;
     for (std::int32_t step = 0;; ++step, ++heights) {
+      // tractions of the height before are the start, moved on the lattice
       const SurfaceSolution start = std::move(s);
       const double decades = natural_log(nearest) / natural_log(tolerance);
       PartOfProgress part(problem.progress, begun + rest * decades, begun + rest * (0.5 + 0.5 * decades));
       s = at_height(problem.state, height, friction, friction ? &start : nullptr, part.callback());
       if (s.fault.failed()) break;
+      // met, or one more height between those known
       const double force = -s.force[2];
       nearest = std::clamp(std::abs(force - load) / load, tolerance, nearest);
       if (std::abs(force - load) <= tolerance * load) break;

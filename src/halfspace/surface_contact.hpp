@@ -13,6 +13,10 @@
 ///
 /// Pressures alone: state.friction = 0.
 ///
+///     h  gap                     [m]      p_n  pressure                [Pa]
+///     p  traction_x, traction_y  [Pa]     w    sliding velocity / V    [-]
+///     s  arc length of the rail  [m]      a    SurfaceRow::angle       [rad]
+///
 /// V, by which sliding velocities become slips, is the mean of the speeds at which both materials pass
 /// through the contact, over its pressure. Rolling backwards is forwards seen in a mirror across the axle,
 /// and below a small V the tractions are those of both ways by shares (geometry/creepages.hpp), as in real

@@ -23,6 +23,7 @@ void find_rigid_slip(const Grid& grid, RollingProblem& problem) {
   if (!problem.rigid_slip_x.empty()) return;
   const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
   const Creepage& c = problem.creepage;
+  // w = (nu_x - phi y, nu_y + phi x), x ahead of the cell's centre
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
       problem.rigid_slip_x.push_back(c.longitudinal - c.spin * grid.y(j));
@@ -144,6 +145,7 @@ class TransientStep {
 
 // The point of the disk of this radius nearest to (x, y).
 void into_disk(double radius, double& x, double& y) {
+  // g (x, y) / |(x, y)| outside of the disk
   const double length = std::sqrt(x * x + y * y);
   if (length <= radius) return;
   x *= radius / length;
@@ -187,6 +189,7 @@ double TransientStep::residual() {
     double x = px - rho_ * s.slip_x[c.at], y = py - rho_ * s.slip_y[c.at];
     s.state[c.at] = x * x + y * y > c.bound * c.bound ? CellState::slip : CellState::adhesion;
     into_disk(c.bound, x, y);
+    // numerator and denominator of the test, squared
     error += (px - x) * (px - x) + (py - y) * (py - y);
     norm += asked_squared(c.bound, px, py, rho_ * c.wx, rho_ * c.wy);
   }
@@ -334,6 +337,7 @@ Field compressive(const Field& pressure) {
 }
 
 Fault check(const Grid& grid, const RollingProblem& problem) {
+  // fields over the grid, of finite numbers
   if (problem.pressure.size() != grid.cells()) {
     return Fault::range("halfspace.pressure.size", {problem.pressure.size()});
   }
@@ -359,6 +363,7 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
   if (!(problem.tolerance > 0.0 && problem.tolerance < 1.0))
     return Fault::range("halfspace.tolerance", {problem.tolerance});
   if (problem.adhesion == Adhesion::full) return {};
+  // one coefficient or one per cell, none of them negative
   if (problem.friction.size() != 1 && problem.friction.size() != grid.cells()) {
     return Fault::range("halfspace.friction.size", {problem.friction.size()});
   }
@@ -432,6 +437,7 @@ RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
     find_rigid_slip(level.grid, problems[l]);
     // Work goes with the cells: a quarter of it on each coarser grid.
     const bool coarsest = l + 1 == problems.size();
+    // progress from the coarsest grid's share to the finest's
     const double done = std::ldexp(1.0, -2 * static_cast<int>(l));
     const double begun = coarsest ? 0.0 : done / 4.0;
     if (!OnGrid{level.grid, level.convolution, problems[l], solution}.solve(
@@ -454,6 +460,7 @@ TransientSolver::TransientSolver(const Grid& grid, const Material& material, dou
       traction_y_(grid.cells(), 0.0),
       pressure_(grid.cells(), 0.0) {
   using Kernel = Convolution::Kernel;
+  // like bodies move along each other under pressure by the same amount
   if (coupling == 0.0) return;
   pressed_ = std::make_unique<TurnedConvolution>(grid, material, Kernel::coupling, Field{}, coupling);
   pressed_steady_ =

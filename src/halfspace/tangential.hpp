@@ -11,6 +11,11 @@
 /// Between unlike bodies the pressure moves the surfaces along each other, too, which is part of w
 /// (tangential/exact/cell_influence.hpp, Kalker's K), and the energy balance is that of all of w.
 ///
+///     p    traction_x, traction_y on the wheel  [Pa]     s    slip_x, slip_y              [-]
+///     p_n  pressure                             [Pa]     w    rigid_slip_x, rigid_slip_y  [-]
+///     mu   friction                             [-]      g    bound = mu p_n              [Pa]
+///     u    displacement difference              [m]      rho  1 / largest coefficient     [Pa]
+///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
 #pragma once

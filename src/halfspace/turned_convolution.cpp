@@ -12,6 +12,7 @@ TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material,
       ny_(static_cast<std::size_t>(grid.ny)),
       planar_(grid, material, kernel, coupling),
       unused_(grid.cells()) {
+  // cos(a_i - a_j) = cos a_i cos a_j + sin a_i sin a_j, and the like for the sine: tabulated per row
   if (angles.empty()) return;
   by_cosine_.resize(grid.cells());
   by_sine_.resize(grid.cells());

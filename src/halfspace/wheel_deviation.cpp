@@ -50,6 +50,7 @@ WheelDeviation::Value WheelDeviation::row_at(int row, double place) const {
 // Between rows as the reach is (reach_at).
 WheelDeviation::Value WheelDeviation::at(double y, double place) const {
   int row = 0;
+  // rows beside y, and between them a blend without kinks, t^2 (3 - 2 t)
   while (row + 2 < wheel_.rows && y > wheel_.y[row + 1]) ++row;
   const Value here = row_at(row, place);
   if (wheel_.rows == 1) return here;

@@ -139,6 +139,7 @@ Conicity conicity_by_regression(const RadiusDifference& of, double amplitude, do
   if (!find_centre(of, amplitude, centre)) return {};
   // slope of the fit: integral of (y - centre) dr over that of (y - centre)^2, which is 2/3 amplitude^3
   const double from = centre - amplitude, to = centre + amplitude;
+  // exact over each straight piece: its middle's moment and its own slope's, width^3 / 12
   double moment = 0.0, y0 = from;
   for (std::uint32_t k = piece_at(of, from); y0 < to && k + 1 < of.count; ++k) {
     const double y1 = std::min(of.y[k + 1], to);

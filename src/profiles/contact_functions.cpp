@@ -19,6 +19,7 @@ struct Rigid {
   double close = 1e-13;  ///< tolerance of the heights' difference [m]
 
   Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) const {
+    // the one lowest point; z down, so that its vertical gap is the height at which the wheel touches
     const Bodies& bodies = model.bodies[static_cast<int>(side)];
     ContactPoint point;
     std::int32_t found = 0;

@@ -96,6 +96,7 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   worn.depth = deepest * worn.passages;
 
   // A wheel's steel is above its profile, a rail's below; z points down.
+  // off along the normal (-slope, 1) / root(1 + slope^2), into the steel; the area by trapezia
   const double into_steel = step.body == ProfileBody::wheel ? -1.0 : 1.0;
   worn.y.resize(depth.size());
   worn.z.resize(depth.size());
@@ -145,6 +146,7 @@ Fault measure_flange(std::uint32_t count, const double* y, const double* z, doub
   }
   // on the face, from the tip towards the tread, where it has a height
   const auto face = [&](double height, double& at) {
+    // steps of 0.1 mm along the face until it is above the height, then halves
     double low = tip_y, high = tip_y;
     const double step = 1e-4;
     while (high < 0.0 && evaluate(wheel, high).z > height) low = high, high += step;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "halfspace/surface_cells.hpp"
 #include "halfspace/surface_contact.hpp"
 #include "unit/halfspace_closed_forms.hpp"
 
@@ -96,6 +97,60 @@ TEST(HalfspaceTurnedConvolution, IsThePlainDoubleSum) {
       EXPECT_NEAR(tangential_y[at], sums[3], 1e-13 * slip_scale);
       EXPECT_NEAR(tangential_crossed[at], sums[4], 1e-13 * slip_scale);
     }
+  }
+}
+
+// Cells stand on a lattice of the rail, cover every overlap and go on beyond it; the deepest is the cone's.
+TEST(HalfspaceSurface, CellsCoverTheOverlapOnALatticeOfTheRail) {
+  const ConeOnArc contact{.angle = 10.0 * degree};
+  const WheelAndRail bodies = contact.bodies();
+  const WheelOnRail state = contact.state(0.0);
+  const RollingSurfaces surfaces(bodies, bodies.rail[0], state);
+  SurfaceOptions options;
+  const double length = bodies.rail[0].section.length();
+  const SurfaceCells cells = lay_cells(surfaces, length, options);
+  const Grid& g = cells.grid;
+  ASSERT_FALSE(cells.too_many);
+  ASSERT_EQ(cells.points.size(), g.cells());
+  // less by half a cell beside the deepest point, s^2 / (2 R), at most
+  EXPECT_LT(cells.deepest, contact.overlap + 1e-9);
+  EXPECT_GT(cells.deepest, contact.overlap - options.cell_s * options.cell_s / (8.0 * contact.radius) - 1e-9);
+  EXPECT_NEAR(g.x0 / g.dx, nearest_integer(g.x0 / g.dx), 1e-9);
+  EXPECT_NEAR(g.y0 / g.dy - 0.5, nearest_integer(g.y0 / g.dy - 0.5), 1e-9);
+  int overlapping = 0;
+  for (int j = 0; j < g.ny; ++j) {
+    for (int i = 0; i < g.nx; ++i) {
+      const SurfacePoint& p = cells.points[g.index(i, j)];
+      if (!p.found || p.gap > 0.0) continue;
+      ++overlapping;
+      EXPECT_TRUE(i >= 2 && i < g.nx - 2 && j >= 2 && j < g.ny - 2) << i << ' ' << j;
+    }
+  }
+  EXPECT_GT(overlapping, 100);
+  options.max_cells = g.cells() / 2;
+  EXPECT_TRUE(lay_cells(surfaces, length, options).too_many);
+}
+
+// The height found for a load carries it when it is given, with friction and without.
+TEST(HalfspaceSurface, HeightOfALoadCarriesThatLoad) {
+  const ConeOnArc contact{.angle = 5.0 * degree};
+  SurfaceOptions options;
+  options.cell_x = options.cell_s = 4e-4;
+  const SurfaceContact solver(contact.bodies(), options);
+  for (const double friction : {0.0, 0.3}) {
+    WheelOnRail state = contact.state(friction);
+    state.load_prescribed = true;
+    state.vertical_load = 50e3;
+    const SurfaceSolution by_load = solver.solve({.state = state});
+    ASSERT_EQ(by_load.fault.status, WRC_OK);
+    EXPECT_NEAR(-by_load.force[2] / 50e3, 1.0, options.load_tolerance);
+    EXPECT_LT(by_load.heights, 8);
+    state.load_prescribed = false;
+    state.wheel.position[2] = by_load.height;
+    const SurfaceSolution by_height = solver.solve({.state = state});
+    ASSERT_EQ(by_height.fault.status, WRC_OK);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(by_height.force[k], by_load.force[k], 2.0 * options.load_tolerance * 50e3) << k;
   }
 }
 

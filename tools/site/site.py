@@ -35,7 +35,7 @@ TABS = [
     ("Gallery", "gallery.md"),
     ("More", [("Members of structs", "members.md"), ("What is promised", "abi.md"), ("From 0.2 to 0.9", "interface_0_9.md"),
               ("Packages", "in_tools_packages.md"), ("Security, support", "SECURITY.md"), ("Changes", "CHANGELOG.md"),
-              ("Architecture", "architecture.md"), ("Pressure solver", "surface_solver.md"), ("Decisions", "decisions/README.md"),
+              ("Architecture", "architecture.md"), ("Pressure solver", "surface_solver.md"), ("Decisions", "in_docs_decisions.md"),
               ("Contributing", "CONTRIBUTING.md"), ("Code of others", "third_party.md")]),
 ]
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")

@@ -6,10 +6,11 @@ namespace wrc {
 namespace {
 
 constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
-constexpr std::int32_t paired_with_all = -1, paired_with_none = -2;  ///< values of Scratch::paired_count
+constexpr std::int32_t paired_with_all = -1,
+                       paired_with_none = -2;  ///< values of PressureScratch::paired_count
 
 /// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
-void list_active(const Problem& problem, const StripSet& s, Scratch& w) {
+void list_active(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   // By increasing place, so that kernels and sums have the order of the rail.
   ActiveStrips& active = w.active;
   active.count = 0;
@@ -41,7 +42,7 @@ simd::SurfaceStrips strips_of(std::int32_t count, double* place, double* width, 
 }
 
 /// Activates the strip with the largest overlap; false where none overlaps.
-bool activate_deepest(const StripSet& s, Scratch& w) {
+bool activate_deepest(const StripSet& s, PressureScratch& w) {
   std::int32_t deepest = 0;
   for (std::int32_t i = 1; i < s.count; ++i)
     if (s.depth[i] > s.depth[deepest]) deepest = i;
@@ -51,7 +52,7 @@ bool activate_deepest(const StripSet& s, Scratch& w) {
 }
 
 /// Deactivates strips whose load in w.solution pulls. Returns whether there are any.
-bool deactivate(Scratch& w) {
+bool deactivate(PressureScratch& w) {
   bool any = false;
   for (std::int32_t a = 0; a < w.active.count; ++a)
     if (w.solution[a] < 0.0) {
@@ -63,7 +64,7 @@ bool deactivate(Scratch& w) {
 
 /// Line loads of the active strips: M q = d - kappa/2 shift^2 by elimination, into w.solution. M is not
 /// symmetric: a column has its strip's length and width, a row only its place.
-void solve_loads(const Problem& problem, const StripSet& s, Scratch& w) {
+void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const std::int32_t n = w.active.count;
   const simd::SurfaceSources sources = sources_of(w.active);
   const std::int32_t size = (n + 3) / 4 * 4;
@@ -91,9 +92,9 @@ simd::SurfaceSources sources_of(const ActiveStrips& active) {
   return {active.count, active.place, active.centre, active.inverse_length, active.half_width, active.factor};
 }
 
-void forget_pairs(Scratch& w) { w.paired_count = paired_with_none; }
+void forget_pairs(PressureScratch& w) { w.paired_count = paired_with_none; }
 
-simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, Scratch& w) {
+simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   ActiveStrips& active = w.active;
   const std::int32_t n = active.count, first = active.index[0];
   const bool run = active.index[n - 1] - first + 1 == n;
@@ -121,7 +122,7 @@ simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, Scratch& 
   return {w.pairs.axis_place + at, w.pairs.cosine + at, w.pairs.correction + at, w.pairs.stride};
 }
 
-bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
   // Strips to ask. Displacements are never negative: nothing enters where there is no overlap.
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < s.count; ++i) {
@@ -154,7 +155,7 @@ bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratc
   return any;
 }
 
-void solve_contact(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w) {
+void solve_contact(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
   // Each round solves for all loads; near a solution the first one changes nothing.
   for (std::int32_t round = 0; round < most_rounds; ++round) {
     list_active(problem, s, w);

@@ -13,18 +13,18 @@ namespace wrc {
 /// Solves the contact condition; starts from w.in_contact, leaves the strips in contact in w.active and their
 /// line loads in w.solution. No strip is active where none overlaps. `everywhere`: all strips may be
 /// activated, else those next to contact.
-void solve_contact(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+void solve_contact(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
 
 /// Activates strips that would overlap under the loads in w.solution. Returns whether there are any.
-bool activate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
 
 /// The active strips, for kernels.
 simd::SurfaceSources sources_of(const ActiveStrips& active);
 
 /// The table of pairs without any pair in it.
-void forget_pairs(Scratch& w);
+void forget_pairs(PressureScratch& w);
 
 /// Pairs of all strips with the active ones; kept from one iteration to the next.
-simd::SurfacePairs pairs_of(const Problem& problem, const StripSet& s, Scratch& w);
+simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, PressureScratch& w);
 
 }  // namespace wrc

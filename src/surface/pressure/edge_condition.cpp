@@ -10,7 +10,7 @@ namespace wrc {
 namespace {
 
 /// Displacements at both edges of the active strips under their loads: w.u_leading, w.u_trailing [m].
-void displace_edges(const Problem& problem, const StripSet& s, Scratch& w) {
+void displace_edges(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   ActiveStrips& active = w.active;
   const std::int32_t n = active.count;
   // Sources by their loads in place of unit ones, so that the kernel's sums are displacements.
@@ -30,7 +30,7 @@ void displace_edges(const Problem& problem, const StripSet& s, Scratch& w) {
 /// met at both, drop = d_c - (u+ + u-)/2 = kappa/2 l^2 and u- - u+ = 2 kappa l shift. The drop is
 /// proportional to lambda at a given length, so that lambda* = lambda kappa/2 l^2 / drop, with lambda = q /
 /// l^2.
-void read_edges(const StripSet& s, Scratch& w) {
+void read_edges(const StripSet& s, PressureScratch& w) {
   const double *const leading = w.u_leading, *const trailing = s.skewed ? w.u_trailing : leading;
   for (std::int32_t a = 0; a < w.active.count; ++a) {
     const std::int32_t i = w.active.index[a];
@@ -47,7 +47,7 @@ void read_edges(const StripSet& s, Scratch& w) {
 
 /// lambda of active strips: means of edge_lambda over the strips within reach, weighted by their
 /// loads, so that a strip that enters changes nothing yet. Adds the lengths q / lambda to the residual.
-void smooth_lambda(const StripSet& s, Scratch& w) {
+void smooth_lambda(const StripSet& s, PressureScratch& w) {
   const ActiveStrips& active = w.active;
   for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
@@ -70,7 +70,7 @@ void smooth_lambda(const StripSet& s, Scratch& w) {
 
 }  // namespace
 
-void edge_residual(const Problem& problem, const StripSet& s, Scratch& w) {
+void edge_residual(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   ActiveStrips& active = w.active;
   const std::int32_t n = active.count;
   // Line loads. Where rounds of the active set were used up some may pull; they count as nothing.

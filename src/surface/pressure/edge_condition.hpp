@@ -9,6 +9,6 @@ namespace wrc {
 
 /// From the loads of solve_contact(): q and lambda of the strips, and in w.residual the moves that the
 /// fixed-point map asks for, q / lambda - L and (smoothed shift) - shift.
-void edge_residual(const Problem& problem, const StripSet& s, Scratch& w);
+void edge_residual(const PressureProblem& problem, const StripSet& s, PressureScratch& w);
 
 }  // namespace wrc

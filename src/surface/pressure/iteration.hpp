@@ -7,23 +7,23 @@
 
 namespace wrc {
 
-constexpr double any_change = 1e300;  ///< for `farthest`
+inline constexpr double any_change = 1e300;  ///< for `farthest`
 
 /// Iterates from the lengths and shifts in `s` until one moves less than the part `tolerance` of the area;
 /// the solution stands in `s`. Gives up after the first iteration where that moves more than the part
 /// `farthest`.
-PressureResult iterate(const Problem& problem, StripSet& s, double tolerance, double farthest,
-                       const PressureOptions& options, Scratch& w);
+PressureResult iterate(const PressureProblem& problem, StripSet& s, double tolerance, double farthest,
+                       const PressureOptions& options, PressureScratch& w);
 
 /// Evaluates the fixed-point map at the lengths and shifts in `s`: w.residual and w.change; `everywhere` as
 /// in solve_contact(). No strip is active after it where none overlaps.
-void evaluate(const Problem& problem, const StripSet& s, bool everywhere, Scratch& w);
+void evaluate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
 
 /// Preconditioner: turns the fixed-point residual in `step`, L and then shifts, into a step near that of
 /// Newton's method.
-void precondition(const StripSet& s, double* step, Scratch& w);
+void precondition(const StripSet& s, double* step, PressureScratch& w);
 
 /// Makes `s` and `w` ready for evaluate(), as iterate() does.
-void begin_iterations(StripSet& s, Scratch& w);
+void begin_iterations(StripSet& s, PressureScratch& w);
 
 }  // namespace wrc

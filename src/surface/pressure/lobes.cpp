@@ -36,6 +36,7 @@ void place_cut(const double* place, const double* value, std::int32_t j, LobeCut
 LobeCuts find_lobes(const double* place, const double* value, std::int32_t first, std::int32_t end) noexcept {
   LobeCuts cuts;
   for (std::int32_t j = first + 1; j + 1 < end; ++j) {
+    // Valleys between two humps; of equal strips the last one stands for the valley.
     if (!(value[j] <= value[j - 1] && value[j] < value[j + 1])) continue;
     const double left = hump(value, j, first - 1, -1), right = hump(value, j, end, 1);
     const double lower = smaller(left, right), higher = larger(left, right);
@@ -48,6 +49,7 @@ LobeCuts find_lobes(const double* place, const double* value, std::int32_t first
     const double within = smaller(larger(larger(filled, shoulder), 0.0), 1.0);
     cut.joined = within * within * (3.0 - 2.0 * within);
     if (!(cut.joined < 1.0)) continue;
+    // More borders than can be told apart: the caller is told, and later valleys are none.
     if (cuts.count == LobeCuts::capacity) {
       cuts.more = true;
       break;

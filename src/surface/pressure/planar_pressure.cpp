@@ -98,7 +98,8 @@ class Solver {
         height[k] = nearest + fall * away * away;
       }
     };
-    std::int32_t low = 0, high = n - 1;  // rows of the part itself
+    // Rows of the part itself, between its borders.
+    std::int32_t low = 0, high = n - 1;
     while (part.low && low < n && place(low) < part.low->place) ++low;
     while (part.high && high >= 0 && place(high) > part.high->place) --high;
     if (part.low) turn(*part.low, low - 1, -1, -1);
@@ -191,6 +192,7 @@ class Solver {
       const auto border = [&](std::int32_t i) {
         return memory_.place[i] + 0.5 * rail_.width[overlaps_.strip[i]];
       };
+      // Both lists increase: strips of the rail before this one are done with.
       while (from < run.end && border(from) <= low) ++from;
       for (std::int32_t i = from; i < run.end; ++i) {
         const double width = rail_.width[overlaps_.strip[i]], begin = border(i) - width;

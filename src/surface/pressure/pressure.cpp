@@ -63,9 +63,9 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
                               const PressureOptions& options, double* workspace, PressureStart& start,
                               const StripPressure& p) noexcept {
   Arena arena(workspace);
-  Scratch w = cut_pressure_scratch(arena, o.capacity);
+  PressureScratch w = cut_pressure_scratch(arena, o.capacity);
   StripSet& s = w.fine;
-  const Problem problem{
+  const PressureProblem problem{
       model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
   PressureResult result;
   bool started = load_strips(rail, o, start, s);

@@ -302,6 +302,7 @@ void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, Sc
 /// Back substitution for all right-hand sides, after the elimination has left a triangle with the inverses of
 /// its pivots on the diagonal.
 void substitute(const Size& size, Scratch& w) {
+  // x_i = (r_i - sum of a_ic x_c) / a_ii, all inputs at once.
   for (std::int32_t i = size.rows - 1; i >= 0; --i) {
     const double* const row = w.matrix + i * size.stride;
     double sum[inputs];

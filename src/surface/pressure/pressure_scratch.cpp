@@ -2,8 +2,8 @@
 
 namespace wrc {
 
-Scratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
-  Scratch w;
+PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
+  PressureScratch w;
   // Kernels read whole packs from any strip on: a pack more than the strips fill.
   const std::int64_t padded = simd::whole_packs(most) + simd::most_lanes;
   for (StripSet* s : {&w.fine, &w.coarse})

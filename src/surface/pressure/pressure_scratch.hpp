@@ -26,10 +26,10 @@
 
 namespace wrc {
 
-constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
+inline constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
 
 /// Constants of a solve.
-struct Problem {
+struct PressureProblem {
   const Kernels& kernels;
   simd::SurfaceTables tables;
   double compliance;  ///< C [1/Pa]
@@ -65,7 +65,7 @@ struct Change {
   double moved = 0.0, area = 1.0;  ///< sums over strips of w (|f_L| + |f_shift| l) and of w (L + f_L) [m^3]
 };
 
-struct Scratch {
+struct PressureScratch {
   StripSet fine, coarse;
   ActiveStrips active;
   std::int32_t* in_contact;            ///< each strip: 1 in the active set
@@ -89,7 +89,7 @@ struct Scratch {
 };
 
 /// Cuts the arrays for at most so many strips.
-Scratch cut_pressure_scratch(Arena& arena, std::int32_t most);
+PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most);
 
 /// Overlap at the centre of a strip's pressure, which lies beside the largest overlap under yaw:
 /// d - kappa/2 shift^2 [m].

@@ -15,7 +15,7 @@ constexpr double farthest_followed = 0.5;
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
-void pair_up(const Overlaps& o, Scratch& w) {
+void pair_up(const Overlaps& o, PressureScratch& w) {
   const StripSet& s = w.fine;
   StripSet& c = w.coarse;
   c.count = 0;
@@ -40,7 +40,7 @@ void pair_up(const Overlaps& o, Scratch& w) {
 }
 
 /// L and shifts of the strips on lines between the solved pairs.
-void interpolate_pairs(Scratch& w) {
+void interpolate_pairs(PressureScratch& w) {
   const StripSet &s = w.fine, &c = w.coarse;
   for (std::int32_t i = 0; i < s.count; ++i) {
     // The line runs through the strip's pair and the next one on the strip's side, if that is next to it.
@@ -60,8 +60,8 @@ void interpolate_pairs(Scratch& w) {
 
 }  // namespace
 
-std::int32_t start_from_overlaps(const Problem& problem, const Overlaps& o, const PressureOptions& options,
-                                 Scratch& w) {
+std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o,
+                                 const PressureOptions& options, PressureScratch& w) {
   // Half of the overlap's own squared half length, 2 d / kappa: Hertz's a^2 = R d between spheres.
   const StripSet& s = w.fine;
   for (std::int32_t i = 0; i < s.count; ++i) {

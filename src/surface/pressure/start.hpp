@@ -7,8 +7,8 @@ namespace wrc {
 
 /// Start from the overlaps w.fine has, into its L and shift: of a solution on pairs of strips, which is half
 /// the resolution and a quarter of the work per iteration. Returns the iterations spent.
-std::int32_t start_from_overlaps(const Problem& problem, const Overlaps& overlaps,
-                                 const PressureOptions& options, Scratch& w);
+std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps,
+                                 const PressureOptions& options, PressureScratch& w);
 
 /// Moves the lengths of an earlier solution in `s` as its overlaps have moved since. Returns whether they
 /// moved so little that this is a start.

@@ -11,7 +11,7 @@
 
 namespace wrc {
 
-/// F^(2/3): of Hertz's contact in proportion to the approach [N^(2/3)].
+/// Load to the power 2/3: in Hertz's contact in proportion to the approach [N^(2/3)].
 inline double straightened(double load) {
   return load > 0.0 ? natural_exp(natural_log(load) * (2.0 / 3.0)) : 0.0;
 }
@@ -22,14 +22,13 @@ class HeightSearch {
  public:
   explicit HeightSearch(double load) : load_(load), target_(straightened(load)) {}
 
-  /// Notes that `height` carries `load`, which is known to the part `doubt` of the one asked for.
+  /// Notes that `height` carries `load`; `doubt`: error of `load` relative to the load asked for.
   void take(double height, double load, double doubt) {
     const Place earlier = last_;
     last_ = {height, straightened(load) - target_, doubt};
-    // beyond doubt too little or too much: an end of the bracket
     if (magnitude(load - load_) > doubt * load_) (last_.value < 0.0 ? low_ : high_) = last_;
     if (!earlier.known() || height == earlier.height) return;
-    // the slope, unless the rise is within the doubts or the load fell on the way down
+    // a slope from two loads counts where their difference stands out of their errors
     const double risen = last_.value - earlier.value, known_to = (doubt + earlier.doubt) * target_;
     const double secant = risen / (height - earlier.height);
     if (magnitude(risen) > known_to && secant > 0.0) slope_ = secant;
@@ -43,22 +42,21 @@ class HeightSearch {
     slow_ = 0;
   }
 
-  /// Nothing is left between the heights.
+  /// The heights of too little and too much load coincide.
   bool exhausted() const {
     return low_.known() && high_.known() && std::abs(high_.height - low_.height) < 1e-16;
   }
 
-  /// Where to look after the last height, in the search's step `step`, counted from 0. `stiffness`: about how
-  /// fast the load grows with the height, read where that was not seen yet [N/m]; 0: not known.
+  /// The height after the last one, in the search's step `step`, counted from 0. `stiffness`: estimated
+  /// growth of the load with the height, read before there are two loads [N/m]; 0: not known.
   double next(std::int32_t step, double stiffness) const {
-    // d(F^(2/3))/dz = 2/3 F^(-1/3) dF/dz, and F^(1/3) is the root of the straightened load
+    // secant, or f' = 2/3 F^(-1/3) dF/dh; at most `far`, which doubles from step to step
     const double slope = slope_ > 0.0 ? slope_ : stiffness / (1.5 * root(target_));
-    // no further than a step that doubles: beyond first touch the load says nothing
     const double far = 60e-6 * static_cast<double>(1 << std::min(step, 10));
     const double asked_for = slope > 0.0 ? -last_.value / slope : last_.value < 0.0 ? far : -far;
     const double height = last_.height + smaller(larger(asked_for, -far), far);
     if (!(low_.known() && high_.known())) return height;
-    // between the ends of the bracket; by halves where secants leave it or no longer shrink the error
+    // between both: halving where the secant leaves the interval or brings little
     const double low = smaller(low_.height, high_.height), high = larger(low_.height, high_.height);
     const bool slow = slow_ > 1 && magnitude(last_.value) > worth_halving * target_;
     return slow || !(height > low && height < high) ? 0.5 * (low + high) : height;
@@ -66,7 +64,7 @@ class HeightSearch {
 
  private:
   static constexpr double worth_halving =
-      1e-5;  ///< relative error of the straightened load below which it is rounding
+      1e-5;  ///< part of the straightened load: slower than that is rounding
 
   struct Place {
     double height = 0.0, value = 0.0;  ///< [m], of the straightened load less the target
@@ -74,9 +72,9 @@ class HeightSearch {
     bool known() const { return doubt >= 0.0; }
   };
 
-  double load_, target_;
-  double slope_ = 0.0;  ///< straightened load over height [N^(2/3)/m]
-  Place low_, high_;    ///< too little and too much beyond doubt
+  double load_, target_;  ///< asked for [N], and straightened
+  double slope_ = 0.0;    ///< derivative of the straightened load by the height
+  Place low_, high_;      ///< too little and too much beyond doubt
   Place last_;
   std::int32_t slow_ = 0;  ///< steps in a row that brought little
 };
