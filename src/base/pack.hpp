@@ -1,9 +1,9 @@
 /// Numbers as wide as the instruction set this unit is compiled for: one strip per lane.
 ///
-/// Included by the units of src/kernels only, each compiled for another instruction set. Everything is in
-/// an unnamed namespace, and nothing of the standard library's templates is used: symbols that these units
-/// generate is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy
-/// of a function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
+/// Included by src/*/simd only, which is compiled once for each instruction set. Everything is in an unnamed
+/// namespace, and nothing of the standard library's templates is used: what these units generate
+/// is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy of a
+/// function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
 ///
 /// The bits of a lane are those of the same operations on a double: no operation here looks across lanes,
 /// none is approximate, and nothing is contracted (-ffp-contract=off).
@@ -248,7 +248,7 @@ inline Mask operator>(Pack x, Pack y) { return y < x; }
 inline Mask operator>=(Pack x, Pack y) { return y <= x; }
 inline bool any(Mask x) { return any_lane(either(x.a, x.b)); }
 
-/// Value that decides between branches: the value of a number with derivatives, here every lane.
+/// What decides between branches: of a number with derivatives its value, here every lane.
 inline Pack value_of(Pack x) { return x; }
 inline Pack select(Mask m, Pack yes, Pack no) { return {choose(m.a, yes.a, no.a), choose(m.b, yes.b, no.b)}; }
 inline Pack root(Pack x) { return {root_of(x.a), root_of(x.b)}; }
@@ -276,7 +276,7 @@ inline Pack whole_part(Pack a) {
 #endif
 }
 
-/// The bits of a pack, from which exponents are read.
+/// The bits of a pack, for what is read off them.
 using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
 struct Bits {
   NativeBits a, b;
@@ -309,8 +309,7 @@ inline void keep_indices(Bits whole, Indices& i) {
   __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
   __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
 }
-/// Forces later reads of the lanes to go to memory: gcc pulls each lane out of the vector, at three times the
-/// cost.
+/// Lets what follows read them from memory: gcc pulls each lane out of the vector, at three times the cost.
 inline void by_way_of_memory(Indices& i) { __asm__("" : "+m"(i)); }
 inline Indices indices(Bits whole) {
   Indices i;

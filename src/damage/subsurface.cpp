@@ -216,10 +216,10 @@ void LoadLanes::add_patch(const Strips& region, const double* pressure, const Ta
 void LoadLanes::add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
                            const double* across, double x, double y, double z, double spared_length,
                            simd::StressParts& sum) const {
-  kernels_.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
-                             lane.pressure * lane.width * std::abs(lane.half_length), count, rule.place,
-                             rule.weight, along, across, spared_length},
-                            sum);
+  kernels_.damage.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
+                                    lane.pressure * lane.width * std::abs(lane.half_length), count,
+                                    rule.place, rule.weight, along, across, spared_length},
+                                   sum);
 }
 
 void LoadLanes::add_cells(std::int32_t which, std::int32_t first, std::int32_t last, double x, double y,
@@ -261,7 +261,7 @@ void LoadLanes::flush(double z, Corners& corners, simd::StressParts& sum) const 
     corners.x[count] = corners.y[count] = 1.0;
     corners.pressure[count] = corners.along[count] = corners.across[count] = 0.0;
   }
-  kernels_.stress_of_corners(
+  kernels_.damage.stress_of_corners(
       {poisson_, z, count, corners.x, corners.y, corners.pressure, corners.along, corners.across}, sum);
   corners.count = 0;
 }

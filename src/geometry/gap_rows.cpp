@@ -171,15 +171,16 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
   }
 
   const double step = (window.high - window.low) / (count - 1);
-  const bool converged = kernels.fill_rows({.rail = &rail,
-                                            .wheel = &wheel,
-                                            .contact = &contact,
-                                            .rail_piece = piece_at(rail.profile, contact.y),
-                                            .wheel_piece = piece_at(wheel.wheel->profile, contact.wheel_s),
-                                            .low = window.low,
-                                            .step = step,
-                                            .count = count,
-                                            .memory = &memory});
+  const bool converged =
+      kernels.geometry.fill_rows({.rail = &rail,
+                                  .wheel = &wheel,
+                                  .contact = &contact,
+                                  .rail_piece = piece_at(rail.profile, contact.y),
+                                  .wheel_piece = piece_at(wheel.wheel->profile, contact.wheel_s),
+                                  .low = window.low,
+                                  .step = step,
+                                  .count = count,
+                                  .memory = &memory});
 
   rows = {count, memory.y, memory.height, memory.centre, memory.curvature};
   if (!converged) return Fault::iteration_cap("gap rows");

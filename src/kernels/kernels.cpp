@@ -1,22 +1,32 @@
 #include "kernels/kernels.hpp"
 
 namespace wrc {
-namespace simd {
 
-extern const Kernels baseline_kernels;
+// The table of a set: those that src/*/simd/kernels.cpp define when they are compiled for it.
+#define WRC_KERNELS_OF(SET)                                                            \
+  namespace simd::SET {                                                                \
+  extern const GeometryKernels geometry_kernels;                                       \
+  extern const NormalKernels normal_kernels;                                           \
+  extern const TangentialKernels tangential_kernels;                                   \
+  extern const SurfaceKernels surface_kernels;                                         \
+  extern const DamageKernels damage_kernels;                                           \
+  constexpr Kernels kernels = {InstructionSet::SET, geometry_kernels, normal_kernels,  \
+                               tangential_kernels,  surface_kernels,  damage_kernels}; \
+  }
+
+WRC_KERNELS_OF(baseline)
 #if defined(__x86_64__)
-extern const Kernels avx2_kernels, avx512_kernels;
+WRC_KERNELS_OF(avx2)
+WRC_KERNELS_OF(avx512)
 #endif
-
-}  // namespace simd
 
 const Kernels& kernels_for(InstructionSet set) {
 #if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return simd::avx512_kernels;
-  if (set == InstructionSet::avx2) return simd::avx2_kernels;
+  if (set == InstructionSet::avx512) return simd::avx512::kernels;
+  if (set == InstructionSet::avx2) return simd::avx2::kernels;
 #endif
   static_cast<void>(set);
-  return simd::baseline_kernels;
+  return simd::baseline::kernels;
 }
 
 }  // namespace wrc

@@ -1,4 +1,4 @@
-/// What every normal method asks of its input before it starts.
+/// Checks of the input that all normal methods share, and their common beginning.
 #pragma once
 
 #include "normal/problem.hpp"
@@ -6,17 +6,17 @@
 namespace wrc {
 
 /// Gap rows usable (at least four, finite, y increasing, curvature > 0), material, load or approach in order,
-/// room for the strips. WRC_FLAG_NO_CONTACT for a load or an approach of zero: `output.count` is then zero
+/// memory for the strips. WRC_FLAG_NO_CONTACT for a load or an approach of zero: `output.count` is then zero
 /// and there is nothing to solve.
 Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcept;
 
-/// Where the undeformed bodies first touch.
+/// First touch of the undeformed bodies.
 struct FirstTouch {
   GapMinimum lowest;
-  GapRow row;  ///< there
+  GapRow row;  ///< of the gap at lowest.y
 };
 
-/// How most methods begin: the solution cleared, the problem checked, first touch found.
+/// Beginning of most methods: the solution cleared, the problem checked, first touch found.
 Fault begin_solution(const NormalProblem& problem, Strips& output, NormalSolution& solution,
                      FirstTouch& touch) noexcept;
 

@@ -11,7 +11,7 @@
 
 namespace wrc {
 
-/// What the elastic force of any normal method, its pressure and its stiffness are multiplied by:
+/// Factor to the elastic force of any normal method, its pressure and its stiffness:
 /// 1 + (3/2) alpha d(approach)/dt, never below zero [-]. `approach_rate` positive while the bodies near each
 /// other [m/s], `alpha` >= 0 [s/m]: for small alpha v the coefficient of restitution at the impact speed v is
 /// 1 - alpha v.

@@ -1,4 +1,4 @@
-/// The normal problem every method of this room solves, and the solution it returns.
+/// The normal problem that all methods of this module solve, and the solution it returns.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace wrc {
 
-/// Which of the two is given; the other is a result. As wide as a double: it is part of a contact's saved
+/// The quantity that is given; the other is a result. As wide as a double: it is part of a contact's saved
 /// state, which has no padding.
 enum class Prescribed : std::int64_t { load, approach };
 
@@ -21,9 +21,9 @@ struct NormalProblem {
   Material material;
   Prescribed prescribed = Prescribed::load;
   double normal_force = 0.0;  ///< [N], prescribed == load
-  double approach = 0.0;      ///< [m], prescribed == approach: how far the bodies are pressed together beyond
-                              ///< first touch (gap minimum taken as zero)
-  const GapMinimum* touch = nullptr;  ///< where they touch first, for methods that solve a patch about that
+  double approach = 0.0;  ///< [m], prescribed == approach: motion towards each other since first touch (gap
+                          ///< minimum taken as zero)
+  const GapMinimum* touch = nullptr;  ///< first touch, for methods that solve a patch about that
                                       ///< point; nullptr: at the gap's minimum
   double deepest =
       std::numeric_limits<double>::max();  ///< approach the rows are good for, if they do not end

@@ -9,6 +9,7 @@ namespace {
 /// Slope of the height at row j from the parabola through the row and its neighbours (one-sided at the ends).
 double row_slope(const GapRows& rows, std::int32_t j) {
   const std::int32_t middle = std::clamp(j, 1, rows.count - 2);
+  // Slope and second derivative of the parabola through three rows at unequal distances.
   const double left = rows.y[middle] - rows.y[middle - 1];
   const double right = rows.y[middle + 1] - rows.y[middle];
   const double drop = rows.height[middle] - rows.height[middle - 1];
@@ -34,6 +35,7 @@ double GapReader::move(double y) noexcept {
   while (j > 0 && y < rows_.y[j]) --j;
   while (j < last - 1 && y >= rows_.y[j + 1]) ++j;
   if (j == interval_) return y - from_;  // outside the rows, or the last row itself
+  // The cubic of the new interval; its first slope is known if it follows the last one read.
   const bool next = interval_ >= 0 && j == interval_ + 1;
   interval_ = j;
   from_ = rows_.y[j];
@@ -77,6 +79,7 @@ struct Parabola {
 /// by their span, which keeps the 3 x 3 normal equations well conditioned.
 Parabola fit_parabola(const double* x, const double* h, std::int32_t first, std::int32_t last) {
   const double count = static_cast<double>(last - first + 1);
+  // t = (x - mean) / span; sums of t^k and h t^k over the points.
   double mean = 0.0;
   for (std::int32_t i = first; i <= last; ++i) mean += x[i] / count;
   const double scale = x[last] - x[first];
@@ -108,6 +111,7 @@ Parabola fit_parabola(const double* x, const double* h, std::int32_t first, std:
 Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* centre, double* curvature) {
   for (std::int32_t j = 0; j < grid.rows; ++j) {
     const double* h = grid.h + j * grid.row_stride;
+    // The run of points around the lowest that lie less than `depth` above it, three at least.
     const auto lowest = static_cast<std::int32_t>(std::min_element(h, h + grid.columns) - h);
     std::int32_t first = std::clamp(lowest - 1, 0, grid.columns - 3);
     std::int32_t last = first + 2;
@@ -136,6 +140,7 @@ GapMinimum minimum(const GapRows& rows, double low, double high) {
   const double* const y_end = rows.y + rows.count;
   const auto first = static_cast<std::int32_t>(std::lower_bound(rows.y, y_end, low) - rows.y);
   const auto end = static_cast<std::int32_t>(std::upper_bound(rows.y, y_end, high) - rows.y);
+  // The lowest row within the limits; without one the limits lie in one interval.
   std::int32_t lowest = -1;
   if (first < end)
     lowest =
@@ -145,6 +150,7 @@ GapMinimum minimum(const GapRows& rows, double low, double high) {
     low = std::max(low, rows.y[std::max(lowest - 1, 0)]);
     high = std::min(high, rows.y[std::min(lowest + 1, rows.count - 1)]);
   }
+  // The minimum at a limit, else at the root of the slope on the side of the lowest row that falls.
   const auto may_be_lowest = [&](const GapRow& row) {
     return lowest < 0 || row.height <= rows.height[lowest];
   };

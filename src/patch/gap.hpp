@@ -31,10 +31,10 @@ struct GapRows {
 
 /// The gap of the row at one y, between the given rows.
 struct GapRow {
-  double height = 0.0;
-  double slope = 0.0;  ///< d height / dy [-]
-  double centre = 0.0;
-  double curvature = 0.0;
+  double height = 0.0;     ///< [m]
+  double slope = 0.0;      ///< d height / dy [-]
+  double centre = 0.0;     ///< x of the least gap [m]
+  double curvature = 0.0;  ///< d2h/dx2 [1/m]
 };
 
 /// Interpolates the rows at y: cubic Hermite with three-point slopes in height (C1, so that patch borders
@@ -60,7 +60,7 @@ class GapReader {
     return c0_ + d * (c1_ + d * (c2_ + d * c3_));
   }
 
-  /// Where the height is least between low and high, which lie in one interval: the slope is negative at
+  /// y of the least height between low and high, which lie in one interval: the slope is negative at
   /// `low` and not at `high` [m].
   double lowest_between(double low, double high) noexcept;
 
@@ -95,10 +95,10 @@ struct GapGrid {
 /// values each. WRC_ERROR_GAP names the first row that is not convex there.
 Fault rows_from_grid(const GapGrid& grid, double depth, double* height, double* centre, double* curvature);
 
-/// Where two bodies first touch: minimum of the interpolated height around the lowest row.
+/// First touch of two bodies: minimum of the interpolated height around the lowest row.
 struct GapMinimum {
-  double y = 0.0;
-  double height = 0.0;
+  double y = 0.0;       ///< [m]
+  double height = 0.0;  ///< [m]
 };
 GapMinimum minimum(const GapRows& rows);
 

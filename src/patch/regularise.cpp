@@ -10,6 +10,7 @@ namespace wrc {
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept {
   sdec = {};
   if (!(patch.area > 0.0)) return Fault::no_contact();
+  // Criteria of the header: (2) or (2b) gives b, (1) a = area / (pi b), (3) psi.
   const double width = patch.y_max - patch.y_min;
   sdec.b =
       criterion == SecondCriterion::width ? 0.5 * width : std::sqrt(patch.area / pi * width / patch.length);

@@ -13,6 +13,7 @@ namespace wrc {
 inline std::int32_t patch_end(const Strips& strips, std::int32_t first) noexcept {
   std::int32_t j = first + 1;
   while (j < strips.count) {
+    // Distance of the middles of strips that share a border [m].
     const double reach = 0.5 * (strips.width[j - 1] + strips.width[j]);
     if (std::abs(strips.y[j] - strips.y[j - 1] - reach) > 1e-6 * reach) break;
     ++j;

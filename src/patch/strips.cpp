@@ -9,6 +9,7 @@ namespace wrc {
 StripTotals totals(const Strips& strips) {
   StripTotals sum;
   if (strips.count == 0) return sum;
+  // Extent along x [m]: from the rearmost trailing to the foremost leading edge.
   double trail = strips.centre[0] - strips.half_length[0];
   double lead = strips.centre[0] + strips.half_length[0];
   for (std::int32_t j = 0; j < strips.count; ++j) {

@@ -1,5 +1,5 @@
-/// The contact patch as strips along the rolling direction: what every normal method produces and every
-/// tangential method consumes.
+/// The contact patch as strips along the rolling direction: results of normal methods, input of tangential
+/// methods.
 ///
 /// In strip j the pressure is semi-elliptic over the strip,
 ///

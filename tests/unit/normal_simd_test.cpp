@@ -95,11 +95,11 @@ struct RowOfStrips {
   static constexpr std::size_t room = 64 + 2 * simd::beyond_sources;
   std::int32_t count;
   std::vector<double> memory;
-  double *y, *width, *centre, *inverse_length, *strength, *edge, *half_width, *found;
+  double *y, *width, *centre, *inverse_length, *line_load, *edge, *half_width, *found;
 
   RowOfStrips(std::int32_t strips, double skew) : count(strips), memory(8 * room, 0.0) {
     double* next = memory.data() + simd::beyond_sources;
-    for (double** array : {&y, &width, &centre, &inverse_length, &strength, &edge, &half_width, &found}) {
+    for (double** array : {&y, &width, &centre, &inverse_length, &line_load, &edge, &half_width, &found}) {
       *array = next;
       next += room;
     }
@@ -109,7 +109,7 @@ struct RowOfStrips {
       centre[j] = skew * y[j];
       const double half_length = 4e-3 + 0.5e-3 * std::sin(0.4 * j);
       inverse_length[j] = 1.0 / half_length;
-      strength[j] = width[j] * half_length;
+      line_load[j] = width[j] * half_length;
       edge[j] = centre[j] + half_length;
       half_width[j] = 0.5 * width[j] * inverse_length[j];
     }
@@ -124,7 +124,7 @@ TEST(Kernels, InfluenceIsTheDisplacementUnderAStrip) {
                                      s.inverse_length,  false};
       std::vector<double> row(RowOfStrips::room);
       for (const std::int32_t j : {0, count / 2, count - 1}) {
-        kernel->influence_row(task, j, row.data());
+        kernel->normal.influence_row(task, j, row.data());
         for (std::int32_t i = 0; i < count; ++i) {
           if (i == j) continue;  // left to the caller
           const double from = s.y[i] - s.y[j] - 0.5 * s.width[i];
@@ -141,7 +141,7 @@ TEST(Kernels, InfluenceOfShiftedStripsFollowsTheQuadrature) {
     const simd::InfluenceTask task{tables().tables(), 60, s.y, s.width, s.centre, s.inverse_length, true};
     std::vector<double> row(RowOfStrips::room);
     for (std::int32_t j = 0; j < 60; j += 7) {
-      kernel->influence_row(task, j, row.data());
+      kernel->normal.influence_row(task, j, row.data());
       for (std::int32_t i = 0; i < 60; ++i) {
         if (std::abs(i - j) <= 8) continue;  // corrected for their width
         const double inverse = s.inverse_length[i];
@@ -157,36 +157,37 @@ TEST(Kernels, EdgesSeeAllStrips) {
   for (const Kernels* kernel : all_kernels())
     for (const std::int32_t count : {1, 2, 5, 6, 8, 9, 17, 31, 60}) {
       RowOfStrips s(count, 0.1), pairs(count, 0.1);
-      // Pair k at the middle of strips k and k + 1, with the strength of both; the outermost strips alone.
+      // Pair k at the middle of strips k and k + 1, with the line_load of both; the outermost strips alone.
       const auto alone = [&](std::int32_t k, std::int32_t a) {
         pairs.y[k] = s.y[a];
         pairs.centre[k] = s.centre[a];
         pairs.inverse_length[k] = s.inverse_length[a];
-        pairs.strength[k] = s.strength[a];
+        pairs.line_load[k] = s.line_load[a];
       };
       for (std::int32_t k = 0; k + 1 < count; ++k) {
-        const double load = s.strength[k] / s.inverse_length[k] + s.strength[k + 1] / s.inverse_length[k + 1];
+        const double load =
+            s.line_load[k] / s.inverse_length[k] + s.line_load[k + 1] / s.inverse_length[k + 1];
         pairs.y[k] = 0.5 * (s.y[k] + s.y[k + 1]);
         pairs.centre[k] = 0.5 * (s.centre[k] + s.centre[k + 1]);
         pairs.inverse_length[k] = 0.5 * (s.inverse_length[k] + s.inverse_length[k + 1]);
-        pairs.strength[k] = load * pairs.inverse_length[k];
+        pairs.line_load[k] = load * pairs.inverse_length[k];
       }
       alone(count - 1, count - 1);
       alone(-1, 0);
-      kernel->edge_displacements({tables().tables(),
-                                  count,
-                                  {s.y, s.centre, s.inverse_length, s.strength},
-                                  {pairs.y, pairs.centre, pairs.inverse_length, pairs.strength},
-                                  s.edge,
-                                  s.y,
-                                  s.half_width,
-                                  s.found});
+      kernel->normal.edge_displacements({tables().tables(),
+                                         count,
+                                         {s.y, s.centre, s.inverse_length, s.line_load},
+                                         {pairs.y, pairs.centre, pairs.inverse_length, pairs.line_load},
+                                         s.edge,
+                                         s.y,
+                                         s.half_width,
+                                         s.found});
       for (std::int32_t a = 0; a < count; ++a) {
-        double exact = s.strength[a] * tables().own_edge(s.half_width[a]);
+        double exact = s.line_load[a] * tables().own_edge(s.half_width[a]);
         for (std::int32_t b = 0; b < count; ++b)
           if (b != a)
-            exact += s.strength[b] * line_potential(std::abs(s.y[a] - s.y[b]) * s.inverse_length[b],
-                                                    std::abs(s.edge[a] - s.centre[b]) * s.inverse_length[b]);
+            exact += s.line_load[b] * line_potential(std::abs(s.y[a] - s.y[b]) * s.inverse_length[b],
+                                                     std::abs(s.edge[a] - s.centre[b]) * s.inverse_length[b]);
         EXPECT_NEAR(s.found[a], exact, 2e-3 * exact) << "edge " << a << " of " << count;
       }
     }
@@ -205,7 +206,7 @@ TEST(Kernels, EliminationSolvesTheEquations) {
         matrix[i * stride + i] += 0.6 * size;
       }
       const std::vector<double> given = matrix;
-      kernel->eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
+      kernel->normal.eliminate({size, simd::elimination_stride(size), matrix.data(), r.data(), s.data()});
       for (std::size_t i = 0; i < n; ++i) {
         double left_r = given[i * stride + n], left_s = given[i * stride + n + 1];
         for (std::size_t j = 0; j < n; ++j) {

@@ -271,7 +271,7 @@ TEST(SurfacePressure, LinesGoThroughWhatIsNear) {
   std::vector<double> place(64, 0.0), inverse(64, 1.0 / reach), at(64, -1.0);
   for (int i = 0; i < strips; ++i) place[static_cast<std::size_t>(i)] = 0.4e-3 * i;
   for (const InstructionSet set : {InstructionSet::baseline, best_instruction_set()}) {
-    kernels_for(set).near_lines(
+    kernels_for(set).surface.near_lines(
         {strips, place.data(), inverse.data(), least, sources, source_place, weight, value, at.data()});
     for (int i = 0; i < strips; ++i) {
       SCOPED_TRACE(i);

@@ -106,8 +106,6 @@ def arrows_back(graph):
         a = node.split("/")
         for target in targets:
             b = target.split("/")
-            if a[0] == "kernels" and node != "kernels/kernels.hpp":
-                continue  # its units read the bodies of all modules' simd folders
             if a[0] != b[0] and (b[0] not in level or level[b[0]] > level[a[0]]):
                 back.append((node, target))
             if a[0] == b[0] == "surface" and len(a) > 2 and len(b) > 2 and a[1] in STAGES and b[1] in STAGES:

@@ -23,7 +23,8 @@ NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a tab
 WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
 # The manuals in the order of a reader; pages that are not here go to the last entry, decisions into one of their own.
 TABS = [
-    ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"), ("Accuracy", "accuracy.md"),
+    ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
+    ("Accuracy", [("Results", "accuracy.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
     ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),

@@ -19,6 +19,7 @@ double integral_of_log(double t) { return t == 0.0 ? 0.0 : t * (natural_log(std:
 /// J(tau) = 2 D / r, k' = tau / r, r = sqrt(1 + tau^2): the displacement of a line of half length 1, and its
 /// slope.
 constexpr Slope line_slope(double tau) {
+  // k^2 = 1 / (1 + tau^2), dk^2 / dtau = -2 tau k^4.
   const double m = 1.0 / (1.0 + tau * tau);
   const double inverse_r = square_root(m);
   const double complement = tau * inverse_r;
@@ -47,6 +48,7 @@ double line_displacement(double half_length, double y) noexcept {
   const double tau = std::abs(y) / half_length;
   // A line far away: pi / (2 tau), bent by its second moment.
   if (tau >= line_axis.node(line_axis.intervals())) return 0.5 * pi / tau * (1.0 - 0.125 / (tau * tau));
+  // Between: the tabulated cubic.
   const auto [index, t] = line_axis.locate(tau);
   return line_table[static_cast<std::size_t>(index)].at(t);
 }
@@ -67,15 +69,16 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
     return width * (line_displacement(l, middle) + 2.0 * series * l / r);
   }
   const double y = std::max(std::abs(middle), 1e-6 * l);  // the rest is flat there: y^2 ln y
+  // The smooth rest, J + 2 ln(y / l), at the middle; its logarithm integrated over the width exactly.
   const double rest = line_displacement(l, y) + 2.0 * natural_log(y / l);
   return width * rest - 2.0 * l * (integral_of_log(y_to / l) - integral_of_log(y_from / l));
 }
 
 double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
                        Strips& strips) noexcept {
-  // The pressures are found last: until then their place holds what each strip does at the point.
-  kernels.displacements_at({&line_table[0].c0, x, y, strips.count},
-                           {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
+  // Displacement at the point by each strip. The array of the pressures, found last, holds it until then.
+  kernels.normal.displacements_at({&line_table[0].c0, x, y, strips.count},
+                                  {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
 
   double displacement = 0.0;  // per unit of peak / half length and of the compliance [m^2]
   double load = 0.0;          // per unit of peak / half length [m^3]
@@ -83,6 +86,7 @@ double impose_approach(const Kernels& kernels, double approach, const Material& 
     const double dy = strips.y[j] - y;
     const double l = strips.half_length[j];
     double by_strip = strips.peak[j];
+    // Strips at the point: the logarithm integrated. The factor is that of a middle shifted in x (header).
     if (std::abs(dy) < 1.001 * strips.width[j]) {
       const double shift = strips.centre[j] - x, half_width = 0.5 * strips.width[j];
       by_strip = l * strip_displacement(l, dy - half_width, dy + half_width) *
@@ -91,9 +95,10 @@ double impose_approach(const Kernels& kernels, double approach, const Material& 
     displacement += by_strip;
     load += 0.5 * pi * l * l * strips.width[j];
   }
-  const double level = approach / (material.normal_compliance() * displacement);
-  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] = level * strips.half_length[j];
-  return level * load;
+  // One factor to all pressures makes the displacement at (x, y) the approach; the load follows from it.
+  const double peak_per_length = approach / (material.normal_compliance() * displacement);
+  for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] = peak_per_length * strips.half_length[j];
+  return peak_per_length * load;
 }
 
 }  // namespace wrc

@@ -21,7 +21,7 @@ double line_displacement(double half_length, double y) noexcept;
 /// the strip's borders.
 double strip_displacement(double half_length, double y_from, double y_to) noexcept;
 
-/// Gives every strip the pressure peak_j proportional to its half length, at the level that makes the
+/// Gives every strip the pressure peak_j proportional to its half length, scaled so that the
 /// displacement at the point (x, y) equal to the approach: the one contact condition of the Kik-Piotrowski
 /// family. Returns the load of the strips [N].
 ///

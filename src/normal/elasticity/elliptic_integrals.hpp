@@ -45,6 +45,7 @@ constexpr CompleteElliptic complete_elliptic(double complementary_modulus) noexc
 
   // The mean's differences c_n obey c_0 = k, c_{n+1} = c_n^2 / (4 a_{n+1}), and K - E = (K / 2) sum 2^n
   // c_n^2. Carrying q_n = c_n^2 / k^2 instead gives D, which is finite for k -> 0.
+  // Arithmetic and geometric mean a, b of (1, k'); they meet at pi / (2 K).
   double a = 1.0;
   double b = kc;
   double q = 1.0;
@@ -60,12 +61,13 @@ constexpr CompleteElliptic complete_elliptic(double complementary_modulus) noexc
     sum += weight * q;
   }
   // The rest without further roots: 1 / mean(a, b) = (2 / (a + b)) (1 + h^2 / 4 + 9 h^4 / 64 + ..),
-  // h = (a - b) / (a + b), and one more term of the sum; what is left out is below 1e-17.
+  // h = (a - b) / (a + b), and one more term of the sum; the terms left out are below 1e-17.
   const double last = 0.5 * (a + b);
   const double h = (a - b) / (a + b);
   sum += 2.0 * weight * (k2 * q * q / (16.0 * last * last));
 
   CompleteElliptic value;
+  // K = pi / (2 mean), D = K sum / 2, E = K - k^2 D.
   value.k = 0.5 * pi / last * (1.0 + 0.25 * h * h);
   value.d = 0.5 * value.k * sum;
   value.e = value.k - k2 * value.d;
@@ -80,6 +82,7 @@ constexpr EllipticDerivatives by_parameter(const CompleteElliptic& at,
                                            double complementary_modulus) noexcept {
   const double mc = complementary_modulus * complementary_modulus;
   const double m = (1.0 - complementary_modulus) * (1.0 + complementary_modulus);
+  // dK/dm = B / (2 k'^2), dD/dm = (B - k'^2 D) / (2 m k'^2), B = K - D.
   const double b = at.k - at.d;
   // m -> 0: Int sin^4 t dt / 2
   const double d = m < 1e-9 ? 3.0 / 32.0 * pi : (b - mc * at.d) / (2.0 * m * mc);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double least_ratio = 1e-8;
 
-/// What the table holds, by the curvature ratio q = k'^2 D / (K - D) <= 1 of the major to the minor axis.
+/// The tabulated quantities, with derivatives by the curvature ratio q = k'^2 D / (K - D) <= 1 of the major
+/// to the minor axis.
 struct ShapeSlopes {
   Slope complement;  ///< k', the axis ratio minor / major
   Slope eps_major;   ///< D / K
@@ -26,6 +27,7 @@ constexpr ShapeSlopes shape_slopes(double q, double& parameter) {
   CompleteElliptic at;
   EllipticDerivatives by_m;
   double q_by_m = 0.0;
+  // Newton's rule for m = k^2 in k'^2 D / (K - D) = q.
   constexpr int newton_steps = 6;  // from a guess a tenth off 4 are enough
   for (int i = 0; i <= newton_steps; ++i) {
     const double complement = square_root(parameter);
@@ -39,6 +41,7 @@ constexpr ShapeSlopes shape_slopes(double q, double& parameter) {
     parameter = std::min(1.0, parameter + step);
   }
   const double complement = square_root(parameter);
+  // Chain rule: d / dq = (d / dm) / (dq / dm), with dk'/dm = -1 / (2 k').
   const double root = square_root(complement);
   return {{complement, -0.5 / (complement * q_by_m)},
           {at.d / at.k, (by_m.d - at.d / at.k * by_m.k) / (at.k * q_by_m)},
@@ -53,6 +56,7 @@ struct ShapeCubics {
 
 constexpr auto shape_table = [] {
   std::array<ShapeCubics, ratio_axis.intervals()> table{};
+  // Downwards from the circle, q = 1, where k' = 1: each node starts at the solution of the last.
   double parameter = 1.0;
   ShapeSlopes to = shape_slopes(1.0, parameter);
   for (int i = ratio_axis.intervals() - 1; i >= 0; --i) {
@@ -72,6 +76,7 @@ constexpr auto shape_table = [] {
 HertzShape tabulated_hertz_shape(double curvature_ratio) noexcept {
   const bool long_in_x = curvature_ratio < 1.0;
   const double ratio = std::max(long_in_x ? curvature_ratio : 1.0 / curvature_ratio, least_ratio);
+  // The table is for ratios up to 1; the other half is the same with x and y exchanged.
   const auto [index, t] = ratio_axis.locate(ratio);
   const ShapeCubics& cubics = shape_table[static_cast<std::size_t>(index)];
   const double complement = cubics.complement.at(t), eps_major = cubics.eps_major.at(t);
@@ -96,6 +101,7 @@ HertzShape hertz_shape(double curvature_ratio) noexcept {
     integrals = complete_elliptic(complement);
     return std::min(1.0, std::sqrt(target * (integrals.k - integrals.d) / integrals.d));
   };
+  // The tabulated ratio is right to a millionth: the secant rule has two steps to go.
   double previous = long_in_x ? 1.0 / tabulated_hertz_shape(target).axis_ratio
                               : tabulated_hertz_shape(1.0 / target).axis_ratio;
   double defect = previous - map(previous);
@@ -112,6 +118,7 @@ HertzShape hertz_shape(double curvature_ratio) noexcept {
   }
 
   HertzShape shape;
+  // eps_major = D / K along the major axis; the other is its complement to 1.
   const double eps_major = integrals.d / integrals.k;
   shape.axis_ratio = long_in_x ? 1.0 / complement : complement;
   shape.eps_x = long_in_x ? eps_major : 1.0 - eps_major;
@@ -129,10 +136,12 @@ HertzEllipse hertz_ellipse(double coefficient_x, double coefficient_y, double ap
 HertzEllipse hertz_ellipse(const HertzShape& shape, double coefficient_x, double approach,
                            double normal_compliance) noexcept {
   HertzEllipse ellipse;
+  // A a^2 = eps_x delta.
   ellipse.a = std::sqrt(shape.eps_x * approach / coefficient_x);
   ellipse.b = ellipse.a / shape.axis_ratio;
   const double c = std::sqrt(ellipse.a * ellipse.b);
   if (c == 0.0) return ellipse;
+  // delta = c p0 sqrt(a b) centre, and N = (2/3) pi a b p0.
   ellipse.peak = approach / (normal_compliance * shape.centre * c);
   ellipse.normal_force = 2.0 / 3.0 * pi * ellipse.a * ellipse.b * ellipse.peak;
   return ellipse;

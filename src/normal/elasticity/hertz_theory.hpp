@@ -1,4 +1,4 @@
-/// Hertz's elliptic contact as pure theory: what every normal method may lean on.
+/// Hertz's elliptic contact: pure theory, for all normal methods.
 #pragma once
 
 namespace wrc {

@@ -26,7 +26,7 @@ double mean_at_edge(double tau) {
   return mean;
 }
 
-/// A row of J's table: a node more than its columns at both ends.
+/// A row of J's table, before its nodes are lowered: one node more than its columns on each side.
 struct LineRow {
   double outside[InfluenceTables::inside + 1], inside[InfluenceTables::nodes_inside + 1];
 };
@@ -42,13 +42,14 @@ void find_row(int row, LineRow& found) {
     found.inside[k] = line_potential(tau, std::abs(1.0 - from_end(k)));
 }
 
-/// The nodes of a row between two others, those to one side of the end: each lowered by a twelfth of the
-/// second differences in both directions, which takes away the mean of what straight lines between the nodes
-/// are too high. Where distances on both sides of a node are not the same: those of a parabola.
+/// Nodes of a row between two others, on one side of the line's end, each lowered by a twelfth of the second
+/// differences in both directions: straight lines between the nodes are too high by that in the mean. At
+/// uneven distances the second difference is that of a parabola. `across`: the neighbour beyond the end.
 template <std::size_t nodes>
 void level_side(const double (&before)[nodes], const double (&row)[nodes], const double (&behind)[nodes],
                 double across, double* levelled) {
   for (int k = 0; k + 1 < static_cast<int>(nodes); ++k) {
+    // Distances to both neighbours, and the second difference along the row.
     const double here = row[k], low = from_end(k) - (k > 0 ? from_end(k - 1) : -from_end(1));
     const double high = from_end(k + 1) - from_end(k);
     const double steeper = (row[k + 1] - here) / high - (here - (k > 0 ? row[k - 1] : across)) / low;
@@ -64,6 +65,7 @@ void level_row(const LineRow& before, const LineRow& row, const LineRow& behind,
 
 void tabulate_anywhere(InfluenceTables& influence) {
   constexpr int columns = InfluenceTables::columns;
+  // Three rows at a time: a row is lowered by its neighbours, and a cell holds two lowered rows as twins.
   LineRow rows[3];
   double levelled[2][columns];
   find_row(-1, rows[0]);
@@ -96,6 +98,7 @@ double line_potential(double tau, double xi) noexcept {
     cosine_step = std::sqrt(0.5 * (1.0 + cosine_step));
   }
   double sine = std::sqrt(0.5 * (1.0 - cosine_step)), cosine = std::sqrt(0.5 * (1.0 + cosine_step));
+  // tau sinh(middle +- half sin(phi)) = up e - down / e and up / e - down e, with e = exp(half sin(phi)).
   const double e_middle = natural_exp(middle);
   const double up = 0.5 * tau * e_middle, down = 0.5 * tau / e_middle;
   const auto pressure = [xi](double from_xi) {
@@ -106,6 +109,7 @@ double line_potential(double tau, double xi) noexcept {
   for (int n = 0; n < pairs; ++n) {
     const double e = natural_exp(half * sine), inverse = 1.0 / e;
     sum += (pressure(up * e - down * inverse) + pressure(up * inverse - down * e)) * cosine;
+    // On by one step of phi: the angle's sum formulas, no trigonometric function of the C library.
     const double next = cosine * cosine_step - sine * sine_step;
     sine = sine * cosine_step + cosine * sine_step;
     cosine = next;
@@ -119,6 +123,7 @@ void tabulate(InfluenceTables& influence) noexcept {
   double node = InfluenceTables::distance_axis.node(0);
   double integral = 0.5 * strip_displacement(1.0, -node, node);
   for (int i = 0; i <= InfluenceTables::distance_axis.intervals(); ++i) {
+    // Int_0^node J(s, 0) ds / node is the mean that a strip sees at its own middle.
     const double next = InfluenceTables::distance_axis.node(i + 1);
     const double here = line_displacement(1.0, node);
     influence.on_middle_plane[static_cast<std::size_t>(i)] = twin(here, 1.0 / std::sqrt(1.0 + node * node));

@@ -12,8 +12,8 @@
 /// distance at the line's end. The table has nodes that are even in log(tau) and, from the end to both sides,
 /// in octaves of |xi - 1| + a small length: the node is read off the bits of these numbers, without a root, a
 /// division or a logarithm. It is linear between them. Its values at the nodes are not J's but lie so much
-/// beside them (a twelfth of the second differences) that straight lines follow the curve in the mean: what
-/// many strips do together is then right to much less than what one does.
+/// beside them (a twelfth of the second differences) that straight lines follow the curve in the mean: the
+/// displacement by many strips together then has a much smaller error than that by one.
 #pragma once
 
 #include <array>
@@ -74,11 +74,13 @@ struct InfluenceTables {
 
   /// J(tau, xi), tau > 0, xi >= 0; relative error below 1e-3, in the mean below 2e-5.
   double at(double tau, double xi) const noexcept {
+    // Row and column of the cell, and the parts of the way to the next, f and g.
     const double row_place = line_rows.place(tau);
     const int row = static_cast<int>(row_place);
     const double f = row_place - row;
     const auto [node, g] = from_end.locate(std::abs(xi - 1.0) + from_end.node(0));
     const double* const cell = anywhere.data() + row * columns + (xi < 1.0 ? inside : 0) + node;
+    // Bilinear: a cell holds J at its node and at that of the next row.
     const double here = first_of(cell[0]) + f * (second_of(cell[0]) - first_of(cell[0]));
     const double next = first_of(cell[1]) + f * (second_of(cell[1]) - first_of(cell[1]));
     return here + g * (next - here);
@@ -94,11 +96,10 @@ struct InfluenceTables {
   }
 };
 
-/// Fills the tables (about ten milliseconds; at init, not in a step). Same bits on
-/// every machine.
+/// Fills the tables (about ten milliseconds; at init, not in a step). Same bits on every machine.
 void tabulate(InfluenceTables& influence) noexcept;
 
-/// J by quadrature, tau > 0: what the tables are made from [-].
+/// J by quadrature, tau > 0, from which the tables are made [-].
 double line_potential(double tau, double xi) noexcept;
 
 }  // namespace wrc

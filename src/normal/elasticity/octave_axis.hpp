@@ -34,6 +34,7 @@ struct OctaveAxis {
     double fraction;
   };
   constexpr Place locate(double x) const noexcept {
+    // The leading bits of x, less those of the first node, count the intervals; the rest is the fraction.
     const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
     const int shift = mantissa_bits - bits_per_octave;
     const auto bits = std::bit_cast<std::int64_t>(x);
@@ -53,8 +54,8 @@ struct OctaveAxis {
 /// Nodes x > 0 evenly in log(x), eight in each octave. The place of a quotient is the difference of two
 /// places. Without a logarithm, x = 2^e (1 + t), 0 <= t < 1, is placed e + t (c1 + t (c2 + t (c3 + t c4)))
 /// octaves from x = 1, to a thousandth of an interval: the polynomial is 1 at t = 1 and half as steep as at t
-/// = 0, so that value and slope do not leap from octave to octave. What follows the logarithm of x is nearly
-/// straight between these nodes, and half as many of them do what those of an OctaveAxis do.
+/// = 0, so that value and slope do not jump from octave to octave. Functions of the logarithm of x are nearly
+/// straight between these nodes, and half as many of them suffice as on an OctaveAxis.
 struct LogAxis {
   static constexpr int per_octave = 8;
 
@@ -74,10 +75,11 @@ struct LogAxis {
   static constexpr double first = per_octave * 1.438, second = per_octave * -0.674,
                           third = per_octave * 0.315, fourth = per_octave * -0.079;
 
-  /// Where x lies, in intervals from the first node. x outside the axis is taken to its ends.
+  /// Place of x, in intervals from the first node. x outside the axis is taken to its ends.
   constexpr double place(double x) const noexcept {
     const double inside = x > low() ? (x < high() ? x : high()) : low();
     const auto bits = std::bit_cast<std::uint64_t>(inside);
+    // x = 2^e (1 + t).
     const auto exponent = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
     const double t = std::bit_cast<double>((bits & mantissa) | power_of_two_bits(0)) - 1.0;
     return per_octave * (exponent - lowest_exponent) + t * (first + t * (second + t * (third + t * fourth)));
@@ -85,6 +87,7 @@ struct LogAxis {
 
   /// The x at a node, which may be outside the axis.
   double node(int i) const noexcept {
+    // 2^octave times the rest of an octave; i may be negative, and the octave is rounded down.
     const int octave = i >= 0 ? i / per_octave : -((per_octave - 1 - i) / per_octave);
     return power_of_two(lowest_exponent + octave) *
            natural_exp((i - per_octave * octave) * (ln2_high + ln2_low) / per_octave);
@@ -117,6 +120,7 @@ struct Slope {
 
 /// The cubic with these values and derivatives at the ends of an interval of this length.
 constexpr Cubic hermite_cubic(Slope from, Slope to, double length) {
+  // h(0), h(1) and the slopes m0, m1 by t = 0..1.
   const double m0 = from.derivative * length, m1 = to.derivative * length;
   const double rise = to.value - from.value;
   return {from.value, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};

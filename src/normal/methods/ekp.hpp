@@ -21,7 +21,7 @@
 
 namespace wrc {
 
-/// How eps follows from eps_x and eps_y.
+/// Rule by which eps follows from eps_x and eps_y.
 enum class EkpScale {
   /// One eps = sqrt(eps_x eps_y): the overlap of an elliptic gap then has exactly the area of Hertz's
   /// ellipse. The reading that comes closest to the published patch.

@@ -13,6 +13,7 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
   Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
+  // A from the row of first touch, B from the chord [1/m].
   const double coefficient_x = 0.5 * touch.row.curvature;
 
   HertzEllipse ellipse;
@@ -30,6 +31,7 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
                           solution);
   if (fault.failed()) return fault;
 
+  // The ellipse of the last trial, cut into strips that carry the load exactly.
   sdec_strips({ellipse.a, ellipse.b, 0.0}, touch.row.centre, touch.lowest.y, solution.normal_force,
               problem.strips, strips);
   complete_solution(strips, touch.lowest, at_edge, solution, fault);

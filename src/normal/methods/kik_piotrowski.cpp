@@ -18,6 +18,7 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
   const GapRows& rows = problem.gap;
   const PenetrationScale scale{.at_centre = options.penetration_scale};
 
+  // Load [N] at a trial approach.
   bool at_edge = false;
   GapReader gap(rows);
   const auto scale_at = [&](double) { return scale; };
@@ -25,6 +26,8 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
     at_edge = span.at_edge;
     divide_span(*problem.kernels, rows, touch.lowest, scale, approach, span, problem.strips, strips);
     for (std::int32_t j = 0; j < strips.count; ++j) {
+      // divide_span() took each row's own curvature and centre: the method knows those of first touch only,
+      // x_f = sqrt(2 R g), R there.
       const double row_curvature = gap.at(strips.y[j]).curvature;
       strips.half_length[j] *= std::sqrt(row_curvature / touch.row.curvature);
       strips.centre[j] = touch.row.centre;

@@ -10,7 +10,7 @@
 namespace wrc {
 namespace {
 
-constexpr double flat = 0.1;  // [1/m]
+constexpr double flat = 0.1;  // least B [1/m]
 
 /// The curvatures of the gap at y, and Hertz's eps_y for them as the scale of the penetration.
 class LocalCurvature {
@@ -25,6 +25,7 @@ class LocalCurvature {
   };
   Place place(double y) {
     const GapRow row = here_.at(y);
+    // B = h''/2, h'' the second difference over the reach.
     const double second = below_.height(y - reach_) + above_.height(y + reach_) - 2.0 * row.height;
     return {row.height, 0.5 * row.curvature, std::max(0.5 * second * inverse_, flat), row.centre};
   }
@@ -47,10 +48,12 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
   const double compliance = problem.material.normal_compliance();
   bool at_edge = false;
   const auto scale_at = [&](double approach) {
+    // The reach follows from the half width at half the approach.
     const Span half_depth = penetration_span(rows, touch.lowest, PenetrationScale{}, approach);
     return LocalCurvature(rows, reach(std::max(0.5 * half_depth.width(), least_half_chord)));
   };
   const auto force = [&](double approach, LocalCurvature local, const Span& span) {
+    // Strips of equal width; each is a Hertz contact of its own A, B under the local depth g / eps_y.
     at_edge = span.at_edge;
     strips.count = problem.strips;
     const double width = span.width() / strips.count;

@@ -1,4 +1,4 @@
-/// What ANALYN and STRIPES share: every strip is a Hertz contact of its own curvatures.
+/// The method behind ANALYN and STRIPES: every strip is a Hertz contact of its own curvatures.
 ///
 /// At strip y, with the gap's A (along x) and B (along y) there, Hertz gives eps_x + eps_y = 1 for A / B, and
 ///   outline      overlap g = eps_y delta - height(y) > 0

@@ -12,6 +12,7 @@ namespace {
 /// decides the path of the search.
 double cube_root(double x) {
   if (!(x > 0.0)) return 0.0;
+  // A power of two within about a factor of two of the root, then Newton's rule.
   int exponent = 0;
   std::frexp(x, &exponent);
   double root = std::ldexp(1.0, exponent / 3);
@@ -22,12 +23,14 @@ double cube_root(double x) {
 }  // namespace
 
 double first_guess(const NormalProblem& problem, double coefficient_x) noexcept {
+  // (3 pi c N / 4)^2 2 A.
   const double force = 0.75 * pi * problem.material.normal_compliance() * problem.normal_force;
   return cube_root(force * force * 2.0 * coefficient_x);
 }
 
-bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noexcept {
-  double inside = 0.0, joining = 0.0;  // loads after the leap
+bool join_gradually(const BeforeJump& before, double target, Strips& strips) noexcept {
+  // Load [N] of the strips of the patch before the jump, and of those that join it.
+  double inside = 0.0, joining = 0.0;
   const auto joins = [&](std::int32_t j) {
     return strips.y[j] < before.span.y_from || strips.y[j] > before.span.y_to;
   };
@@ -35,7 +38,7 @@ bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noe
     (joins(j) ? joining : inside) += 0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j];
   if (!(joining > 0.0 && inside > 0.0)) return false;
   // With a share s of the joining strips' load, the contact condition sets the pressure to the factor
-  // 1 / (1 / f0 + s (1 - 1 / f0)) of that after the leap, f0 before it.
+  // 1 / (1 / f0 + s (1 - 1 / f0)) of that after the jump, f0 before it.
   const double rest = inside / before.normal_force;  // 1 / f0
   const double share = std::clamp((target * rest - inside) / (joining - target * (1.0 - rest)), 1e-9, 1.0);
   if (!(share >= 0.0 && share <= 1.0)) return false;
@@ -43,6 +46,7 @@ bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noe
   // Semi-elliptic pressure of the same p / l: load like l^2.
   const double stretch = std::sqrt(share);
   for (std::int32_t j = 0; j < strips.count; ++j) {
+    // All strips by the factor; those that join, by the share of their load.
     strips.peak[j] *= factor;
     if (!joins(j)) continue;
     strips.peak[j] *= stretch;
@@ -54,7 +58,8 @@ bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noe
 Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
   const bool load = problem.prescribed == Prescribed::load;
   const double deepest = solution.approach, most = solution.normal_force;
-  // A leap just before the end is not to be continued, nor a load that falls.
+  // Slope of the line: within 1 and steepest_power times the chord. A jump just before the end is not to be
+  // continued, nor a load that falls.
   const double chord = most / deepest;
   solution.stiffness = std::clamp(solution.stiffness, chord, steepest_power * chord);
   if (load) {
@@ -64,6 +69,7 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
     solution.approach = problem.approach;
     solution.normal_force = most + solution.stiffness * (problem.approach - deepest);
   }
+  // Every pressure in proportion to the load.
   const double share = solution.normal_force / most;
   for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
   solution.peak_pressure *= share;

@@ -1,4 +1,4 @@
-/// The approach under which a method's patch carries a prescribed load.
+/// Search for the approach under which a method's patch carries a prescribed load.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,7 @@ namespace wrc {
 /// it [m].
 double first_guess(const NormalProblem& problem, double coefficient_x) noexcept;
 
-/// Fills what follows from the strips (peak, area), notes where the gap was lowest, and flags a patch at the
-/// edge.
+/// Fills peak pressure and area of the strips and the place of first touch, and flags a patch at the edge.
 void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
                        Fault& fault) noexcept;
 
@@ -33,15 +32,15 @@ inline double straightened(double normal_force) noexcept {
   return half * eighth * std::sqrt(eighth);
 }
 
-/// Where the load leaps as the approach grows, because a second region joins the patch: the strips of the
-/// patch after the leap, made to carry a load between those before and after. The strips beyond the patch
-/// before the leap come in gradually, so that patch and pressure move with the load instead of leaping.
-/// False if there are none, and the leap is of another kind.
-struct BeforeLeap {
+/// Makes the strips of the patch after a jump of the load carry a load between those before and after it. The
+/// load jumps as the approach grows where a second region joins the patch. The strips beyond the patch
+/// before the jump come in gradually, so that patch and pressure move with the load instead of jumping.
+/// False if there are none, and the jump is of another kind.
+struct BeforeJump {
   Span span;                  ///< of the patch
   double normal_force = 0.0;  ///< [N]
 };
-bool join_gradually(const BeforeLeap& before, double target, Strips& strips) noexcept;
+bool join_gradually(const BeforeJump& before, double target, Strips& strips) noexcept;
 
 /// A state of the search.
 struct Trial {
@@ -64,7 +63,7 @@ RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span
   };
   RowRange barrier;
   double highest = 0.0;
-  // Inwards from the border of the patch after the leap.
+  // Inwards from the border of the patch after the jump.
   const auto walk = [&](std::int32_t from, std::int32_t to, std::int32_t step) {
     double deepest = 0.0;
     std::int32_t deepest_row = from;
@@ -80,17 +79,18 @@ RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span
       }
     }
   };
+  // On both sides; the higher barrier counts.
   walk(rows_below(after.y_from), rows_below(before.y_from) - 1, 1);
   walk(rows_below(after.y_to) - 1, rows_below(before.y_to), -1);
   return barrier;
 }
 
-/// Narrows a leap of the patch's extent between low and high. The side of it on which an approach lies
+/// Narrows a jump of the patch's extent between low and high. The side of it on which an approach lies
 /// follows from the overlap at the barrier between the regions, which vanishes where they join; without a
 /// barrier, from the extents. The next approach is that of a secant on that overlap, or of bisection where
 /// the secant does not converge.
 template <class ScaleAt>
-void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
+void narrow_jump(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
                  Trial& high) noexcept {
   constexpr int secants = 6;  // 3 to 5 are used
   constexpr int cap = 40;
@@ -100,6 +100,7 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
   };
   auto at_high = overlap_at(high.approach), at_low = overlap_at(low.approach);
   const RowRange barrier = barrier_between(at_high, low.span, high.span);
+  // Function whose root is sought: least overlap over the barrier, above 0 once the regions have joined [m].
   const auto least = [&](auto& overlap) {
     double g = high.approach;
     for (std::int32_t j = barrier.first; j <= barrier.last; ++j) g = std::min(g, overlap.at_row(j));
@@ -120,6 +121,7 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
     g_before = g_last;
     last = next;
     g_last = least(overlap);
+    // Without a barrier the extents tell on which side of the jump this approach lies.
     bool joined = g_last > 0.0;
     if (barrier.last < barrier.first) {
       const Span span = penetration_span(rows, lowest, overlap.scale, next);
@@ -129,12 +131,12 @@ void narrow_leap(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_
   }
 }
 
-/// Power p in N ~ approach^p beyond which the load leaps; 1.5 is Hertz's, 1 that of a patch which cannot
+/// Power p in N ~ approach^p beyond which the load jumps; 1.5 is Hertz's, 1 that of a patch which cannot
 /// grow.
 inline constexpr double steepest_power = 6.0;
 
-/// The load leaps between two states of a search, low below high.
-inline bool leaps_between(const Trial& low, const Trial& high) noexcept {
+/// The load jumps between two states of a search, low below high.
+inline bool jumps_between(const Trial& low, const Trial& high) noexcept {
   return low.normal_force > 0.0 && (high.normal_force - low.normal_force) * low.approach >
                                        steepest_power * low.normal_force * (high.approach - low.approach);
 }
@@ -165,10 +167,13 @@ class LoadSearch {
     high_.approach = ceiling_;
     double approach = std::min(start, ceiling_);
     for (std::int32_t i = 0; i < problem_.max_iterations; ++i) {
+      // A trial; the load straightened, for the secant.
       const Trial trial = evaluate(approach);
       const double x = straightened(trial.normal_force);
       take_slope(approach, x);
       if (std::abs(trial.normal_force / target_ - 1.0) <= tolerance && i > 0) return arrive(trial, x);
+      // Too little load: the lower end of the bracket, or the ceiling, where the rows end. Too much: the
+      // upper end.
       if (trial.normal_force < target_) {
         if (approach >= ceiling_) {
           settle(ceiling_);
@@ -180,18 +185,20 @@ class LoadSearch {
         bracketed_ = true;
         if (high_.approach < least_share * ceiling_) break;  // a needle of a gap: any approach carries more
       }
-      const bool steep = bracketed_ && leaps_between(low_, high_);
-      if (steep && leaps_ < most_leaps) {
-        ++leaps_;
-        const Fault leap = look_into_leap();
-        if (leap.status != WRC_OK) return leap;
-        approach = go_on_from_leap();
+      // The load may jump inside the bracket: the jump is narrowed, a few times at most; then bisection.
+      const bool steep = bracketed_ && jumps_between(low_, high_);
+      if (steep && jumps_ < most_jumps) {
+        ++jumps_;
+        const Fault jump = look_into_jump();
+        if (jump.status != WRC_OK) return jump;
+        approach = go_on_from_jump();
         continue;
       }
       previous_ = approach;
       x_previous_ = x;
       approach = steep ? 0.5 * (low_.approach + high_.approach) : next_approach(approach, x);
     }
+    // The cap: the patch of the last bracket, scaled to the load.
     settle(bracketed_ ? high_.approach : approach);
     scale_to_target(solution_.normal_force);
     return Fault::iteration_cap("config.normal.max_iterations", {problem_.max_iterations, "steps"});
@@ -202,7 +209,7 @@ class LoadSearch {
   static constexpr double least_share = 1e-12;  // of the ceiling: below, halving would go on to denormals
   static constexpr double least_step = 1e-7;    // relative: over less, rounding is felt in a secant's slope
   static constexpr double rounding = 1e-12;     // of a load, from where the borders' root search ends
-  static constexpr int most_leaps = 4;          // looked into
+  static constexpr int most_jumps = 4;          // looked into
 
   Trial evaluate(double approach) noexcept {
     ++solution_.iterations;
@@ -241,8 +248,10 @@ class LoadSearch {
     return {};
   }
 
-  /// Where to look next: by the secant, kept inside the bracket of what is known.
+  /// The next approach [m]: by the secant, kept inside the bracket.
   double next_approach(double approach, double x) const noexcept {
+    // Not bracketed yet: upwards, ten times at most. Bracketed: bisection where the secant leaves the
+    // bracket.
     double next = approach + (x_target_ - x) / slope_;
     if (!bracketed_) next = std::min(std::max(next, 1.001 * approach), 10.0 * approach);
     if (!bracketed_ && next >= ceiling_) next = ceiling_;
@@ -251,18 +260,19 @@ class LoadSearch {
     return next;
   }
 
-  /// Narrows the leap between the ends of the bracket. If the load lies in it, that is the solution, with
-  /// WRC_FLAG_LOAD_JUMPS; if not, the bracket is what is left on the load's side.
-  Fault look_into_leap() noexcept {
-    // The slope of the larger patch, as far as one is known.
+  /// Narrows the jump between the ends of the bracket. If the load lies in it, that is the solution, with
+  /// WRC_FLAG_LOAD_JUMPS; if not, the bracket shrinks to the load's side of the jump.
+  Fault look_into_jump() noexcept {
+    // Stiffness [N/m] for want of a better one.
     const double chord = high_.normal_force / high_.approach;
     Trial before = low_, after = high_;
-    narrow_leap(problem_.gap, lowest_, scale_at_, before, after);
+    narrow_jump(problem_.gap, lowest_, scale_at_, before, after);
     before = evaluate(before.approach);
     after = evaluate(after.approach);
     reached_before_ = before.normal_force >= target_;
     const bool reached_after = after.normal_force >= target_;
-    if (!reached_before_ && reached_after && leaps_between(before, after)) {
+    if (!reached_before_ && reached_after && jumps_between(before, after)) {
+      // The load lies in the jump: stiffness of the patch after it, by the chord beyond.
       const double rise = high_.normal_force - after.normal_force;
       const double run = high_.approach - after.approach;
       solution_.approach = after.approach;
@@ -276,6 +286,7 @@ class LoadSearch {
           "as the approach grows a second region joins the patch, or its curvature changes, at once; "
           "the patch after that carries the load, and more iterations do not help");
     }
+    // The load lies beside the jump.
     if (reached_before_) {
       high_ = before;
     } else if (reached_after) {
@@ -287,9 +298,9 @@ class LoadSearch {
     return {};
   }
 
-  /// The search goes on from the end of the leap: by the chord of what is left, and then by secants through
-  /// that end, which is near.
-  double go_on_from_leap() noexcept {
+  /// Goes on from the end of the jump: by the chord of the new bracket, and then by secants through that end,
+  /// which is near.
+  double go_on_from_jump() noexcept {
     const double x_low = straightened(low_.normal_force), x_high = straightened(high_.normal_force);
     previous_ = reached_before_ ? high_.approach : low_.approach;
     x_previous_ = reached_before_ ? x_high : x_low;
@@ -304,16 +315,16 @@ class LoadSearch {
   NormalSolution& solution_;
   const double ceiling_;  ///< the deepest approach that is solved [m]
   const double target_ = problem_.normal_force, x_target_ = straightened(target_);
-  Trial low_, high_;  ///< what is known: low carries less than the target, high more once `bracketed_`
+  Trial low_, high_;  ///< the bracket: low carries less than the target, high more once `bracketed_`
   bool bracketed_ = false, reached_before_ = false;
-  int leaps_ = 0;
+  int jumps_ = 0;
   double previous_ = 0.0,
          x_previous_ = 0.0;  ///< the trial before; the unloaded state is a point of the curve
   double slope_ = 0.0;       ///< of the straightened load over the approach
 };
 
 /// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps
-/// kept inside the bracket of what is known, bisection where they leave it. A method is two functions:
+/// kept inside the bracket, bisection where they leave it. A method is two functions:
 /// `scale_at` gives the scale of the penetration at an approach [m], and `force` (approach, scale, extent of
 /// the patch) the patch's load [N], filling `strips`. Fills approach, normal_force, stiffness and iterations
 /// (calls of `force`) of the solution. `start` > 0: first guess of the approach.
@@ -321,8 +332,8 @@ class LoadSearch {
 /// The search ends at a load within problem.force_tolerance of the one prescribed. The last secant step is
 /// taken without another evaluation: the approach moves by it and the pressures are scaled to the load.
 ///
-/// WRC_FLAG_BEYOND_GAP past the ceiling, continue_beyond(). WRC_FLAG_LOAD_JUMPS where the load leaps past the
-/// target: join_gradually(), or where that is not possible the patch after the leap, scaled to the load.
+/// WRC_FLAG_BEYOND_GAP past the ceiling, continue_beyond(). WRC_FLAG_LOAD_JUMPS where the load jumps past the
+/// target: join_gradually(), or where that is not possible the patch after the jump, scaled to the load.
 /// WRC_FLAG_ITERATION_CAP if the cap ended the search: the patch is then that of the last trial, scaled.
 template <class ScaleAt, class Force>
 Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, double start,
@@ -332,7 +343,7 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
 }
 
 /// A method as a whole whose `force` fills the strips: the search, started from the sphere of curvature
-/// 2 coefficient_x [1/m], and what follows from the strips. `at_edge`: `force` came to the end of the rows.
+/// 2 coefficient_x [1/m], and complete_solution(). `at_edge`: `force` came to the end of the rows.
 template <class ScaleAt, class Force>
 Fault solve_by_search(const NormalProblem& problem, const GapMinimum& lowest, double coefficient_x,
                       ScaleAt&& scale_at, Force&& force, const bool& at_edge, Strips& strips,

@@ -11,12 +11,12 @@ namespace {
 /// like depth^1.5, would fall where it is several times as much as here.
 constexpr double quickest = 2.0;
 
-/// What it grows by more counts fully only for a gap that lies this part of the depth lower: the load rises
+/// Growth beyond that counts fully only for a gap that lies this part of the depth lower: the load rises
 /// by more over that than the longest chord costs.
 constexpr double entry = 0.6;
 
-/// How far from the contact point the rows lie below `depth` above the lowest point, in one direction (+1 or
-/// -1): to the outermost border, less what does not count yet [m]; `least` if no row does.
+/// Distance of the outermost border of all regions below `depth` above the lowest point, in one direction (+1
+/// or -1) from the contact point, less the lengths that do not count yet [m]; `least` if no row lies below.
 double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, double depth, int direction,
                             double least) {
   const PenetrationScale whole{.at_centre = 1.0};
@@ -35,6 +35,7 @@ double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, doubl
     const double h = height(j), here = distance(rows.y[j]);
     if (h >= level) continue;
     const std::int32_t beyond = j + direction;
+    // The reach less an excess [m] that came in at a depth; it counts more the deeper the gap lies below.
     const auto leave_out = [&](double excess, double at) {
       if (excess > 0.0) reach -= excess * std::max(1.0 - (depth - at) / (entry * depth), 0.0);
     };
@@ -42,10 +43,12 @@ double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, doubl
       outer = beyond < 0 || beyond >= rows.count ? here : crossing(j, beyond, depth);
       reach = outer;
     } else if (beyond != bottom) {
-      const double inner = crossing(j, beyond, level);  // a valley: the chord leaps over what is before it
+      // A valley outside: the chord jumps across it at once.
+      const double inner = crossing(j, beyond, level);
       leave_out(outer - inner, level);
       outer = inner;
     }
+    // Growth of the chord in excess of quickest * outer * d ln(depth).
     const double rise = 2.0 * (level - h) / (level + h);  // about the logarithm of the ratio
     leave_out(outer - here - quickest * outer * rise, 0.5 * (level + h));
     outer = here;
@@ -60,6 +63,7 @@ double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, doubl
 
 LateralCurvature curvature_of_all_regions(const GapRows& rows, const GapMinimum& lowest,
                                           double approach) noexcept {
+  // The chord at half the approach, its ends moved out to all regions.
   const PenetrationScale half;
   Span chord = penetration_span(rows, lowest, half, approach);
   const double depth = half.at_centre * approach;
@@ -81,6 +85,7 @@ OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, co
     regions.of[static_cast<std::size_t>(regions.count++)] = region;
     regions.at_edge = regions.at_edge || region.at_edge;
   };
+  // Downwards from the main region, then upwards: in order of y after the reversal.
   regions_beyond(overlap, main.y_from, -1, add);
   std::reverse(regions.of.begin(), regions.of.begin() + regions.count);
   regions_beyond(overlap, main.y_to, +1, add);
@@ -93,6 +98,7 @@ void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimu
   if (regions.count == 1)
     return divide_span(kernels, rows, lowest, scale, approach, regions.of[0], count, strips);
   constexpr double least = 1e-6;  // of a width: no strip is made of less
+  // One width for all regions [m]; each further region may cost a strip cut in two.
   double total = 0.0;
   for (std::int32_t r = 0; r < regions.count; ++r) total += regions.of[static_cast<std::size_t>(r)].width();
   const double width = total / (count - (regions.count - 1));
@@ -107,6 +113,7 @@ void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimu
   double owed = 0.0;  // width of the strip that began in the region before
   for (std::int32_t r = 0; r < regions.count; ++r) {
     const Span& region = regions.of[static_cast<std::size_t>(r)];
+    // First the rest of the strip that the region before began, then whole strips, then a part of the next.
     double from = region.y_from;
     const double first = std::min(owed, region.width());
     owed -= first;

@@ -2,9 +2,9 @@
 /// the outline of EKP_ELLIPSE and the chord its curvature comes from.
 ///
 /// The reference program takes every row above the threshold, so that a region beside the contact enters the
-/// outline with no size and joins the patch with the size it has. Its chord leaps, though, to the far side of
+/// outline with no size and joins the patch with the size it has. Its chord jumps, though, to the far side of
 /// a valley of the gap that comes above half depth, or runs over a flat of it, and the load then falls by up
-/// to some per cent. Here what the chord gains faster than steadily counts gradually.
+/// to some per cent. Here sudden growth of the chord counts gradually.
 #pragma once
 
 #include <algorithm>
@@ -27,6 +27,7 @@ void regions_beyond(Overlap<Scale>& overlap, double y, int direction, Take&& tak
     take(Span{std::min(from, to), std::max(from, to), at_edge});
   };
   for (std::int32_t j = direction > 0 ? above : above - 1; j >= 0 && j < rows.count; j += direction) {
+    // A region opens where the overlap rises above 0 and ends where it falls back.
     const double here = rows.y[j], g = overlap.at_row(j);
     if (g > 0.0 && !inside) from = border_between(overlap, here, g, y_before, g_before);
     if (g <= 0.0 && inside) end(border_between(overlap, y_before, g_before, here, g), false);

@@ -53,6 +53,7 @@ struct Overlap {
 template <class Scale>
 double border_between(Overlap<Scale>& overlap, double y_in, double g_in, double y_out, double g_out) {
   constexpr int cap = 30;  // 4 to 7 are used
+  // An end kept twice has its value halved: both ends then converge.
   int kept_side = 0;
   double y = y_out;
   for (int i = 0; i < cap && g_in - g_out > 0.0; ++i) {
@@ -81,6 +82,7 @@ double border_from_minimum(Overlap<Scale>& overlap, int direction, bool& at_edge
   double y_in = overlap.lowest.y;
   double g_in = overlap.at(y_in);
   if (g_in <= 0.0) return y_in;
+  // The first row beyond the minimum in that direction.
   const auto above = static_cast<std::int32_t>(std::upper_bound(rows.y, rows.y + rows.count, y_in) - rows.y);
   std::int32_t j = direction > 0 ? above : above - 1;
   for (; j >= 0 && j < rows.count; j += direction) {
@@ -105,8 +107,8 @@ Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale
 }
 
 /// Divides the span into `count` strips of equal width; at each strip's middle the half length is that of the
-/// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Fitting the strips
-/// to the span, instead of cutting it out of a fixed grid, is what makes area and load smooth.
+/// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Area and load
+/// are smooth because the strips are fitted to the span, not cut out of a fixed grid.
 void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
                  Strips& strips) noexcept;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::int32_t group = 8;  // parts of a sum, whatever the instruction set
 
-/// Columns that are taken together: no more than the four that blocks are made of. In wider vectors much of
-/// what is computed would not be read.
+/// Columns that are taken together: no more than the four that blocks are made of. In wider vectors many
+/// results would not be read.
 #if defined(__AVX512F__)
 using Columns = __m256d;
 inline Columns in_all_columns(double a) { return _mm256_set1_pd(a); }
@@ -34,6 +34,7 @@ struct EquationRows {
 template <std::int32_t count>
 void take_away(const double* pivots, std::int32_t column, const EquationRows& all, double* rows) {
   const std::int64_t stride = all.stride;
+  // Factors of the four pivot rows, from the columns of the pivots: forward substitution in those four.
   double factor[count][4];
   const double* const p = pivots + column;
   for (std::int32_t i = 0; i < count; ++i) {
@@ -45,6 +46,7 @@ void take_away(const double* pivots, std::int32_t column, const EquationRows& al
     f[3] = (row[3] - f[0] * p[3] - f[1] * p[stride + 3] - f[2] * p[2 * stride + 3]) * p[3 * stride + 3];
   }
   for (std::int64_t c = column + 4; c < all.end; c += abreast) {
+    // The other columns of the rows, less the pivot rows times their factors.
     const Columns p0 = load_columns(pivots + c), p1 = load_columns(pivots + stride + c),
                   p2 = load_columns(pivots + 2 * stride + c), p3 = load_columns(pivots + 3 * stride + c);
     for (std::int32_t i = 0; i < count; ++i) {
@@ -98,6 +100,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
       const std::int64_t at = c + k * abreast;
       sum[k] = sum[k] + load_columns(row + at) * load_columns(x + at);
     }
+  // Halves on halves: the same order of additions whatever the width of a vector.
   for (std::int32_t apart = parts / 2; apart > 0; apart /= 2)
     for (std::int32_t k = 0; k < apart; ++k) sum[k] = sum[k] + sum[k + apart];
   double part[abreast];
@@ -107,13 +110,15 @@ inline double product(const double* row, const double* x, std::int64_t from, std
   return part[0];
 }
 
-/// Kernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
+/// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
 /// close to symmetric and positive definite. By blocks of eight rows and four pivots.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
+  // With right-hand sides given, columns beyond them are not read.
   const EquationRows all{stride, task.r ? task.size + 4 : stride};
   const auto rows_at = [&](std::int32_t i) { return task.matrix + i * stride; };
   std::int32_t i = 0;
+  // Eight rows at a time: less all pivot rows above, then each four among themselves.
   for (; i + 8 <= task.size; i += 8) {
     for (std::int32_t k = 0; k < i; k += 4) take_away<8>(rows_at(k), k, all, rows_at(i));
     triangulate(rows_at(i), i, all);
@@ -125,10 +130,11 @@ void eliminate_kernel(const EliminationTask& task) {
     triangulate(rows_at(i), i, all);
   }
   if (!task.r) return;
-  // What is not known yet counts as zero.
+  // Back substitution, upwards; solutions not known yet count as zero.
   const std::int64_t end = (task.size + group - 1) / group * group;
   for (std::int64_t c = 0; c < end; ++c) task.r[c] = task.s[c] = 0.0;
   for (i = task.size - 4; i >= 0; i -= 4) {
+    // x_i = (r_i - sum of the known x) / pivot; within the four row by row.
     const std::int64_t from = (i + 4) / group * group;
     const auto substitute = [&](double* x, std::int32_t column) {
       double right[4];

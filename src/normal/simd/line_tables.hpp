@@ -14,8 +14,8 @@ struct Places {
   Pack fraction;
 };
 
-/// OctaveAxis::locate. Numbers outside the axis, and what is no number, are taken to its ends: an index is
-/// valid whatever comes in.
+/// OctaveAxis::locate. Numbers outside the axis, and NaN, are taken to its ends: an index is valid for any
+/// input.
 template <int lowest_exponent, int octaves, int bits_per_octave>
 Places locate(Pack x) {
   constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
@@ -25,6 +25,7 @@ Places locate(Pack x) {
   constexpr int mantissa_bits = 52, shift = mantissa_bits - axis.bits_per_octave;
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
+  // The leading bits count intervals; those behind, as a mantissa of 1..2, are the fraction.
   const Bits bits = bits_of(smaller(larger(x, low), high));
   return {(bits >> shift) + (0 - (first >> shift)),
           pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0};
@@ -49,7 +50,7 @@ struct MiddlePlane {
   Number potential, inverse_to_end;
 };
 
-/// Where to read their table; to be found for several places before any is read, so that none waits for its
+/// Cells of their table; to be found for several places before any is read, so that none waits for its
 /// index.
 struct MiddlePlaneCells {
   Indices first;
@@ -85,7 +86,7 @@ WRC_IN_LOOP Number near_middle_plane(const Number& potential, const Number& towa
   return potential * (1.0 - y * (0.5 - y * (0.355 - towards_line * (0.237 + 0.218 * towards_line))));
 }
 
-/// How much of J(tau, xi) is read from the table instead: both hold where one goes over into the other.
+/// Part of J(tau, xi) that is read from the table instead [-]: both hold in the transition.
 constexpr double beside_middle_plane = 0.06, off_middle_plane = 0.12;
 template <class Number>
 WRC_IN_LOOP Number part_off_middle_plane(const Number& y) {
@@ -93,8 +94,8 @@ WRC_IN_LOOP Number part_off_middle_plane(const Number& y) {
                  1.0);
 }
 
-/// What the width of a strip adds to the displacement by the line in its middle: the midpoint error of a
-/// logarithm, see strip_displacement (contact_condition.cpp), with t = half the width over the distance.
+/// Correction of the displacement by the line in a strip's middle for the strip's width: the midpoint error
+/// of a logarithm, see strip_displacement (contact_condition.cpp), with t = half the width over the distance.
 template <class Number>
 WRC_IN_LOOP Number width_correction(const Number& t, const Number& inverse_to_end) {
   const Number t2 = t * t;
@@ -110,6 +111,7 @@ struct LineRows {
 /// At places on the rows' axis; those outside are taken to its ends.
 inline LineRows line_rows_at(Pack place) {
   constexpr double last = InfluenceTables::line_rows.last();
+  // The whole part selects the row; adding index_origin puts it into the lower bits.
   const Pack inside = smaller(larger(place, 0.0), last);
   const Pack row = whole_part(inside);
   return {bits_of(row * static_cast<double>(InfluenceTables::columns) + index_origin), inside - row};
@@ -145,14 +147,14 @@ inline LineRows line_rows(Pack tau) {
   return line_rows_at(place_from_one(tau) + origin);
 }
 
-/// Where the table is between two columns: J in both, as far between the rows as wanted.
+/// J in two neighbouring columns, interpolated between the rows.
 struct BetweenColumns {
   Pack here, rise;            ///< to the next column, away from the line's end
   Pack here_rise, next_rise;  ///< of both to the next row
   Pack fraction;              ///< of the way to the next column
 };
 
-/// Where to read it, as MiddlePlaneCells.
+/// Cells of that table, as MiddlePlaneCells.
 struct LineCells {
   Indices first;
   Pack fraction, row_fraction;  ///< of the way to the next column, to the next row
@@ -171,6 +173,7 @@ WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cell
   constexpr std::uint64_t outside = (0 - (first >> shift)) & 0xffffffff;  // indices are the lower halves
   constexpr std::uint64_t inside = outside + InfluenceTables::inside;
   constexpr double outside_bits = std::bit_cast<double>(outside), inside_bits = std::bit_cast<double>(inside);
+  // Row, side of the line's end, and interval of the distance from it add up to the cell.
   const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));
   const Bits side = bits_of(select(from_end < 0.0, inside_bits, outside_bits));
   keep_indices((bits >> shift) + side + rows.first_cell, cells.first);
@@ -180,6 +183,7 @@ WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cell
 
 WRC_IN_LOOP BetweenColumns between_columns(const StripTables& tables, const LineCells& cells) {
   const Neighbours cell = pick(tables.anywhere, cells.first);
+  // Bilinear, as InfluenceTables::at.
   const Pack here = first_of(cell.at), next = first_of(cell.behind);
   const Pack here_rise = second_of(cell.at) - here, next_rise = second_of(cell.behind) - next;
   const Pack at_here = here + cells.row_fraction * here_rise;
@@ -202,6 +206,7 @@ WRC_IN_LOOP Pack line_potential_at(const StripTables& tables, const LineRows& ro
 template <class Rows>
 WRC_IN_LOOP Pack line_potential_near(const StripTables& tables, const MiddlePlane<Pack>& middle, Pack xi,
                                      const Rows& rows) {
+  // Near the middle plane by the fit; the table only if a lane of the pack needs it.
   const Pack towards_line = middle.inverse_to_end * middle.inverse_to_end;
   const Pack y = xi * xi * towards_line;
   const Pack near = near_middle_plane(middle.potential, towards_line, y);

@@ -1,5 +1,5 @@
-/// The strips of a virtual penetration, and what their pressure does at a point: the work of an evaluation of
-/// the Kik-Piotrowski family.
+/// The strips of a virtual penetration, and displacements at a point by their pressure: the work of an
+/// evaluation of the Kik-Piotrowski family.
 #pragma once
 
 #include "normal/simd/influence_kernel.hpp"
@@ -13,6 +13,7 @@ namespace {
 inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
   const Neighbours y_left = pick(rows.y, before), y_right = pick(rows.y + 1, before);
   const Neighbours height_left = pick(rows.height, before), height_right = pick(rows.height + 1, before);
+  // Intervals, rises, and the parabola's slope at the middle row with its second derivative.
   const Pack left = y_left.behind - y_left.at, right = y_right.behind - y_right.at;
   const Pack drop = height_left.behind - height_left.at, rise = height_right.behind - height_right.at;
   const Pack inverse = 1.0 / (left * right * (left + right));
@@ -21,7 +22,7 @@ inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
   return slope + second * (y - y_right.at);
 }
 
-/// Kernels::divide_span.
+/// NormalKernels::divide_span.
 void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
   const GapRows& rows = task.rows;
   const std::int32_t last = rows.count - 1;
@@ -42,7 +43,7 @@ void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
     const Neighbours y_row = pick(rows.y, from), height_row = pick(rows.height, from);
     const Neighbours centre = pick(rows.centre, from), curvature = pick(rows.curvature, from);
     const Pack c1 = row_slope(rows, slope_from, y_row.at), c1_to = row_slope(rows, slope_to, y_row.behind);
-    // The cubic of GapReader.
+    // Height [m] by the cubic of GapReader (patch/gap.hpp), curvature linear.
     const Pack d = y - y_row.at;
     const Pack inverse = 1.0 / (y_row.behind - y_row.at);
     const Pack chord = (height_row.behind - height_row.at) * inverse;
@@ -51,6 +52,7 @@ void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
     const Pack height = height_row.at + d * (c1 + d * (c2 + d * c3));
     const Pack row_curvature = curvature.at + d * ((curvature.behind - curvature.at) * inverse);
 
+    // g = eps(y) delta - height; half length sqrt(2 g / curvature).
     const Pack apart = y - task.scale_centre;
     const Pack scale = smaller(larger(task.scale_at_centre + task.scale_bend * apart * apart, 0.05), 1.0);
     // A dip of the overlap between two rows must not end in the root of a negative number.
@@ -62,7 +64,7 @@ void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
   }
 }
 
-/// Kernels::displacements_at.
+/// NormalKernels::displacements_at.
 void displacements_at_kernel(const PointTask& task, const StripArrays& strips, double* displacement) {
   constexpr OctaveAxis axis = line_axis;
   constexpr double half_pi = 1.57079632679489661923;
@@ -79,6 +81,7 @@ void displacements_at_kernel(const PointTask& task, const StripArrays& strips, d
     const Pack t2 = width * width / (4.0 * distance * distance);
     Pack series = 0.0;
     for (std::int32_t n = 8; n >= 1; --n) series = t2 * (series + 1.0 / (2 * n * (2 * n + 1)));
+    // J(tau, 0) by its cubics; far away pi / (2 tau).
     const Pack tau = magnitude(middle) / l;
     const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
     const Indices cubic = indices(place.interval << 2);
@@ -91,6 +94,7 @@ void displacements_at_kernel(const PointTask& task, const StripArrays& strips, d
       const Pack beyond = larger(tau, end);
       line = select(far, half_pi / beyond * (1.0 - 0.125 / (beyond * beyond)), line);
     }
+    // The width's correction and the shift's factor, as impose_approach().
     const Pack r = root(l * l + middle * middle);
     const Pack seen = width * (line + 2.0 * series * l / r);
     const Pack to_line2 = l * l + dy * dy;

@@ -1,5 +1,4 @@
-/// What crosses between the strip half-space solver and the kernels of an instruction set: plain data, no
-/// constructors.
+/// Arguments of the kernels of normal contact: plain data, no constructors.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +8,7 @@
 namespace wrc {
 namespace simd {
 
-/// The widest pack of any instruction set. Kernels read whole packs: arrays they are given have room, and
+/// The widest pack of any instruction set. Kernels read whole packs: their arrays have memory, and
 /// harmless numbers, up to the next multiple of this.
 inline constexpr std::int32_t most_lanes = 16;
 
@@ -35,10 +34,12 @@ struct InfluenceTask {
 /// each of them equally far.
 inline constexpr std::int32_t beyond_sources = most_lanes + 8;
 
-/// Lines of semi-elliptic pressure: peak times width, and where they are. Each array has beyond_sources
-/// zeros before its first element and behind its last.
+/// Lines of semi-elliptic pressure. Each array has beyond_sources zeros before its first element and behind
+/// its last.
 struct Sources {
-  double *y, *centre, *inverse_length, *strength;
+  double *y, *centre;      ///< place [m]
+  double* inverse_length;  ///< of the half length [1/m]
+  double* line_load;       ///< peak times width [N/m]
 };
 
 /// Edges of strips seen by the strips near to them, and by pairs of the strips farther away.
@@ -55,13 +56,13 @@ struct EdgeTask {
 
 /// Equations A x = r, A x = s: the rows of A, rows and columns filled up to `size`, a multiple of four, by
 /// those of the unit matrix; each row is followed by its element of r and that of s. Or, where neither is
-/// asked for, by as many right-hand sides as there is room for, for the caller to substitute back: the
+/// asked for, by as many right-hand sides as the stride holds, for the caller to substitute back: the
 /// rows are left as those of a triangle, the inverses of the pivots on its diagonal.
 struct EliminationTask {
   std::int32_t size;
   std::int64_t stride;  ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
   double* matrix;       ///< destroyed
-  double *r, *s;        ///< the solutions, room for `stride`; or both nullptr
+  double *r, *s;        ///< the solutions, `stride` elements each; or both nullptr
 };
 
 /// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an

@@ -1,4 +1,4 @@
-/// Where the strip half-space solver puts its strips: dense where the gap bends sharply, none where the
+/// Places of the strip half-space solver's strips: dense where the gap bends sharply, none where the
 /// bodies cannot touch.
 #pragma once
 
@@ -28,8 +28,8 @@ double foundation_approach(const GapRows& rows, double lowest_height, double nor
 
 /// Spreads `count` strips over all stretches where the height lies less than `depth` over the lowest, with
 /// widths inversely proportional to the root of the lateral curvature (the width of a contact is proportional
-/// to the root of its radius). Curvature is the second difference over 4 % of the whole extent: what a
-/// profile does within less than that does not move the strips. `grid` has memory for `count`.
+/// to the root of its radius). Curvature is the second difference over 4 % of the whole extent: shorter
+/// waves of a profile do not move the strips. `grid` has memory for `count`.
 void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
                             CollocationGrid& grid) noexcept;
 

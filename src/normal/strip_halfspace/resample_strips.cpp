@@ -25,6 +25,7 @@ Run run_from(const SolvedStrips& solved, std::int32_t first) {
 double cut(const SolvedStrips& solved, const Run& run, std::int32_t first, std::int32_t count,
            Strips& strips) {
   const double width = (run.y_to - run.y_from) / count;
+  // Load of the run in the solution [N]; that of the new strips is scaled to it below.
   double carried = 0.0, load = 0.0;
   for (std::int32_t i = run.first; i <= run.last; ++i)
     load += 0.5 * pi * solved.half_length[i] * solved.peak[i] * solved.width[i];
@@ -33,29 +34,30 @@ double cut(const SolvedStrips& solved, const Run& run, std::int32_t first, std::
   for (std::int32_t j = first; j < first + count; ++j) {
     const double y = run.y_from + (j - first + 0.5) * width;
     while (i < run.last && solved.y[i + 1] <= y) ++i;
-    double l2, level, centre;
+    double l2, peak_per_length, centre;
     const auto squared = [&](std::int32_t k) { return solved.half_length[k] * solved.half_length[k]; };
+    // l^2, p / l and centre at y: beyond the outermost strips l^2 falls to 0 at the border, p / l stays.
     if (y < solved.y[run.first]) {
       l2 = squared(run.first) * (y - run.y_from) / (solved.y[run.first] - run.y_from);
-      level = solved.peak[run.first] / solved.half_length[run.first];
+      peak_per_length = solved.peak[run.first] / solved.half_length[run.first];
       centre = solved.centre[run.first];
     } else if (i == run.last) {
       l2 = squared(run.last) * (run.y_to - y) / (run.y_to - solved.y[run.last]);
-      level = solved.peak[run.last] / solved.half_length[run.last];
+      peak_per_length = solved.peak[run.last] / solved.half_length[run.last];
       centre = solved.centre[run.last];
     } else {
       const double t = (y - solved.y[i]) / (solved.y[i + 1] - solved.y[i]);
-      const double level_0 = solved.peak[i] / solved.half_length[i];
-      const double level_1 = solved.peak[i + 1] / solved.half_length[i + 1];
+      const double ratio_0 = solved.peak[i] / solved.half_length[i];
+      const double ratio_1 = solved.peak[i + 1] / solved.half_length[i + 1];
       l2 = squared(i) + t * (squared(i + 1) - squared(i));
-      level = level_0 + t * (level_1 - level_0);
+      peak_per_length = ratio_0 + t * (ratio_1 - ratio_0);
       centre = solved.centre[i] + t * (solved.centre[i + 1] - solved.centre[i]);
     }
     strips.y[j] = y;
     strips.width[j] = width;
     strips.centre[j] = centre;
     strips.half_length[j] = std::sqrt(l2);
-    strips.peak[j] = level * strips.half_length[j];
+    strips.peak[j] = peak_per_length * strips.half_length[j];
     carried += 0.5 * pi * strips.half_length[j] * strips.peak[j] * width;
   }
   const double scale = load / carried;
@@ -66,6 +68,7 @@ double cut(const SolvedStrips& solved, const Run& run, std::int32_t first, std::
 }  // namespace
 
 double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& strips) noexcept {
+  // Widths [m] of all patches.
   double total_width = 0.0;
   std::int32_t runs = 0;
   for (std::int32_t first = 0; first < solved.count; ++runs) {
@@ -74,6 +77,7 @@ double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& s
     first = run.last + 1;
   }
 
+  // Four strips for each patch, the others in proportion to the width, rounded from the sum so far.
   constexpr std::int32_t fewest = 4;
   const std::int32_t spare = std::max(count - fewest * runs, 0);
   double width_so_far = 0.0, load = 0.0;

@@ -1,4 +1,4 @@
-/// A solution on strips of uneven width, cut anew into strips of equal width fitted to its patches.
+/// A solution on strips of uneven width, cut again into strips of equal width fitted to its patches.
 #pragma once
 
 #include "patch/strips.hpp"
@@ -19,7 +19,7 @@ struct SolvedStrips {
 /// Cuts every patch (run of one region) into strips of equal width. Between the solution's strips, and from
 /// the last one to the border of the patch, where it vanishes, l^2 is linear; so is p / l. `count` strips are
 /// shared out by the patches' width, at least four each while they last; pressures are scaled so that each
-/// patch carries what it carried, which is returned in total [N].
+/// patch keeps its load. Returns the total [N].
 double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& strips) noexcept;
 
 }  // namespace wrc

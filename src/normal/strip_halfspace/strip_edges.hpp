@@ -1,4 +1,5 @@
-/// The second half of a sweep of the half-space solver (strip_halfspace.hpp): lengths for given pressures.
+/// The second half of an iteration of the half-space solver (strip_halfspace.hpp): lengths for given
+/// pressures.
 #pragma once
 
 #include "normal/elasticity/influence_tables.hpp"
@@ -7,13 +8,13 @@
 
 namespace wrc {
 
-/// Moves lengths and centres towards the edge conditions; returns how much area moved, over the area [-].
+/// Moves lengths and centres towards the edge conditions; returns the part of the area that moved [-].
 ///
-/// In a long contact, q = (pi/2) p l is what the centre condition fixes and l^2 = 4 c q / curvature: the
-/// displacement drop from centre to edge therefore asks for a level p / l that is smaller by
+/// In a long contact the centre condition fixes q = (pi/2) p l, and l^2 = 4 c q / curvature: the
+/// displacement drop from centre to edge therefore asks for a p / l that is smaller by
 /// drop / (curvature l^2 / 2), at constant q. A single thin strip hardly feels its own length, only that of
-/// its neighbourhood: a sawtooth of lengths meets every condition. The level is smooth along y, also at the
-/// ends of a patch where p and l vanish together, so it is the level that is averaged over three strips.
+/// its neighbourhood: a sawtooth of lengths meets every condition. p / l is smooth along y, also at the ends
+/// of a patch where p and l vanish together, so it is p / l that is averaged over three strips.
 double move_edges(const NormalProblem& problem, const InfluenceTables& influence, double approach,
                   StripSystem& s) noexcept;
 

@@ -19,8 +19,8 @@ namespace {
 /// margin.
 constexpr double depth_per_approach = 0.85;
 
-/// Where another spot has its lowest point near the end of the margin, or beyond it, the whole approach is
-/// looked at: far from the load the surface sinks by a tenth of it only.
+/// If another spot has its lowest point near the end of the margin, or beyond it, the grid covers the whole
+/// approach: far from the load the surface sinks by a tenth of it only.
 constexpr double depth_with_spots = 0.95, near_the_margin = 0.9;
 
 /// A cold start begins on half the strips, if those are not too few, and is as good as the fine solution can
@@ -31,13 +31,14 @@ constexpr double coarse_tolerance = 3e-2;
 /// Strips of the solver for strips of the result: the solver's stand where they are needed.
 std::int32_t collocation_strips(std::int32_t strips) { return std::max((7 * strips) / 10, std::int32_t{4}); }
 
-/// The start's l^2 and shift at y, linear between its strips; nothing where it had no contact.
+/// The start's l^2 [m^2] and shift [m] at y, linear between its strips.
 struct Started {
-  bool in_contact = false;
+  bool in_contact = false;  ///< the start had contact there
   double length_squared = 0.0, shift = 0.0;
 };
 Started started(const StripHalfspaceStart& start, double y) {
   if (start.count == 0) return {};
+  // The start's strips on both sides of y.
   const auto above = static_cast<std::int32_t>(std::upper_bound(start.y, start.y + start.count, y) - start.y);
   const std::int32_t right = std::min(above, start.count - 1);
   const std::int32_t left = std::max(above - 1, 0);
@@ -46,6 +47,7 @@ Started started(const StripHalfspaceStart& start, double y) {
   const bool in_left = std::abs(y - start.y[left]) <= half * start.width[left];
   const bool in_right = std::abs(y - start.y[right]) <= half * start.width[right];
   if (!in_left && !in_right) return {};
+  // Linear between two that touch; across a gap the strip that holds y alone.
   const double apart = start.y[right] - start.y[left];
   const double touching = 0.5 * (start.width[left] + start.width[right]);
   double t = in_left ? 0.0 : 1.0;
@@ -67,6 +69,8 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
     s.cell_width[j] = s.grid.width[j];
     put(gap, lowest.height, j, s.cell_y[j], s.cell_width[j], s);
     s.skewed = s.skewed || s.gap_centre[j] != s.gap_centre[0];
+    // Cold: l^2 = 2 g / curvature, g half the approach less the height, with a floor for strips at the
+    // border.
     const double overlap = approach - 2.0 * s.height[j];
     s.peak[j] = 0.0;
     s.half_length[j] = std::sqrt(std::max(overlap, 0.06 * approach) / s.curvature[j]);
@@ -111,20 +115,21 @@ bool spot_above(const GapRows& rows, const GapMinimum& lowest, double depth, dou
   return false;
 }
 
-/// Where a solve stands.
+/// Unknowns and progress of a solve.
 struct State {
-  double approach = 0.0;  ///< an estimate at first [m]
-  double stiffness = 0.0;
-  std::int32_t sweeps = 0;
+  double approach = 0.0;   ///< an estimate at first [m]
+  double stiffness = 0.0;  ///< dN / d(approach) at the present lengths [N/m]
+  std::int32_t iterations = 0;
   bool converged = false;
 };
 
-/// Sweeps over a grid of `count` strips, from `start` if that has any, until less of the area moves than the
+/// Iterates on a grid of `count` strips, from `start` if that has any, until less of the area moves than the
 /// tolerance. The grid is widened if contact reaches its end.
 void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& options,
                    const InfluenceTables& influence, const GapMinimum& lowest, std::int32_t count,
                    StripHalfspaceStart& start, StripSystem& s, State& state) {
   const double guess = state.approach;
+  // Depth of the grid below the surface of first touch [m].
   double depth = depth_per_approach * guess;
   if (spot_above(problem.gap, lowest, depth, guess)) depth = guess;
   constexpr int widenings = 3;
@@ -134,17 +139,17 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
     state.converged = false;
     double moved_before = 0.0;
     Search search = Search::everywhere;
-    for (std::int32_t sweep = 0; sweep < options.max_sweeps && !state.converged && s.active_count > 0;
-         ++sweep) {
+    for (std::int32_t i = 0; i < options.max_sweeps && !state.converged && s.active_count > 0; ++i) {
       state.approach = solve_pressures(problem, influence, search, s, state.stiffness);
-      ++state.sweeps;
+      ++state.iterations;
       if (s.active_count == 0) break;
-      // Steps shrink geometrically, and slowly in slender patches: what is left is the rest of the series.
+      // Steps shrink geometrically, and slowly in slender patches. The rest of their series, r = m /
+      // m_before: m (r + r^2 + ...) = m^2 / (m_before - m).
       const double moved = move_edges(problem, influence, state.approach, s);
       const double left = moved < moved_before ? moved * moved / (moved_before - moved) : moved;
       state.converged = std::max(moved, left) <= options.tolerance;
       moved_before = moved;
-      // A region that the first guess of the approach did not show: the sweep that takes it in is not the
+      // A region that the first guess of the approach did not show: the iteration that takes it in is not the
       // last.
       const bool more = state.converged && search == Search::beside_contact &&
                         overlap_elsewhere(problem, influence, state.approach, s);
@@ -158,6 +163,7 @@ void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& op
       continue;
     }
     if (!(state.approach > 0.0)) break;  // the gap dips below its rows: no depth to widen
+    // A deeper grid where contact reached its end, or another spot may be in contact; else done.
     if (touches_the_grids_end(s) && !s.grid.at_edge)
       depth *= 1.4;
     else if (depth < depth_with_spots * state.approach &&
@@ -180,10 +186,11 @@ void remember(const StripSystem& s, StripHalfspaceStart& start) {
   }
 }
 
-/// Drops what is not in contact, and cuts the rest into the caller's strips; returns their load [N].
+/// Cuts the strips in contact into the caller's strips; returns their load [N].
 double hand_out(StripSystem& s, std::int32_t count, Strips& strips) {
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
+    // Moved to the front, in order: a <= j.
     s.grid.y[a] = s.grid.y[j];
     s.grid.width[a] = s.grid.width[j];
     s.grid.region[a] =
@@ -210,10 +217,12 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   if (workspace.bytes < strip_halfspace_workspace(problem.strips) || start.capacity < problem.strips)
     return Fault::buffer("workspace", {workspace.bytes});
 
+  // Lowest point, and the deepest approach the rows describe [m].
   const GapRows& rows = problem.gap;
   const GapMinimum lowest = minimum(rows);
   const double ceiling = deepest_approach(rows, lowest);
   const bool load = problem.prescribed == Prescribed::load;
+  // First guess of the approach: prescribed, or that of an elastic foundation under the load.
   State state;
   state.approach = problem.approach;
   if (load)
@@ -230,10 +239,11 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   }
   if (state.approach > 0.0) solve_on_grid(problem, options, influence, lowest, count, start, s, state);
   const double approach = state.approach;
-  solution.iterations = state.sweeps;
+  solution.iterations = state.iterations;
   if (!(approach > 0.0))
     return Fault::gap("gap.height", {approach, "m"},
                       "heights leap from row to row: the gap between them dips below the rows");
+  // The rows do not describe the gap that deep: nothing is extrapolated.
   if (approach > ceiling || s.active_count == 0)
     return Fault::load(load ? "load.normal_force" : "load.approach",
                        {load ? problem.normal_force : problem.approach, load ? "N" : "m"},
@@ -249,6 +259,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
       strips.peak[j] *= problem.normal_force / solution.normal_force;
     solution.normal_force = problem.normal_force;
   }
+  // Peak, area and stiffness follow from the strips handed out.
   const bool at_edge = s.grid.at_edge && touches_the_grids_end(s);
   complete_solution(strips, lowest, at_edge, solution, fault);
   solution.stiffness = punch_stiffness(state.stiffness, totals(strips));

@@ -10,12 +10,12 @@
 ///   p_j >= 0: strips that would pull leave, strips where the bodies would overlap enter.
 ///
 /// All contact regions of the gap are in one system, so that neighbouring spots push each other apart as they
-/// do in reality. Each sweep solves p for the present lengths and then moves the lengths; three to five
-/// sweeps are enough from a cold start. With load prescribed the approach is one more unknown of the linear
+/// do in reality. Each iteration solves p for the present lengths and then moves the lengths; three to
+/// five are enough from a cold start. With load prescribed the approach is one more unknown of the linear
 /// system: there is no outer root find.
 ///
-/// The solver's own strips stand where the gap needs them (collocation_grid.hpp). What it returns is the
-/// solution cut anew into problem.strips strips of equal width per patch, between borders where l^2
+/// The solver's own strips stand where the gap needs them (collocation_grid.hpp). It returns the
+/// solution cut again into problem.strips strips of equal width per patch, between borders where l^2
 /// extrapolates to zero: they move smoothly when strips of the solver enter or leave. Strips of different
 /// patches are separated by a gap in y (patch_end() below).
 ///
@@ -29,8 +29,8 @@
 namespace wrc {
 
 struct StripHalfspaceOptions {
-  std::int32_t max_sweeps = 16;
-  double tolerance = 5e-3;  ///< part of the area still to be moved at which sweeps end [-]
+  std::int32_t max_sweeps = 16;  ///< iterations at most: config.planar.max_sweeps
+  double tolerance = 5e-3;       ///< part of the area still to be moved at which iterations end [-]
 };
 
 /// Scratch memory of a solve, aligned for double; nothing in it outlives the call.
@@ -48,14 +48,14 @@ std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept;
 struct StripHalfspaceStart {
   std::int32_t capacity = 0;
   std::int32_t count = 0;
-  double* y = nullptr;               ///< of the solver's strips in contact [m]
+  double* y = nullptr;               ///< middles of the solver's strips in contact [m]
   double* width = nullptr;           ///< [m]
   double* length_squared = nullptr;  ///< l^2 [m^2]
   double* shift = nullptr;           ///< x_c less the gap's own centre [m]
 };
 
 /// Solves the problem. Statuses as the other methods (check.hpp, load_search.hpp); WRC_FLAG_ITERATION_CAP
-/// when max_sweeps ended it, the patch is then that of the last sweep, and in equilibrium with the load.
+/// when max_sweeps ended it: the patch is then that of the last iteration, in equilibrium with the load.
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
                             const InfluenceTables& influence, NormalWorkspace& workspace,
                             StripHalfspaceStart& start, Strips& strips, NormalSolution& solution) noexcept;

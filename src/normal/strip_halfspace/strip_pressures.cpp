@@ -16,7 +16,7 @@ constexpr double overlap_to_enter = 1e-4;
 
 constexpr std::int32_t beside = 1;  ///< strips from the nearest in contact that still count as beside it
 
-double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.influence_stride; }
+double* influence_row(const StripSystem& s, std::int32_t j) { return s.influence + j * s.stride; }
 
 /// Fills row j of the influence, if it is not known yet: displacement at the middle of strip j by unit peak
 /// in each of the strips.
@@ -29,16 +29,18 @@ void find_influence(const Kernels& kernels, const InfluenceTables& influence, co
   const simd::InfluenceTask task{
       influence.tables(), s.in_reach.count,         s.grid.y + first, s.grid.width + first,
       s.centre + first,   s.inverse_length + first, s.skewed};
-  kernels.influence_row(task, j - first, row + first);
+  kernels.normal.influence_row(task, j - first, row + first);
+  // A strip's effect on its own middle: the mean of J over its width.
   row[j] = s.grid.width[j] * influence.own_middle(0.5 * s.grid.width[j] * s.inverse_length[j]);
 }
 
-/// The equations of the active strips: their influence on each other; the right-hand sides 1 / compliance,
-/// which the approach is a factor to, and height / compliance.
+/// The equations A p = (delta - h) / c of the active strips, with right-hand sides 1 / c and h / c apart: the
+/// approach delta may be unknown.
 simd::EliminationTask gather(const StripSystem& s, double compliance) {
   const std::int32_t m = s.active_count, size = elimination_size(m);
   const std::int64_t stride = simd::elimination_stride(size);
   for (std::int32_t a = 0; a < size; ++a) {
+    // Rows filled up to a multiple of four by those of the unit matrix, with right-hand sides 0.
     double* const target = s.matrix + a * stride;
     for (std::int64_t b = a < m ? m : 0; b < stride; ++b) target[b] = 0.0;
     if (a >= m) {
@@ -58,7 +60,7 @@ simd::EliminationTask gather(const StripSystem& s, double compliance) {
   return {size, stride, s.matrix, s.by_approach, s.by_height};
 }
 
-/// The strips a sweep looks at: all, or those in contact and a few on both sides, in whole packs of the
+/// The strips of an iteration: all, or those in contact and a few on both sides, in whole packs of the
 /// kernels.
 StripRange strips_in_reach(Search search, const StripSystem& s) {
   if (search == Search::everywhere || s.active_count == 0) return {0, s.grid.count};
@@ -66,13 +68,13 @@ StripRange strips_in_reach(Search search, const StripSystem& s) {
   const std::int32_t from = std::max(s.active[0] - margin, 0);
   const std::int32_t to = std::min(s.active[s.active_count - 1] + 1 + margin, s.grid.count);
   const auto packs = static_cast<std::int32_t>(simd::whole_packs(to - from));
-  const auto room = static_cast<std::int32_t>(simd::whole_packs(s.grid.count));
-  const std::int32_t first = std::min(from, room - packs);
+  const auto all_packs = static_cast<std::int32_t>(simd::whole_packs(s.grid.count));
+  const std::int32_t first = std::min(from, all_packs - packs);
   return {first, std::min(packs, s.grid.count - first)};
 }
 
-/// Drops the strips that pull. True if there are any.
-bool release(StripSystem& s) {
+/// Takes strips that pull out of contact. True if there are any.
+bool deactivate_pulling(StripSystem& s) {
   std::int32_t kept = 0;
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     double& peak = s.peak[s.active[a]];
@@ -91,18 +93,20 @@ bool overlaps(const NormalProblem& problem, const InfluenceTables& influence, do
               const StripSystem& s) {
   find_influence(*problem.kernels, influence, s, j);
   const double* const row = influence_row(s, j);
+  // u(x_cj, y_j) < delta - h there: the surfaces would overlap.
   double displacement = 0.0;
   for (std::int32_t b = 0; b < s.active_count; ++b) displacement += row[s.active[b]] * s.peak[s.active[b]];
   return problem.material.normal_compliance() * displacement <
          (1.0 - overlap_to_enter) * approach - height_at_centre(s, j);
 }
 
-/// Takes in the strips where the bodies would overlap. True if there are any.
-bool admit(const NormalProblem& problem, const InfluenceTables& influence, Search search, double approach,
-           StripSystem& s) {
+/// Takes strips where the bodies would overlap into contact. True if there are any.
+bool activate_overlapping(const NormalProblem& problem, const InfluenceTables& influence, Search search,
+                          double approach, StripSystem& s) {
   std::int32_t a = 0, next_count = 0;
   const std::int32_t m = s.active_count;
   for (std::int32_t j = s.in_reach.first; j < s.in_reach.first + s.in_reach.count; ++j) {
+    // A strip in contact stays; others are candidates if the undeformed bodies overlap there.
     bool in = a < m && s.active[a] == j;
     const bool near = (a < m && s.active[a] - j <= beside) || (a > 0 && j - s.active[a - 1] <= beside);
     if (in)
@@ -123,6 +127,7 @@ bool overlap_elsewhere(const NormalProblem& problem, const InfluenceTables& infl
                        const StripSystem& s) noexcept {
   const std::int32_t n = s.grid.count;
   for (std::int32_t j = 0, a = 0; j < n; ++j) {
+    // Lowest strips of spots away from contact; one of a spot is enough to look everywhere again.
     while (a < s.active_count && s.active[a] + beside < j) ++a;
     const bool near = a < s.active_count && s.active[a] - beside <= j;
     const bool lowest =
@@ -137,6 +142,7 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
                        StripSystem& s, double& stiffness) noexcept {
   const double compliance = problem.material.normal_compliance();
   for (std::int32_t i = 0; i < s.grid.count; ++i) s.inverse_length[i] = 1.0 / s.half_length[i];
+  // Lengths have moved: all rows of the influence are to be found again, when they are needed.
   std::fill_n(s.row_known, s.grid.count, 0);
   s.in_reach = strips_in_reach(search, s);
   for (std::int32_t a = 0; a < s.active_count; ++a)
@@ -146,8 +152,9 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round) {
     const std::int32_t m = s.active_count;
-    problem.kernels->eliminate(gather(s, compliance));
+    problem.kernels->normal.eliminate(gather(s, compliance));
 
+    // N = delta sum(by_approach section) - sum(by_height section), section = (pi/2) l width [m^2].
     double load_by_approach = 0.0, load_by_height = 0.0;
     for (std::int32_t a = 0; a < m; ++a) {
       const std::int32_t j = s.active[a];
@@ -159,9 +166,10 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
       approach = (problem.normal_force + load_by_height) / load_by_approach;
     stiffness = load_by_approach;
 
+    // Pressures; the active set is final when no strip pulls and none outside overlaps.
     std::fill(s.peak, s.peak + s.grid.count, 0.0);
     for (std::int32_t a = 0; a < m; ++a) s.peak[s.active[a]] = approach * s.by_approach[a] - s.by_height[a];
-    if (!release(s) && !admit(problem, influence, search, approach, s)) break;
+    if (!deactivate_pulling(s) && !activate_overlapping(problem, influence, search, approach, s)) break;
     if (s.active_count == 0) break;
   }
   return approach;

@@ -1,4 +1,5 @@
-/// The first half of a sweep of the half-space solver (strip_halfspace.hpp): pressures for given lengths.
+/// The first half of an iteration of the half-space solver (strip_halfspace.hpp): pressures for given
+/// lengths.
 #pragma once
 
 #include "normal/elasticity/influence_tables.hpp"
@@ -7,14 +8,14 @@
 
 namespace wrc {
 
-/// Where strips are looked for that overlap: a patch grows at its borders, other regions appear rarely, and
-/// are looked for where sweeps begin and where they are about to end.
+/// Extent of the search for strips that overlap: a patch grows at its borders; other regions appear rarely,
+/// and are looked for when iterations begin and when they are about to end.
 enum class Search { everywhere, beside_contact };
 
 /// Pressures of the active strips, from the contact condition at their middles, for the present lengths;
 /// returns the approach [m], and in `stiffness` the growth of the load with it at these lengths [N/m]. Strips
-/// that pull leave and strips that overlap enter, a few times at most: what is left over is settled in the
-/// next sweep.
+/// that pull leave and strips that overlap enter, a few times at most: the next iteration settles
+/// the rest.
 double solve_pressures(const NormalProblem& problem, const InfluenceTables& influence, Search search,
                        StripSystem& s, double& stiffness) noexcept;
 

@@ -14,40 +14,40 @@ struct StripRange {
   std::int32_t first = 0, count = 0;
 };
 
-/// Arrays in the workspace, all with room for as many strips as the problem has, in whole packs; `grid.count`
-/// are in use, and what the kernels read behind them is zero.
+/// Arrays in the workspace, each over the grid's strips j or the active strips a, in whole packs;
+/// `grid.count` and `active_count` are in use, and the elements that kernels read behind them are zero.
+///
+///   symbol (strip_halfspace.hpp)   array                         unit
+///   y_j, width                     grid.y, grid.width            m       of outermost strips: fitted to the border
+///   least h of the row             height                        m       over the lowest of the gap
+///   x of that least h              gap_centre                    m
+///   d2h/dx2                        curvature                     1/m
+///   l_j, 1 / l_j                   half_length, inverse_length   m, 1/m
+///   x_cj                           centre                        m
+///   p_j                            peak                          Pa
 struct StripSystem {
   CollocationGrid grid;
-  /// The strip as the grid has it; grid.y and grid.width of a patch's outermost strips are fitted to its
-  /// border.
-  double *cell_y = nullptr, *cell_width = nullptr;
-  double* height = nullptr;     ///< over the lowest point [m]
-  double* curvature = nullptr;  ///< d2h/dx2 [1/m]
-  double* gap_centre = nullptr;
-  double* half_length = nullptr;
-  double* inverse_length = nullptr;
-  double* centre = nullptr;
-  double* peak = nullptr;
-  std::int64_t influence_stride = 0;
-  /// Row j column i: displacement at the middle of j by unit peak in i, over the compliance [m]. See
-  /// row_known.
+  double *cell_y = nullptr, *cell_width = nullptr;  ///< the strips as the grid has them [m]
+  double *height = nullptr, *curvature = nullptr, *gap_centre = nullptr;
+  double *half_length = nullptr, *inverse_length = nullptr, *centre = nullptr, *peak = nullptr;
+  /// Row j column i: displacement at the middle of j by unit peak in i, over the compliance [m]; valid where
+  /// row_known[j] is 1.
   double* influence = nullptr;
-  double* matrix = nullptr;  ///< of the active strips, with the right-hand sides
-  double* by_approach = nullptr;
-  double* by_height = nullptr;
-  double* level = nullptr;  ///< p / l the edge conditions ask for [Pa/m]
-  double* shift = nullptr;  ///< of the centre against the gap's [m]
-  simd::Sources sources{};  ///< the active strips
-  simd::Sources
-      pairs{};  ///< active strips number a and a + 1 joined; the outermost strips alone at both ends
-  double* half_width = nullptr;                    ///< of the active strips, over their half length [-]
-  double* edge = nullptr;                          ///< x of their edges [m]
-  double *leading = nullptr, *trailing = nullptr;  ///< displacement there, over the compliance [m Pa]
-  std::int32_t* active = nullptr;                  ///< indices of the strips in contact
-  std::int32_t* next_active = nullptr;
+  std::int64_t stride = 0;        ///< elements of an array over strips, and from row to row of the influence
+  double* matrix = nullptr;       ///< equations of the active strips, with their right-hand sides
+  double* by_approach = nullptr;  ///< dp_a / d delta [Pa/m]
+  double* by_height = nullptr;    ///< p_a = delta by_approach - by_height [Pa]
+  double* peak_per_length = nullptr;  ///< p_a / l_a that the edge conditions ask for [Pa/m]
+  double* shift = nullptr;            ///< x_ca - gap_centre that they ask for [m]
+  simd::Sources sources{};            ///< the active strips
+  simd::Sources pairs{};  ///< active strips a and a + 1 joined; the outermost strips alone at both ends
+  double* half_width = nullptr;                            ///< of active strips, over their half length [-]
+  double* edge = nullptr;                                  ///< x of their edges [m]
+  double *leading = nullptr, *trailing = nullptr;          ///< displacement there, over the compliance [m Pa]
+  std::int32_t *active = nullptr, *next_active = nullptr;  ///< indices of the strips in contact
   std::int32_t* row_known = nullptr;  ///< 1: row j of the influence belongs to the present lengths
   std::int32_t active_count = 0;
-  StripRange in_reach;  ///< of the present sweep: in contact, or where contact is looked for
+  StripRange in_reach;  ///< strips of the present iteration: in contact, or where contact is looked for
   bool skewed = false;  ///< the gap's centre line is not straight along y
 };
 
@@ -72,8 +72,8 @@ inline std::int32_t run_end(const StripSystem& s, std::int32_t first) noexcept {
   return a + 1;
 }
 
-/// Height over the lowest point where strip j has its middle, beside the row's own lowest point under yaw
-/// [m].
+/// Height of the gap at the middle of strip j, over the lowest point [m]. Under yaw that middle is not the
+/// row's own lowest point: h + curvature (x_c - gap_centre)^2 / 2.
 inline double height_at_centre(const StripSystem& s, std::int32_t j) noexcept {
   const double shift = s.centre[j] - s.gap_centre[j];
   return s.height[j] + 0.5 * s.curvature[j] * shift * shift;

@@ -57,9 +57,9 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
                        const RelativePose& pose, double margin, const OverlapScratch& scratch,
                        const Overlaps& memory) noexcept {
   const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
-  kernels.outline(task);
+  kernels.surface.outline(task);
   std::int32_t j = 0, end = 0;
-  kernels.cross_rays(task, margin, j, end);
+  kernels.surface.cross_rays(task, margin, j, end);
 
   // Candidates: the overlap up to the outline's chord, which lies at most its sagitta from the curve, passes
   // the margin. Each ray starts where it crosses the chord.
@@ -74,7 +74,7 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   o.full = count == o.capacity && j < rail.count;
   o.count = count;
   if (count == 0) return o;
-  kernels.follow_rays(task, o);
+  kernels.surface.follow_rays(task, o);
 
   // Strips stay that overlap by more than -margin on the curve itself. Depth is -1 m where the surfaces do
   // not face each other.

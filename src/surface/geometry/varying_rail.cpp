@@ -362,7 +362,7 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
     const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.stride,
                                        b.weight,    rail.step + first, within,         a.y + first,
                                        a.z + first, a.ty + first,      a.tz + first,   a.width + first};
-    placed.steepest = std::max(placed.steepest, kernels.section_strips(task));
+    placed.steepest = std::max(placed.steepest, kernels.surface.section_strips(task));
     // arc length by the widths there, each face from a place of its own
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {

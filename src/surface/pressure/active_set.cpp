@@ -70,10 +70,10 @@ void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScra
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
   // Rows of M at the strips' own middles; the kernel of pairs leaves the diagonal to the second one.
-  problem.kernels.surface_influence(problem.tables, sources, pairs_of(problem, s, w),
+  problem.kernels.surface.influence(problem.tables, sources, pairs_of(problem, s, w),
                                     {n, w.active.index, w.active.place, w.active.centre}, s.skewed, w.matrix,
                                     stride);
-  problem.kernels.surface_own_influence(problem.tables, sources, w.matrix, stride);
+  problem.kernels.surface.own_influence(problem.tables, sources, w.matrix, stride);
   // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of four.
   for (std::int32_t a = 0; a < size; ++a) {
     double* const row = w.matrix + a * stride;
@@ -83,7 +83,7 @@ void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScra
     else
       row[a] = 1.0;
   }
-  problem.kernels.eliminate({size, stride, w.matrix, w.solution, w.unused});
+  problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, w.unused});
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, P
     const simd::SurfaceStrips all = strips_of(s.count, s.place, s.width, s.ny, s.nz);
     if (run) {
       // Active strips side by side are a window of all strips: one table serves while the window moves.
-      problem.kernels.surface_pairs(all, all, w.pairs);
+      problem.kernels.surface.pairs(all, all, w.pairs);
     } else {
       // Columns are the active strips packed together; the table lasts until one enters or leaves.
       for (std::int32_t a = 0; a < n; ++a) {
@@ -113,7 +113,7 @@ simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, P
         active.ny[a] = s.ny[i];
         active.nz[a] = s.nz[i];
       }
-      problem.kernels.surface_pairs(all, strips_of(n, active.place, active.width, active.ny, active.nz),
+      problem.kernels.surface.pairs(all, strips_of(n, active.place, active.width, active.ny, active.nz),
                                     w.pairs);
     }
     w.paired_count = run ? paired_with_all : n;
@@ -136,7 +136,7 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
   // Displacement at their middles by the active strips, row by row; the system's memory is free by now.
   const std::int32_t n = w.active.count;
   const std::int64_t stride = simd::whole_packs(n);
-  problem.kernels.surface_influence(problem.tables, sources_of(w.active), pairs_of(problem, s, w),
+  problem.kernels.surface.influence(problem.tables, sources_of(w.active), pairs_of(problem, s, w),
                                     {count, w.outside, w.outside_place, w.outside_x}, s.skewed, w.matrix,
                                     stride);
   // Their displacement against their overlap [m].

@@ -19,7 +19,7 @@ void displace_edges(const PressureProblem& problem, const StripSet& s, PressureS
   simd::SurfaceSources sources = sources_of(active);
   sources.factor = active.load_factor;
   // Without yaw both edges are alike, and half the work is done.
-  problem.kernels.surface_edges(
+  problem.kernels.surface.edges(
       problem.tables, sources, pairs_of(problem, s, w),
       {active.index, active.half_length, w.u_leading, s.skewed ? w.u_trailing : nullptr});
 }
@@ -91,8 +91,8 @@ void edge_residual(const PressureProblem& problem, const StripSet& s, PressureSc
 
   // Residuals of the shifts, which are to lie on lines through those that edges ask for. Strips that are not
   // in contact have the shift they would enter with.
-  problem.kernels.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, n, active.place,
-                              active.load, w.edge_shift, shift_residual});
+  problem.kernels.surface.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, n, active.place,
+                                      active.load, w.edge_shift, shift_residual});
   for (std::int32_t i = 0; i < s.count; ++i)
     shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
 }

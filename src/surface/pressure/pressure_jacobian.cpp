@@ -104,7 +104,7 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
   double sum[directions];  // sums of J q times each element of `direction`
-  kernels.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
+  kernels.surface.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
   double* const by_c = row + 2 * n;
@@ -140,15 +140,15 @@ void fill_strip(const PressureModel& model, const PressedStrips& s, const Size& 
   const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x}; };
 
   // Contact: u(c) - depth(c) = 0.
-  kernels.surface_influence_slopes(tables, sources, point(w.centre[a]), w.seen);
+  kernels.surface.influence_slopes(tables, sources, point(w.centre[a]), w.seen);
   const Displacement middle = fill_row(kernels, s, w, a, contact);
   contact[2 * n + a] -= depth_by_c;
 
   // Rows of u+ at c + l and u- at c - l; these points move with L, too.
-  kernels.surface_edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
+  kernels.surface.edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
   const Displacement leading = fill_row(kernels, s, w, a, lambda);
   lambda[n + a] += leading.by_x * w.dl_dL[a];
-  kernels.surface_edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
+  kernels.surface.edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
   const Displacement trailing = fill_row(kernels, s, w, a, shift);
   shift[n + a] -= trailing.by_x * w.dl_dL[a];
 
@@ -195,7 +195,7 @@ struct Smoothed {
 };
 
 /// Weighted mean of `edge` over strip a's neighbours (lambda_reach), or the line of least squares through
-/// them at its place (shift_reach, Kernels::near_lines).
+/// them at its place (shift_reach, SurfaceKernels::near_lines).
 ///
 ///     weight_b = (1 - y_b^2)^3 w_b q_b,  y_b = (s_b - s_a) / reach
 ///     mean: value = <v>     line: value = <v> - <y> slope,  slope = (<y v> - <y> <v>) / spread
@@ -270,7 +270,7 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
       of[i] = b <= a ? w.kept_rows + b % most_within_reach * stride : rows + b * stride;
       r.by_value[i] *= factor;
     }
-    kernels.blend_rows({r.count, stride, r.by_value, of, row});
+    kernels.surface.blend_rows({r.count, stride, r.by_value, of, row});
     // The weights' part: line loads are the first unknowns.
     for (std::int32_t i = 0; i < r.count; ++i) row[r.from + i] += factor * r.by_load[i];
   }
@@ -339,7 +339,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, cons
     std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
     w.matrix[a * size.stride + a] = 1.0;
   }
-  model.kernels.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
+  model.kernels.normal.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
   substitute(size, w);
   // Solutions in the order of the unknowns: q, L, c.
   const auto dual = [&](std::int32_t row, double value) {

@@ -22,7 +22,8 @@ inline double lambda_reach(double width) {
 
 /// Shifts lie on the line of least squares through the strips nearer than this [m]: in Hertz's contact,
 /// however it lies to the strips, they lie on one. Over shorter reaches shifts follow their neighbours to
-/// other solutions where places of the largest overlap are far apart from strip to strip (docs/accuracy.md).
+/// other solutions where places of the largest overlap are far apart from strip to strip
+/// (docs/accuracy_method.md).
 inline double shift_reach(double width) { return 7.0 * lambda_reach(width); }
 
 /// Least variance of the strips' places over the squared reach, for a line: one strip has no slope.

@@ -56,7 +56,7 @@ SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a
   task.soft_x = a.turn_x;
   task.soft_y = a.turn_y;
   const Kernels& kernels = *in.grid->kernels;
-  return run(fields.any() ? kernels.surface_march_fields : kernels.surface_march, task);
+  return run(fields.any() ? kernels.tangential.surface_march_fields : kernels.tangential.surface_march, task);
 }
 
 }  // namespace

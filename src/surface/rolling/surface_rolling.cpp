@@ -27,7 +27,8 @@ SurfaceRollingTotals roll_by_strip_fastsim(const SurfaceRollingInput& in, const 
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;
   const Kernels& kernels = *in.grid->kernels;
-  return run(fields.any() ? kernels.surface_strips_fields : kernels.surface_strips, task);
+  return run(fields.any() ? kernels.tangential.surface_strips_fields : kernels.tangential.surface_strips,
+             task);
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
   const RollingArrays a = cut_rolling_arrays<double>(arena, in.count);
   const strip_numbers::Shared shared = strip_numbers::shared(in);
   // Loads, coefficients and means serve all methods; the rest of the arrays strip FASTSIM alone.
-  in.grid->kernels->strip_numbers({&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
+  in.grid->kernels->surface.strip_numbers(
+      {&in, &shared, &a, in.method == SurfaceRollingMethod::strip_fastsim});
   switch (in.method) {
     case SurfaceRollingMethod::strip_fastsim:
       break;

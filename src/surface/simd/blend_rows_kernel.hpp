@@ -20,7 +20,7 @@ void blend_columns(const BlendRowsTask& task, std::int64_t first) {
   for (int k = 0; k < vectors; ++k) store_lanes(task.to + first + k * native_lanes, sum[k]);
 }
 
-/// Kernels::blend_rows.
+/// SurfaceKernels::blend_rows.
 inline void blend_rows_kernel(const BlendRowsTask& task) {
   // Four vectors at a time stay in registers over all rows, then one at a time.
   constexpr int vectors = 4;

@@ -30,7 +30,7 @@ WRC_IN_LOOP void two_by_two(std::int32_t from, std::int32_t end, const Take& tak
   for (std::int32_t a = from; a < end; a += 2) take(a, a + 1 < end ? a + 1 : a);
 }
 
-/// Kernels::surface_pairs.
+/// SurfaceKernels::pairs.
 inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& columns,
                           const SurfacePairs& pairs) {
   constexpr double origin = InfluenceTables::line_rows.origin();
@@ -110,14 +110,14 @@ void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, 
   }
 }
 
-/// Kernels::surface_influence.
+/// SurfaceKernels::influence.
 inline void surface_influence(const SurfaceTables& tables, const SurfaceSources& sources,
                               const SurfacePairs& pairs, const SurfacePoints& points, bool skewed,
                               double* rows, std::int64_t stride) {
   (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, pairs, points, rows, stride);
 }
 
-/// Kernels::surface_own_influence.
+/// SurfaceKernels::own_influence.
 inline void surface_own_influence(const SurfaceTables& tables, const SurfaceSources& sources, double* rows,
                                   std::int64_t stride) {
   // Mean of J(tau, 0) over half the width, of a source per lane; then one by one to the diagonal.
@@ -147,7 +147,7 @@ WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources&
   return Pack(cosine, cosine) * sources.factor[j] * (between.here + between.fraction * between.rise);
 }
 
-/// Kernels::surface_edges. Both edges of as many strips as a vector holds.
+/// SurfaceKernels::edges. Both edges of as many strips as a vector holds.
 inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sources,
                           const SurfacePairs& pairs, const SurfaceEdges& edges) {
   // Displacement of a strip's own edges first: alike at both, the mean of J(tau, 1) over half the width.

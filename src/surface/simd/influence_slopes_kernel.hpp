@@ -148,7 +148,7 @@ inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlope
   store_pack(to.by_x + first, a.x);
 }
 
-/// Kernels::surface_influence_slopes.
+/// SurfaceKernels::influence_slopes.
 inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
                                      const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
@@ -173,7 +173,7 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
   }
 }
 
-/// Kernels::surface_edge_slopes.
+/// SurfaceKernels::edge_slopes.
 inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
                                 const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {

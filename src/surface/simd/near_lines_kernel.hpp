@@ -8,7 +8,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Kernels::near_lines: one strip per lane, its sums in the order of the sources.
+/// SurfaceKernels::near_lines: one strip per lane, its sums in the order of the sources.
 inline void near_lines_kernel(const NearLinesTask& task) {
   for (std::int32_t first = 0; first < task.count; first += lanes) {
     const Pack place = load_pack(task.place + first), inverse = load_pack(task.inverse_reach + first);

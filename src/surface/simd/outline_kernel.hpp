@@ -8,7 +8,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Kernels::outline.
+/// SurfaceKernels::outline.
 inline void outline_kernel(const OutlineTask& task) {
   const WheelCurve& wheel = *task.wheel;
   for (std::int32_t k = 0; k < wheel.knots; k += lanes) {
@@ -55,7 +55,7 @@ struct RayWalk {
   }
 };
 
-/// Kernels::cross_rays. Follows the outline from knot to knot; the deepest crossing of a ray counts.
+/// SurfaceKernels::cross_rays. Follows the outline from knot to knot; the deepest crossing of a ray counts.
 /// Stretches of the outline further above the rail's top or beside it than the margin, and than wheels are
 /// pressed into rails, are passed over.
 inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32_t& begin,
@@ -156,7 +156,7 @@ inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) 
   return p;
 }
 
-/// Kernels::follow_rays. Newton's method within the piece whose chord the ray crosses.
+/// SurfaceKernels::follow_rays. Newton's method within the piece whose chord the ray crosses.
 inline void follow_rays_kernel(const OutlineTask& task, const Overlaps& overlaps) {
   constexpr int steps = 4;
   const RailStrips& rail = *task.rail;

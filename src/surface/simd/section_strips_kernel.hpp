@@ -7,7 +7,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Kernels::section_strips.
+/// SurfaceKernels::section_strips.
 inline double section_strips_kernel(const SectionStripsTask& task) {
   Pack steepest = 0.0;
   for (std::int32_t first = 0; first < task.count; first += lanes) {

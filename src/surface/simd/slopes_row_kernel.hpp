@@ -8,7 +8,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Kernels::slopes_row.
+/// SurfaceKernels::slopes_row.
 inline void slopes_row_kernel(const SlopesRowTask& task) {
   constexpr std::int32_t directions = SlopesRowTask::directions, vectors = directions / native_lanes;
   const std::int32_t n = task.count;

@@ -40,7 +40,7 @@ inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& ta
   return coefficients_of(product, m);
 }
 
-/// Kernels::strip_numbers.
+/// SurfaceKernels::strip_numbers.
 inline void strip_numbers_kernel(const StripNumbersTask& task) {
   // Loads and their means' equations, coefficients and means; the numbers of the march where it is strip
   // FASTSIM's.

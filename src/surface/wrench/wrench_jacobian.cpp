@@ -336,7 +336,7 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
   task.fy = arrays.take();
   task.mz = arrays.take();
   task.slopes = d.w.slopes;
-  model.grid->kernels->surface_strips_slopes(task);
+  model.grid->kernels->tangential.surface_strips_slopes(task);
 
   for (std::int32_t k = 0; k < n; ++k) {
     const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};

@@ -60,9 +60,9 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   const simd::MarchTask task = task_of(problem, grid, fields);
   const Kernels& kernels = *grid.kernels;
   // a kernel of its own for each kind of result: no field or derivative costs calls that do not ask for it
-  const auto kernel = sensitivities  ? kernels.march_sensitivities
-                      : fields.any() ? kernels.march_fields
-                                     : kernels.march;
+  const auto kernel = sensitivities  ? kernels.tangential.march_sensitivities
+                      : fields.any() ? kernels.tangential.march_fields
+                                     : kernels.tangential.march;
   kernel(task, sums);
   if (sensitivities)
     *sensitivities =

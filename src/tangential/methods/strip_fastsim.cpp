@@ -221,7 +221,8 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
   const auto forces = [&](simd::Sums& sums) {
     const Creepage& c = contact.creepage;
     const Model<double> m = model<double>(contact, calibration, c.longitudinal, c.lateral, c.spin, fault);
-    (fields.any() ? kernels.strip_fastsim_fields : kernels.strip_fastsim)(task_of(contact, m, fields), sums);
+    (fields.any() ? kernels.tangential.strip_fastsim_fields : kernels.tangential.strip_fastsim)(
+        task_of(contact, m, fields), sums);
   };
   simd::Sums sums;
   if (sensitivities) {
@@ -231,7 +232,7 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
     const Creepage& c = shifted.creepage;
     const Model<Number> m = model<Number>(shifted, calibration, Number::input(c.longitudinal, 0),
                                           Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
-    kernels.strip_fastsim_sensitivities(task_of(shifted, m, fields), sums);
+    kernels.tangential.strip_fastsim_sensitivities(task_of(shifted, m, fields), sums);
     *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
     const Creepage& asked = contact.creepage;
     if (c.longitudinal != asked.longitudinal || c.lateral != asked.lateral || c.spin != asked.spin)

@@ -178,7 +178,7 @@ struct SlopesMarch {
 
 }  // namespace strip
 
-/// Kernels::surface_strips_slopes.
+/// TangentialKernels::surface_strips_slopes.
 void surface_strips_slopes_kernel(const SurfaceStripsSlopesTask& task) {
   march_groups<Output::sensitivities>(task, strip::SlopesMarch{task});
 }
