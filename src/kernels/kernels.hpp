@@ -13,7 +13,9 @@ struct MarchGrid;
 struct Overlaps;
 struct Strips;
 
-namespace simd {
+}  // namespace wrc
+
+namespace wrc::simd {
 
 struct RowsTask;
 struct InfluenceTask;
@@ -130,7 +132,9 @@ struct DamageKernels {
   void (*stress_of_corners)(const CornerLoads& loads, StressParts& stress);
 };
 
-}  // namespace simd
+}  // namespace wrc::simd
+
+namespace wrc {
 
 /// The tables of one instruction set. All sets give the same bits.
 struct Kernels {

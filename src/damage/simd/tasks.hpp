@@ -7,8 +7,7 @@
 #include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
-namespace simd {
+namespace wrc::simd {
 
 /// A patch whose cells are to be assessed, and where the results go; arrays over cells are laid out as the
 /// tangential fields.
@@ -62,6 +61,4 @@ struct CornerLoads {
   const double *pressure, *along, *across;
 };
 
-}  // namespace simd
-
-}  // namespace wrc
+}  // namespace wrc::simd

@@ -11,7 +11,9 @@ namespace wrc {
 
 struct GapRowMemory;
 
-namespace simd {
+}  // namespace wrc
+
+namespace wrc::simd {
 
 /// Rows of a gap that are to be filled: row j lies at low + j step.
 struct RowsTask {
@@ -24,6 +26,4 @@ struct RowsTask {
   const GapRowMemory* memory;
 };
 
-}  // namespace simd
-
-}  // namespace wrc
+}  // namespace wrc::simd

@@ -5,8 +5,7 @@
 
 #include "patch/gap.hpp"
 
-namespace wrc {
-namespace simd {
+namespace wrc::simd {
 
 /// The widest pack of any instruction set. Kernels read whole packs: their arrays have memory, and
 /// harmless numbers, up to the next multiple of this.
@@ -91,6 +90,4 @@ struct PointTask {
 /// Whole groups of eight columns.
 constexpr std::int64_t elimination_stride(std::int32_t size) { return (size + 2 + 7) / 8 * 8; }
 
-}  // namespace simd
-
-}  // namespace wrc
+}  // namespace wrc::simd

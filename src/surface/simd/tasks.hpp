@@ -17,7 +17,9 @@ namespace strip_numbers {
 struct Shared;
 }
 
-namespace simd {
+}  // namespace wrc
+
+namespace wrc::simd {
 
 /// Strips as they lie on the surface. Arrays have whole packs of elements and a pack more, zeros behind the
 /// last.
@@ -143,6 +145,4 @@ struct StripNumbersTask {
   bool for_strip_fastsim;  ///< its arrays, too
 };
 
-}  // namespace simd
-
-}  // namespace wrc
+}  // namespace wrc::simd

@@ -10,7 +10,9 @@ namespace wrc {
 struct BoundShape;
 struct MarchGrid;
 
-namespace simd {
+}  // namespace wrc
+
+namespace wrc::simd {
 
 /// Forces and moment can be differentiated with respect to nu_x, nu_y, phi. (Friction and load follow: the
 /// forces are homogeneous of degree one in creepages and friction together.)
@@ -123,6 +125,4 @@ struct SurfaceStripsSlopesTask : SurfaceStripsTask {
   double* slopes;
 };
 
-}  // namespace simd
-
-}  // namespace wrc
+}  // namespace wrc::simd
