@@ -169,6 +169,7 @@ class References(Tree):
         return [each for each in references.wrong_references(self.root)[0] if page in each]
 
     def test_pages(self):
+        self.put("docs/decisions/README.md", "| any decision | [any.md](any.md) |\n")
         pages = [page.replace("*", "any") for page in references.PAGES]
         self.assertIn("docs/architecture.md", pages)
         for page in pages:
@@ -177,6 +178,10 @@ class References(Tree):
                                ("other() of\nbase/curve.hpp", "other() is not in base/curve.hpp"), ("in src/gone/ or", "there is no folder src/gone/"),
                                ("the array `w.gone[]`", "there is no `gone`"), ("the array\n`gone`", f"{page}:1: there is no `gone`")):
                 self.assertTrue(any(said in each for each in self.wrong_on_page(page, text)), f"{page}, {text}: {self.wrong_on_page(page, text)}")
+
+    def test_decision_that_is_not_listed(self):
+        self.put("docs/decisions/any.md", "# Any\n")
+        self.assertEqual(references.wrong_references(self.root)[0], ["docs/decisions/README.md: does not list any.md"])
 
     def test_nothing_to_look_at_fails(self):
         sys.argv = ["references.py", str(self.root)]

@@ -5,8 +5,8 @@
 
 A file that a comment or page names exists; `f() of file.cpp`, `f() in file.cpp` and `f() (file.cpp)` are functions that
 stand in that file, in its code, not in its comments; any other `f()` is in some file's code. In a page, folders (`name/`)
-exist too, and a name in backticks is a word of the code or a file. Fails on one that is not, and if there was nothing to
-look at."""
+exist too, and a name in backticks is a word of the code or a file. docs/decisions/README.md lists every decision. Fails on
+one that is not, and if there was nothing to look at."""
 import pathlib
 import re
 import sys
@@ -101,6 +101,10 @@ def wrong_references(root):
             looked_at += 1
             if not right:
                 wrong.append(f"{path.relative_to(root)}:{line}: {sentence}")
+    decisions = root / "docs/decisions"
+    listed = (decisions / "README.md").read_text() if (decisions / "README.md").exists() else ""
+    wrong += [f"docs/decisions/README.md: does not list {each.name}" for each in sorted(decisions.glob("*.md"))
+              if each.name != "README.md" and f"({each.name})" not in listed]
     return wrong, looked_at
 
 
