@@ -179,6 +179,10 @@ class References(Tree):
                                ("the array `w.gone[]`", "there is no `gone`"), ("the array\n`gone`", f"{page}:1: there is no `gone`")):
                 self.assertTrue(any(said in each for each in self.wrong_on_page(page, text)), f"{page}, {text}: {self.wrong_on_page(page, text)}")
 
+    def test_functions_of_tests_do_not_count(self):
+        self.put("tests/unit/base_curve_test.cpp", "int planted(int a);\n")
+        self.assertTrue(any("there is no planted()" in each for each in self.wrong("// as planted() does")))
+
     def test_decision_that_is_not_listed(self):
         self.put("docs/decisions/any.md", "# Any\n")
         self.assertEqual(references.wrong_references(self.root)[0], ["docs/decisions/README.md: does not list any.md"])

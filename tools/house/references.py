@@ -4,7 +4,7 @@
     references.py [ROOT]
 
 A file that a comment or page names exists; `f() of file.cpp`, `f() in file.cpp` and `f() (file.cpp)` are functions that
-stand in that file, in its code, not in its comments; any other `f()` is in some file's code. In a page, folders (`name/`)
+stand in that file, in its code, not in its comments; any other `f()` is in some file's code, tests apart. In a page, folders (`name/`)
 exist too, and a name in backticks is a word of the code or a file. docs/decisions/README.md lists every decision. Fails on
 one that is not, and if there was nothing to look at."""
 import pathlib
@@ -59,7 +59,8 @@ class Tree:
         self.places = ["/" + str(each.relative_to(root)) for each in self.files]
         self.texts = {each: each.read_text(errors="replace") for each in self.files if each.suffix in SOURCES}
         every = "\n".join(map(code, self.texts.values()))
-        self.calls = set(re.findall(r"\b([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\(", every))
+        self.calls = set(re.findall(r"\b([A-Za-z_]\w*)\s*(?:<[^;(){}]*>)?\(", "\n".join(
+            code(text) for each, text in self.texts.items() if each.relative_to(root).parts[0] != "tests")))
         built = "\n".join(each.read_text(errors="replace") for each in self.files if each.name == "CMakeLists.txt" or each.suffix in (".cmake", ".sh"))
         self.words = set(re.findall(r"\w+", every + "\n" + built)) | {part.split(".")[0] for place in self.places for part in place.split("/")}
 
