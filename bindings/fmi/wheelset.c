@@ -39,7 +39,7 @@ static double component(const wrc_wrench* wrench, int number) {
   return number < 3 ? wrench->force[number] : wrench->moment[number - 3];
 }
 
-/* What a wheel is given in a state u: the motion, friction, and the rail of its side. */
+/* Gives the library a state u: the motion, friction, and the rail of a side. */
 static void give(instance* of, const double u[states], int side) {
   const double* now = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;

@@ -1,4 +1,4 @@
-/* What the FMUs answer to mistakes, and after them.
+/* Answers of the FMUs to mistakes, and after them.
  *
  *   mistakes wrc_fmu.so     exit status 1 if an answer is not as it should be
  */
