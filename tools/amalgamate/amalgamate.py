@@ -183,15 +183,20 @@ def amalgam():
     return "".join(made.out)
 
 
+def source():
+    """wrc.cpp as text."""
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False).stdout.strip()
+    version = re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+    return HEAD.format(version=version, commit=commit or "unknown") + amalgam()
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     out = pathlib.Path(sys.argv[1])
-    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False).stdout.strip()
-    version = re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
     out.mkdir(parents=True, exist_ok=True)
     shutil.copytree(HEADERS, out / "wrc", dirs_exist_ok=True)
-    (out / "wrc.cpp").write_text(HEAD.format(version=version, commit=commit or "unknown") + amalgam())
+    (out / "wrc.cpp").write_text(source())
 
 
 if __name__ == "__main__":
