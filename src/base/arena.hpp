@@ -12,8 +12,8 @@ namespace wrc {
 class Arena {
  public:
   Arena() = default;
-  /// `memory`: aligned to a cache line, or nullptr to count.
-  explicit Arena(void* memory) : memory_(static_cast<std::byte*>(memory)) {}
+  /// `memory`: aligned to a cache line, not null.
+  [[gnu::nonnull]] explicit Arena(void* memory) : memory_(static_cast<std::byte*>(memory)) {}
 
   /// An array of `count` elements; nullptr while it counts.
   template <class T = double>

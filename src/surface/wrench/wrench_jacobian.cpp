@@ -522,7 +522,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), frame_number(w.pressed.centre_dual[k]), graded,
-              loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i], out.force, out.moment);
+              {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   return {};
 }
