@@ -264,12 +264,12 @@ Stress LoadLanes::at(double x, double y, double z) const {
   for (std::int32_t k = 0; k < lanes_; ++k) {
     const Lane& lane = lane_[k];
     // Adds the stresses by `count` points of the lane with these tractions over pressure; loads nearer than
-    // `spared` [m] are left to add_cells().
+    // `near_limit` [m] are left to add_cells().
     const auto add_points = [&](const Rule& rule, std::int32_t count, const double* along,
-                                const double* across, double spared) {
+                                const double* across, double near_limit) {
       kernels_.damage.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
                                         lane.pressure * lane.width * std::abs(lane.half_length), count,
-                                        rule.place, rule.weight, along, across, spared},
+                                        rule.place, rule.weight, along, across, near_limit},
                                        sum);
     };
     const double away2 = square(y - lane.y) + square(z);

@@ -171,7 +171,7 @@ TEST(StripMechanics, PowerOfTheForcesIsThatInTheStripsOwnAxes) {
       const StripOverlap<double> o = some_strip(angle, grade);
       const StripMotion<double> m = motion_at(v, o, x, grade != 0.0);
       double force[3] = {1.0, 2.0, 3.0}, moment[3] = {4.0, 5.0, 6.0};
-      add_force(o, x, grade != 0.0, N, fx, fy, mz, force, moment);
+      add_force(o, x, grade != 0.0, {N, fx, fy, mz}, force, moment);
       const double power = dot(of(force), of(v.linear)) + dot(of(moment), of(v.angular)) -
                            dot({1.0, 2.0, 3.0}, of(v.linear)) - dot({4.0, 5.0, 6.0}, of(v.angular));
       EXPECT_NEAR(power, fx * m.along + fy * m.across - N * m.approach + mz * m.spin, 1e-9 * std::abs(power));
