@@ -85,7 +85,7 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   // depth of wear at even places along the curve, smoothed
   const double length = given.end() - given.begin();
   const auto pieces =
-      std::max<std::int32_t>(8, static_cast<std::int32_t>(std::lround(length / step.spacing)));
+      std::max<std::int32_t>(8, static_cast<std::int32_t>(std::floor(length / step.spacing + 0.5)));
   const double spacing = length / pieces;
   std::vector<double> depth(static_cast<std::size_t>(pieces) + 1);
   for (std::int32_t i = 0; i <= pieces; ++i)

@@ -33,7 +33,7 @@ ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
   a.rail = cut_curve(arena, sizes.rail_nodes);
   a.knots = cut_knots(arena, most_curve_pieces(sizes.wheel_nodes));
   a.strips = cut_strips(arena, most_strips_of_a_rail);
-  arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), {&a.y, &a.z});
+  arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), a.y, a.z);
   if (sizes.sections > 0)
     a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);
   if (radius.rows > 0) a.radius = cut_out_of_round(arena, radius);

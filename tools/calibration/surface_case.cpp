@@ -84,7 +84,7 @@ class Pair {
       o = surface::cut_overlaps(arena, most, false);
       scratch = surface::cut_overlap_scratch(arena, surface::most_curve_pieces(geometry::s1002_nodes),
                                              surface::most_strips_of_a_rail);
-      arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+      arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
       return arena.doubles();
     };
     surface::Overlaps memory;

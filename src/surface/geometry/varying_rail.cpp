@@ -249,10 +249,10 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
   VaryingRailArrays a;
   a.distance = arena.take(sections);
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
-  arena.each(most_strips, {&a.step, &a.middle});
+  arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
-  arena.each(4 * static_cast<std::int64_t>(most_strips), {&a.before, &a.behind});
-  arena.each(nodes, {&a.y, &a.z});
+  arena.each(4 * static_cast<std::int64_t>(most_strips), a.before, a.behind);
+  arena.each(nodes, a.y, a.z);
   a.curve = cut_curve(arena, nodes);
   return a;
 }

@@ -96,6 +96,7 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
 Fault sum_regions(const WheelOnRail& in, const WheelSolution& s, Wrench& out) {
   Fault fault;
   OpenRegion open;
+  out.regions = 0;
   std::int32_t last_strip = -2;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     const std::int32_t strip = s.overlaps.strip[s.strips.candidate[k]];

@@ -70,8 +70,8 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   Scratch w;
   // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
-  arena.each(most, {&p.place, &p.width, &p.line_load, &p.length_squared, &p.centre});
-  arena.each(most, {&p.line_load_dual, &p.length_squared_dual, &p.centre_dual});
+  arena.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
+  arena.each(most, p.line_load_dual, p.length_squared_dual, p.centre_dual);
   p.overlap = arena.take<OverlapSlopes>(most);
 
   // Their elimination comes before everything below, and shares its memory.
@@ -80,15 +80,15 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
 
   LoadedStrips& s = w.loaded;
   s.pressed = arena.take<std::int32_t>(most);
-  arena.each(most, {&s.place, &s.width});
-  arena.each(most, {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
-                    &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz});
+  arena.each(most, s.place, s.width);
+  arena.each(most, s.normal, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin, s.friction, s.fx,
+             s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   HeatedScratch& h = w.heated;
-  arena.each(most, {&h.half_length, &h.peak, &h.curvature, &h.slip_x, &h.slip_y, &h.spin, &h.friction, &h.fx,
-                    &h.fy, &h.mz, &h.share, &h.base_fx, &h.base_fy, &h.base_mz});
+  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.friction, h.fx, h.fy,
+             h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
   h.rolling = cut_rolling(arena, sizes);
 
   // whichever of both is larger
