@@ -1,6 +1,7 @@
 """Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given."""
 from __future__ import annotations
 
+import io
 from typing import Any, Dict, Iterable, Optional, Tuple
 
 import numpy as np
@@ -15,12 +16,19 @@ SLIDES = 1e-9  # a sliding velocity over the rolling speed that is none
 
 
 def figure(**options: Any) -> Any:
-    """A matplotlib Figure that no window and no global list holds."""
+    """A matplotlib Figure that no window and no global list holds. A notebook shows it."""
     try:
         from matplotlib.figure import Figure
     except ImportError as why:
         raise ImportError("pictures need matplotlib: pip install wrc[plot]") from why
-    return Figure(layout="compressed", **options)
+
+    class Picture(Figure):
+        def _repr_png_(self) -> bytes:
+            file = io.BytesIO()
+            self.savefig(file, format="png", dpi=100, bbox_inches="tight")
+            return file.getvalue()
+
+    return Picture(layout="compressed", **options)
 
 
 def _done(made: Any, path: Any) -> Any:
@@ -88,7 +96,7 @@ def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
     if name in fields:
         return fields[name]
     if name + "_X" in fields:
-        return np.hypot(fields[name + "_X"], fields[name + "_Y"])
+        return np.asarray(np.hypot(fields[name + "_X"], fields[name + "_Y"]))
     return None
 
 
@@ -201,9 +209,9 @@ def model(model: Model, path: Any = None) -> Any:
     """The profiles of a model as it uses them, right side, in the track's axes [mm]."""
     made = figure(figsize=(9, 4.5))
     panel = made.subplots()
-    for body, colour in (("WHEEL", COLOURS[0]), ("RAIL", "#555555")):
+    for body, colour in ((i.Body.WHEEL, COLOURS[0]), (i.Body.RAIL, "#555555")):
         y, z, deviation = model.profile(body)
-        panel.plot(1e3 * y, 1e3 * z, color=colour, label=body.lower() + (f", smoothed by up to {1e6 * deviation:.1f} µm" if deviation else ""))
+        panel.plot(1e3 * y, 1e3 * z, color=colour, label=body.name.lower() + (f", smoothed by up to {1e6 * deviation:.1f} µm" if deviation else ""))
     panel.invert_yaxis()
     panel.set(xlabel="y, from the middle of wheelset and track [mm]", ylabel="z, down [mm]", aspect="equal")
     panel.grid(alpha=0.3)
