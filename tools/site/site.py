@@ -24,7 +24,7 @@ WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
 # The manuals in the order of a reader; pages that are not here go to the last entry, decisions into one of their own.
 TABS = [
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
-    ("Accuracy", [("Results", "accuracy.md"), ("How the figures are made", "accuracy_method.md")]),
+    ("Accuracy", [("Results", "accuracy.md"), ("The source paper", "paper.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
     ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
