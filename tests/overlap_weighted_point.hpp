@@ -18,20 +18,22 @@ namespace wrc::test {
 /// pose while the overlap stays in one piece. `overlap` is the vertical overlap at the point of first contact
 /// [m], > 0; only the contiguous region around it counts. The point keeps the vertical gap of the first
 /// contact, so that a gap in its frame touches zero there.
-inline ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& wheel,
-                                           const ContactPoint& first_contact, double overlap) {
+inline geometry::ContactPoint overlap_weighted_point(const geometry::Rail& rail,
+                                                     const geometry::PosedWheel& wheel,
+                                                     const geometry::ContactPoint& first_contact,
+                                                     double overlap) {
   constexpr double spacing = 0.1e-3;  // of the integration over the overlap [m]
   constexpr int most = 1000;          // stations on either side
   struct Station {
-    OutlinePoint outline;
-    ProfilePoint on_rail;
+    geometry::OutlinePoint outline;
+    geometry::ProfilePoint on_rail;
     double gap = 0.0;  // vertical [m]
   };
   const auto station_at = [&](double s) {
-    std::int32_t wheel_piece = piece_at(wheel.wheel->profile, s);
-    Station station{outline(wheel, s, wheel_piece), {}, 0.0};
-    std::int32_t rail_piece = piece_at(rail.profile, station.outline.y);
-    station.on_rail = evaluate(rail.profile, station.outline.y, rail_piece);
+    std::int32_t wheel_piece = geometry::piece_at(wheel.wheel->profile, s);
+    Station station{geometry::outline(wheel, s, wheel_piece), {}, 0.0};
+    std::int32_t rail_piece = geometry::piece_at(rail.profile, station.outline.y);
+    station.on_rail = geometry::evaluate(rail.profile, station.outline.y, rail_piece);
     station.gap = station.on_rail.z - station.outline.z;
     return station;
   };
@@ -60,7 +62,7 @@ inline ContactPoint overlap_weighted_point(const Rail& rail, const PosedWheel& w
     s += (y - station.outline.y) / station.outline.dy_ds;
     station = station_at(s);
   }
-  ContactPoint point = first_contact;
+  geometry::ContactPoint point = first_contact;
   point.x = station.outline.x;
   point.y = station.outline.y;
   point.z = station.on_rail.z;

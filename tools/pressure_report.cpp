@@ -32,7 +32,7 @@ constexpr double strip_width = 0.25e-3;  // [m]
 class Case {
  public:
   Case(double A, double B, double degrees, double approach) {
-    tabulate(*influence_);
+    normal::tabulate(*influence_);
     const double angle = degrees * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
     const double xx = A * c * c + B * s * s, xy = 2.0 * (A - B) * c * s, yy = A * s * s + B * c * c;
     for (int i = -200; i <= 200; ++i) {
@@ -47,14 +47,14 @@ class Case {
     overlaps_.capacity = overlaps_.count = static_cast<std::int32_t>(number_.size());
     overlaps_.strip = number_.data();
     Arena counted;
-    cut_pressure_scratch(counted, overlaps_.count);
+    surface::cut_pressure_scratch(counted, overlaps_.count);
     memory_.resize(static_cast<std::size_t>(counted.doubles()));
     Arena arena(memory_.data());
-    w = cut_pressure_scratch(arena, overlaps_.count);
+    w = surface::cut_pressure_scratch(arena, overlaps_.count);
   }
 
   void load() {
-    StripSet& s = w.fine;
+    surface::StripSet& s = w.fine;
     s.count = overlaps_.count;
     for (std::int32_t i = 0; i < s.count; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -67,41 +67,41 @@ class Case {
       s.nz[i] = 1.0;
     }
   }
-  std::int32_t start(const PressureOptions& options) {
+  std::int32_t start(const surface::PressureOptions& options) {
     load();
-    return start_from_overlaps(problem(), overlaps_, options, w);
+    return surface::start_from_overlaps(problem(), overlaps_, options, w);
   }
-  PressureProblem problem() const {
+  surface::PressureProblem problem() const {
     return {kernels_for(best_instruction_set()),
             {influence_->tables(), influence_->mean_under.data()},
             steel.normal_compliance()};
   }
 
-  PressureScratch w;
-  const Material steel = {82e9, 0.28};
+  surface::PressureScratch w;
+  const patch::Material steel = {82e9, 0.28};
 
  private:
-  std::unique_ptr<InfluenceTables> influence_ = std::make_unique<InfluenceTables>();
+  std::unique_ptr<normal::InfluenceTables> influence_ = std::make_unique<normal::InfluenceTables>();
   std::vector<std::int32_t> number_;
   std::vector<double> place_, depth_, deepest_, memory_;
   double curvature_ = 0.0;
-  Overlaps overlaps_;
+  surface::Overlaps overlaps_;
 };
 
-double load_of(const StripSet& s) {
+double load_of(const surface::StripSet& s) {
   double load = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) load += 0.5 * std::numbers::pi * s.width[i] * s.q[i];
   return load;
 }
 
-PressureOptions at_most(std::int32_t iterations) {
-  PressureOptions options;
+surface::PressureOptions at_most(std::int32_t iterations) {
+  surface::PressureOptions options;
   options.assured_iterations = options.max_iterations = iterations;
   return options;
 }
 
-void print_iteration(const char* stage, std::int32_t k, const StripSet& s, const PressureScratch& w,
-                     double end) {
+void print_iteration(const char* stage, std::int32_t k, const surface::StripSet& s,
+                     const surface::PressureScratch& w, double end) {
   double longest = 0.0, aside = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     longest = std::max(longest, std::sqrt(s.L[i]));
@@ -113,11 +113,12 @@ void print_iteration(const char* stage, std::int32_t k, const StripSet& s, const
 
 void trace(double A, double B, double degrees, double approach) {
   Case c(A, B, degrees, approach);
-  const PressureProblem problem = c.problem();
+  const surface::PressureProblem problem = c.problem();
   c.start({});
-  const PressureResult result = iterate(problem, c.w.fine, PressureOptions{}.tolerance, any_change, {}, c.w);
+  const surface::PressureResult result =
+      surface::iterate(problem, c.w.fine, surface::PressureOptions{}.tolerance, surface::any_change, {}, c.w);
   const double end = load_of(c.w.fine);
-  const HertzEllipse hertz = hertz_ellipse(A, B, approach, c.steel.normal_compliance());
+  const normal::HertzEllipse hertz = normal::hertz_ellipse(A, B, approach, c.steel.normal_compliance());
   std::printf("Hertz: %.3f N, half axes %.4f and %.4f mm\n\n", hertz.normal_force, 1e3 * hertz.a,
               1e3 * hertz.b);
   std::printf("stage   k  active  moved/area       load N  from the end  longest l  largest shift (mm)\n");
@@ -128,11 +129,12 @@ void trace(double A, double B, double degrees, double approach) {
   }
   for (std::int32_t k = 1; k <= result.iterations; ++k) {
     c.start({});
-    iterate(problem, c.w.fine, PressureOptions{}.tolerance, any_change, at_most(k), c.w);
+    surface::iterate(problem, c.w.fine, surface::PressureOptions{}.tolerance, surface::any_change, at_most(k),
+                     c.w);
     print_iteration("full", k, c.w.fine, c.w, end);
   }
   std::printf("\n   s mm     d um     W mm     c mm     l mm   lambda MPa/mm   q N/mm   peak MPa\n");
-  const StripSet& s = c.w.fine;
+  const surface::StripSet& s = c.w.fine;
   for (std::int32_t i = 0; i < s.count; i += 4) {
     if (!(s.L[i] > 0.0)) continue;
     const double l = std::sqrt(s.L[i]);
@@ -146,11 +148,11 @@ void trace(double A, double B, double degrees, double approach) {
 /// left.
 void print_map(double A, double B) {
   Case c(A, B, 0.0, 60e-6);
-  const PressureProblem problem = c.problem();
-  StripSet& s = c.w.fine;
+  const surface::PressureProblem problem = c.problem();
+  surface::StripSet& s = c.w.fine;
   c.start({});
-  PressureOptions exact;
-  iterate(problem, s, 1e-11, any_change, exact, c.w);
+  surface::PressureOptions exact;
+  surface::iterate(problem, s, 1e-11, surface::any_change, exact, c.w);
   const auto n = static_cast<std::size_t>(s.count);
   const std::vector<double> solution(s.L, s.L + n);
   const auto strips = std::count_if(solution.begin(), solution.end(), [](double L) { return L > 0.0; });
@@ -166,12 +168,12 @@ void print_map(double A, double B) {
       square += error[i] * error[i];
     }
     for (std::size_t i = 0; i < n; ++i) s.L[i] = solution[i] + error[i];
-    begin_iterations(s, c.w);
-    evaluate(problem, s, true, c.w);
+    surface::begin_iterations(s, c.w);
+    surface::evaluate(problem, s, true, c.w);
     std::vector<double> step(c.w.residual, c.w.residual + 2 * n);
     double taken = 0.0;
     for (std::size_t i = 0; i < n; ++i) taken -= c.w.residual[i] * error[i];
-    precondition(s, step.data(), c.w);
+    surface::precondition(s, step.data(), c.w);
     double left = 0.0;
     for (std::size_t i = 0; i < n; ++i)
       if (error[i] != 0.0) left += (error[i] + step[i]) * (error[i] + step[i]);

@@ -39,7 +39,7 @@ class Patches {
       const test::RandomCase c = test::random_case(random);
       strips_.push_back(test::sdec_strips(c.a, c.b, c.psi, c.normal_force, strips));
       contacts_.push_back({strips_.back().get(), c.a, c.b, c.psi, c.shear_modulus, &table_, &grid_.get(),
-                           c.creepage, c.friction, TractionBound::parabolic});
+                           c.creepage, c.friction, tangential::TractionBound::parabolic});
     }
     const std::ptrdiff_t field = strips * cells;
     double* p = traction_.data();
@@ -51,12 +51,13 @@ class Patches {
   double solve(const std::string& method, What what) {
     double sum = 0.0;
     Fault fault;
-    TangentialSensitivities derivatives;
-    const TangentialFields wanted = what == fields ? fields_ : TangentialFields{};
-    for (RollingContact& contact : contacts_) {
-      contact.bound = method == "fastsim_sdec/elliptic" ? TractionBound::elliptic : TractionBound::parabolic;
-      const auto& solver = method == "strip_fastsim" ? strip_fastsim : fastsim;
-      const TangentialForces f =
+    tangential::TangentialSensitivities derivatives;
+    const tangential::TangentialFields wanted = what == fields ? fields_ : tangential::TangentialFields{};
+    for (tangential::RollingContact& contact : contacts_) {
+      contact.bound = method == "fastsim_sdec/elliptic" ? tangential::TractionBound::elliptic
+                                                        : tangential::TractionBound::parabolic;
+      const auto& solver = method == "strip_fastsim" ? tangential::strip_fastsim : tangential::fastsim;
+      const tangential::TangentialForces f =
           solver(contact, wanted, fault, what == sensitivities ? &derivatives : nullptr);
       sum += f.fx + f.power_per_speed;
     }
@@ -66,12 +67,12 @@ class Patches {
  private:
   static constexpr std::size_t line = 8;  ///< doubles in a line of the cache
 
-  SdecTable table_;
+  theory::SdecTable table_;
   test::OwnedGrid grid_;
   std::vector<double> traction_;
-  TangentialFields fields_;
+  tangential::TangentialFields fields_;
   std::vector<test::OwnedStrips> strips_;
-  std::vector<RollingContact> contacts_;
+  std::vector<tangential::RollingContact> contacts_;
 };
 
 const char* const methods[] = {"fastsim_sdec", "fastsim_sdec/elliptic", "strip_fastsim"};

@@ -17,7 +17,7 @@ template <typename Work>
 std::int32_t call(const char* function, wrc_contact* handle, const Fault& cleared, Work&& work) noexcept {
   if (!valid(handle)) return WRC_ERROR_NULL;
   const FloatingPointScope scope;
-  Contact& contact = *handle->contact;
+  contact::Contact& contact = *handle->contact;
   return keep(*handle, function, cleared.failed() ? cleared : work(contact));
 }
 

@@ -5,7 +5,7 @@
 namespace wrc::abi {
 namespace {
 
-Fault read_zones(const wrc_friction& theirs, const char* of, Friction& friction) {
+Fault read_zones(const wrc_friction& theirs, const char* of, contact::Friction& friction) {
   if (theirs.zone_count == 0) return {};
   for (std::uint32_t k = 1; k < theirs.zone_count; ++k) {
     if (theirs.zone_y[k] >= theirs.zone_y[k - 1]) continue;
@@ -13,17 +13,18 @@ Fault read_zones(const wrc_friction& theirs, const char* of, Friction& friction)
                         "breakpoints must be in order of increasing y");
   }
   friction.law.zones = {theirs.zone_count, theirs.zone_y, theirs.zone_coefficients};
-  static_assert(same<WRC_ZONES_CONTACT_FRAME>(ZoneFrame::contact) &&
-                same<WRC_ZONES_RAIL_PROFILE>(ZoneFrame::rail) &&
-                same<WRC_ZONES_WHEEL_PROFILE>(ZoneFrame::wheel));
-  friction.zone_frame = static_cast<ZoneFrame>(theirs.zone_frame);
+  static_assert(same<WRC_ZONES_CONTACT_FRAME>(contact::ZoneFrame::contact) &&
+                same<WRC_ZONES_RAIL_PROFILE>(contact::ZoneFrame::rail) &&
+                same<WRC_ZONES_WHEEL_PROFILE>(contact::ZoneFrame::wheel));
+  friction.zone_frame = static_cast<contact::ZoneFrame>(theirs.zone_frame);
   return {};
 }
 
-static_assert(member<wrc_friction>("zone_count").high == zone_capacity);
+static_assert(member<wrc_friction>("zone_count").high == contact::zone_capacity);
 
 /// Friction over temperature needs tractions to heat with, and room to fall in.
-Fault check_temperature_law(const wrc_friction& ours, const char* of, const TangentialMethod& method) {
+Fault check_temperature_law(const wrc_friction& ours, const char* of,
+                            const contact::TangentialMethod& method) {
   if (ours.temperature_law != WRC_TEMPERATURE_LAW_LINEAR) return {};
   if (!method.gives_tractions) {
     return Fault::unsupported(
@@ -48,16 +49,16 @@ Fault check_some(const wrc_friction& ours, const char* of) {
 
 }  // namespace
 
-Fault read_friction(const wrc_friction& checked, const char* of, const TangentialMethod& method,
-                    Friction& friction) {
-  static_assert(same<WRC_SPEED_LAW_NONE>(SpeedLaw::none) &&
-                same<WRC_SPEED_LAW_EXPONENTIAL>(SpeedLaw::exponential) &&
-                same<WRC_SPEED_LAW_HYPERBOLIC>(SpeedLaw::hyperbolic));
-  static_assert(same<WRC_TEMPERATURE_LAW_NONE>(TemperatureLaw::none) &&
-                same<WRC_TEMPERATURE_LAW_LINEAR>(TemperatureLaw::linear));
+Fault read_friction(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
+                    contact::Friction& friction) {
+  static_assert(same<WRC_SPEED_LAW_NONE>(tangential::SpeedLaw::none) &&
+                same<WRC_SPEED_LAW_EXPONENTIAL>(tangential::SpeedLaw::exponential) &&
+                same<WRC_SPEED_LAW_HYPERBOLIC>(tangential::SpeedLaw::hyperbolic));
+  static_assert(same<WRC_TEMPERATURE_LAW_NONE>(tangential::TemperatureLaw::none) &&
+                same<WRC_TEMPERATURE_LAW_LINEAR>(tangential::TemperatureLaw::linear));
   RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method)}));
-  friction.law.speed_law = static_cast<SpeedLaw>(checked.speed_law);
-  friction.law.temperature_law = static_cast<TemperatureLaw>(checked.temperature_law);
+  friction.law.speed_law = static_cast<tangential::SpeedLaw>(checked.speed_law);
+  friction.law.temperature_law = static_cast<tangential::TemperatureLaw>(checked.temperature_law);
   friction.law.coefficient = checked.coefficient;
   friction.law.kinetic_ratio = checked.kinetic_ratio;
   friction.law.fall_rate = checked.fall_rate;
@@ -68,7 +69,8 @@ Fault read_friction(const wrc_friction& checked, const char* of, const Tangentia
   friction.law.wheel_temperature = checked.bulk.wheel;
   friction.law.rail_temperature = checked.bulk.rail;
   friction.slope_reduction = checked.slope_reduction;
-  if (method.reads.has(Option::slope_fall)) friction.slope = {checked.slope_limit, checked.slope_fall};
+  if (method.reads.has(contact::Option::slope_fall))
+    friction.slope = {checked.slope_limit, checked.slope_fall};
   return read_zones(checked, of, friction);
 }
 

@@ -10,7 +10,7 @@ namespace wrc::abi {
 
 /// Translates friction whose members have been checked, and checks it for a tangential method. `of`: its
 /// name in messages. The zones of the result are the caller's arrays.
-Fault read_friction(const wrc_friction& checked, const char* of, const TangentialMethod& method,
-                    Friction& friction);
+Fault read_friction(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
+                    contact::Friction& friction);
 
 }  // namespace wrc::abi

@@ -10,18 +10,18 @@
 
 /// Both handles begin with a tag, so that a stale or foreign pointer is refused as long as its memory can be
 /// read.
-struct alignas(wrc::block_alignment) wrc_model {
+struct alignas(wrc::contact::block_alignment) wrc_model {
   std::uint64_t tag;
   void (*release)(void* user, void* memory);  // NULL: the memory is the caller's
   void* user;
-  wrc::Model* model;
+  wrc::contact::Model* model;
 };
 
-struct alignas(wrc::block_alignment) wrc_contact {
+struct alignas(wrc::contact::block_alignment) wrc_contact {
   std::uint64_t tag;
   void (*release)(void* user, void* memory);
   void* user;
-  wrc::Contact* contact;
+  wrc::contact::Contact* contact;
 };
 
 namespace wrc::abi {

@@ -15,7 +15,9 @@
 namespace wrc::abi {
 namespace {
 
-bool aligned(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % block_alignment == 0; }
+bool aligned(const void* memory) {
+  return reinterpret_cast<std::uintptr_t>(memory) % contact::block_alignment == 0;
+}
 
 #if defined(_WIN32)  // its C library has no aligned_alloc, and free() does not take what is aligned
 void* default_allocate(void*, std::uint64_t bytes, std::uint64_t alignment) {
@@ -41,15 +43,17 @@ Fault buffer_fault(const void* memory, std::uint64_t bytes, std::size_t needed) 
 }
 
 /// The file that a fault is about.
-const char* file_of(const Fault& fault, const ModelOptions& options) {
+const char* file_of(const Fault& fault, const contact::ModelOptions& options) {
   return fault.status == WRC_ERROR_FILE ? options.force_table : nullptr;
 }
 
-Fault init_model(const ModelOptions& options, void* memory, std::uint64_t bytes, wrc_model*& handle) {
-  RETURN_IF_FAILED(buffer_fault(memory, bytes, sizeof(wrc_model) + model_bytes(options)));
+Fault init_model(const contact::ModelOptions& options, void* memory, std::uint64_t bytes,
+                 wrc_model*& handle) {
+  RETURN_IF_FAILED(buffer_fault(memory, bytes, sizeof(wrc_model) + contact::model_bytes(options)));
   auto* made = static_cast<wrc_model*>(memory);
   *made = {};
-  const Fault shape = make_model(options, static_cast<char*>(memory) + sizeof(wrc_model), made->model);
+  const Fault shape =
+      contact::make_model(options, static_cast<char*>(memory) + sizeof(wrc_model), made->model);
   if (shape.failed()) return shape;
   made->tag = model_tag;
   handle = made;
@@ -70,8 +74,8 @@ Fault check_contact(const wrc_model* model, std::int32_t side, wrc_contact** con
 wrc_contact* init_contact(const wrc_model& model, std::int32_t side, void* memory) {
   auto* made = static_cast<wrc_contact*>(memory);
   *made = {};
-  made->contact =
-      &make_contact(*model.model, static_cast<Side>(side), static_cast<char*>(memory) + sizeof(wrc_contact));
+  made->contact = &contact::make_contact(*model.model, static_cast<geometry::Side>(side),
+                                         static_cast<char*>(memory) + sizeof(wrc_contact));
   made->tag = contact_tag;
   return made;
 }
@@ -102,7 +106,7 @@ Fault allocate(const wrc_allocator* allocator, std::size_t bytes, void*& memory,
     source.allocate = default_allocate;
     source.release = default_release;
   }
-  memory = source.allocate(source.user, bytes, block_alignment);
+  memory = source.allocate(source.user, bytes, contact::block_alignment);
   if (memory == nullptr) {
     return Fault::memory("allocate", {bytes, "bytes"}, "the allocator returned NULL");
   }
@@ -121,12 +125,12 @@ namespace abi = wrc::abi;
 extern "C" {
 
 int32_t wrc_config_check(const wrc_config* config, char* text, uint64_t size) {
-  wrc::ModelOptions options;
+  wrc::contact::ModelOptions options;
   const Fault fault = abi::guarded_model([&] {
     Fault found = abi::read_options(config, options);
     if (found.failed()) return found;
-    const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
-    void* memory = abi::default_allocate(nullptr, bytes, wrc::block_alignment);
+    const std::size_t bytes = sizeof(wrc_model) + wrc::contact::model_bytes(options);
+    void* memory = abi::default_allocate(nullptr, bytes, wrc::contact::block_alignment);
     if (memory == nullptr) return Fault::memory();
     wrc_model* unused = nullptr;
     found = abi::init_model(options, memory, bytes, unused);
@@ -141,10 +145,10 @@ int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alig
   if (alignment != nullptr) *alignment = 0;
   if (bytes == nullptr || alignment == nullptr) return WRC_ERROR_NULL;
   return abi::guarded_model([&] {
-           wrc::ModelOptions options;
+           wrc::contact::ModelOptions options;
            RETURN_IF_FAILED(abi::read_options(config, options));
-           *bytes = sizeof(wrc_model) + wrc::model_bytes(options);
-           *alignment = wrc::block_alignment;
+           *bytes = sizeof(wrc_model) + wrc::contact::model_bytes(options);
+           *alignment = wrc::contact::block_alignment;
            return Fault{};
          })
       .status;
@@ -153,7 +157,7 @@ int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64_t* alig
 int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, wrc_model** model, char* text,
                        uint64_t size) {
   if (model != nullptr) *model = nullptr;
-  wrc::ModelOptions options;
+  wrc::contact::ModelOptions options;
   const Fault fault = abi::guarded_model([&]() -> Fault {
     if (model == nullptr) return Fault::null("model");
     const Fault read = abi::read_options(config, options);
@@ -165,12 +169,12 @@ int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t bytes, w
 int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model,
                          char* text, uint64_t size) {
   if (model != nullptr) *model = nullptr;
-  wrc::ModelOptions options;
+  wrc::contact::ModelOptions options;
   const Fault outcome = abi::guarded_model([&]() -> Fault {
     if (model == nullptr) return Fault::null("model");
     Fault fault = abi::read_options(config, options);
     if (fault.failed()) return fault;
-    const std::size_t bytes = sizeof(wrc_model) + wrc::model_bytes(options);
+    const std::size_t bytes = sizeof(wrc_model) + wrc::contact::model_bytes(options);
     void* memory = nullptr;
     wrc_allocator source;
     fault = abi::allocate(allocator, bytes, memory, source);
@@ -193,13 +197,13 @@ int32_t wrc_model_profile(const wrc_model* model, int32_t side, int32_t body, wr
   const Fault cleared = abi::first_of({abi::clear(y), abi::clear(z)});
   if (!abi::valid(model)) return WRC_ERROR_NULL;
   if (cleared.failed()) return cleared.status;
-  const wrc::Model& ours = *model->model;
+  const wrc::contact::Model& ours = *model->model;
   if (body != WRC_BODY_WHEEL && body != WRC_BODY_RAIL) return WRC_ERROR_UNSUPPORTED;
   if (side != WRC_SIDE_RIGHT && side != WRC_SIDE_LEFT) return WRC_ERROR_UNSUPPORTED;
   if (!ours.has_geometry) return WRC_ERROR_SEQUENCE;
   const bool wheel = body == WRC_BODY_WHEEL;
-  const wrc::Bodies& placed = ours.bodies[side];
-  const wrc::Profile& profile = wheel ? placed.wheel.profile : placed.rail.profile;
+  const wrc::contact::Bodies& placed = ours.bodies[side];
+  const wrc::geometry::Profile& profile = wheel ? placed.wheel.profile : placed.rail.profile;
   wrc_view view = abi::defaults<wrc_view>();
   view.count = static_cast<uint64_t>(profile.count);
   view.data = profile.y;
@@ -220,8 +224,8 @@ int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64_t* alig
   if (bytes != nullptr) *bytes = 0;
   if (alignment != nullptr) *alignment = 0;
   if (bytes == nullptr || alignment == nullptr || !abi::valid(model)) return WRC_ERROR_NULL;
-  *bytes = sizeof(wrc_contact) + wrc::contact_bytes(*model->model);
-  *alignment = wrc::block_alignment;
+  *bytes = sizeof(wrc_contact) + wrc::contact::contact_bytes(*model->model);
+  *alignment = wrc::contact::block_alignment;
   return WRC_OK;
 }
 
@@ -230,7 +234,8 @@ int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uin
   if (contact != nullptr) *contact = nullptr;
   Fault fault = abi::check_contact(model, side, contact);
   if (!fault.failed())
-    fault = abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact_bytes(*model->model));
+    fault =
+        abi::buffer_fault(memory, bytes, sizeof(wrc_contact) + wrc::contact::contact_bytes(*model->model));
   if (!fault.failed()) *contact = abi::init_contact(*model, side, memory);
   return abi::finish(__func__, fault, text, size);
 }
@@ -243,8 +248,8 @@ int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_alloc
   Fault fault = abi::check_contact(model, side, contact);
   if (!fault.failed())
     fault = abi::guarded_model([&] {
-      return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact_bytes(*model->model), memory,
-                           source);
+      return abi::allocate(allocator, sizeof(wrc_contact) + wrc::contact::contact_bytes(*model->model),
+                           memory, source);
     });
   if (!fault.failed()) {
     *contact = abi::init_contact(*model, side, memory);
@@ -262,13 +267,13 @@ void wrc_contact_destroy(wrc_contact* contact) {
 
 int32_t wrc_contact_state_size(const wrc_model* model, uint64_t* bytes) {
   if (bytes == nullptr) return WRC_ERROR_NULL;
-  *bytes = abi::valid(model) ? wrc::state_bytes(*model->model) : 0;
+  *bytes = abi::valid(model) ? wrc::contact::state_bytes(*model->model) : 0;
   return *bytes > 0 ? WRC_OK : WRC_ERROR_NULL;
 }
 
 int32_t wrc_contact_save(wrc_contact* contact, void* buffer, uint64_t bytes) {
   if (!abi::valid(contact)) return WRC_ERROR_NULL;
-  const std::size_t needed = wrc::state_bytes(*contact->contact->model);
+  const std::size_t needed = wrc::contact::state_bytes(*contact->contact->model);
   const Fault fault = abi::check_state_room(buffer, bytes, needed);
   if (fault.failed()) return abi::keep(*contact, __func__, fault);
   std::memcpy(buffer, contact->contact, needed);
@@ -278,14 +283,14 @@ int32_t wrc_contact_save(wrc_contact* contact, void* buffer, uint64_t bytes) {
 int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t bytes) {
   if (!abi::valid(contact)) return WRC_ERROR_NULL;
   void* const state = contact->contact;
-  const std::size_t needed = wrc::state_bytes(*contact->contact->model);
+  const std::size_t needed = wrc::contact::state_bytes(*contact->contact->model);
   Fault fault = abi::check_state_room(buffer, bytes, needed);
   if (fault.failed()) {
     // its sentence stays
   } else if (std::memcmp(buffer, state, sizeof(void*)) != 0) {  // it begins with the pointer to its model
     fault = Fault::sequence("buffer", "it does not hold a state saved from a contact of this model");
-  } else if (std::memcmp(static_cast<const char*>(buffer) + offsetof(wrc::Contact, side),
-                         &contact->contact->side, sizeof(wrc::Side)) != 0) {
+  } else if (std::memcmp(static_cast<const char*>(buffer) + offsetof(wrc::contact::Contact, side),
+                         &contact->contact->side, sizeof(wrc::geometry::Side)) != 0) {
     fault = Fault::sequence("buffer", "it holds the state of a contact of the other side");
   }
   if (fault.failed()) return abi::keep(*contact, __func__, fault);

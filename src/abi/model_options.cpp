@@ -22,24 +22,24 @@ Fault check_no_smoothing(const wrc_profile& profile, const char* name) {
 }
 
 /// `name`: its name in messages.
-Fault read_profile(const wrc_profile& profile, const char* name, ProfileSource& source) {
+Fault read_profile(const wrc_profile& profile, const char* name, contact::ProfileSource& source) {
   switch (profile.kind) {
     case WRC_PROFILE_S1002:
-      source.kind = ProfileSource::Kind::s1002;
+      source.kind = contact::ProfileSource::Kind::s1002;
       return check_no_smoothing(profile, name);
     case WRC_PROFILE_60E1:
-      source.kind = ProfileSource::Kind::rail_60e1;
+      source.kind = contact::ProfileSource::Kind::rail_60e1;
       return check_no_smoothing(profile, name);
     case WRC_PROFILE_UIC60_BENCHMARK:
-      source.kind = ProfileSource::Kind::rail_uic60_benchmark;
+      source.kind = contact::ProfileSource::Kind::rail_uic60_benchmark;
       return check_no_smoothing(profile, name);
     case WRC_PROFILE_NONE:
       return Fault::profile(name, "WRC_PROFILE_NONE beside the other body's profile: give both, or neither");
     default:  // WRC_PROFILE_POINTS
       break;
   }
-  source = {ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y, profile.z,
-            profile.smoothing};
+  source = {contact::ProfileSource::Kind::points, static_cast<std::int32_t>(profile.count), profile.y,
+            profile.z, profile.smoothing};
   return {};
 }
 
@@ -55,39 +55,40 @@ bool has_profiles(const wrc_config& config) {
   return config.wheel.kind != WRC_PROFILE_NONE || config.rail.kind != WRC_PROFILE_NONE;
 }
 
-bool is_wheel(ProfileSource::Kind kind) {
-  return kind == ProfileSource::Kind::s1002 || kind == ProfileSource::Kind::points;
+bool is_wheel(contact::ProfileSource::Kind kind) {
+  return kind == contact::ProfileSource::Kind::s1002 || kind == contact::ProfileSource::Kind::points;
 }
-bool is_rail(ProfileSource::Kind kind) { return kind != ProfileSource::Kind::s1002; }
+bool is_rail(contact::ProfileSource::Kind kind) { return kind != contact::ProfileSource::Kind::s1002; }
 
 // Enumerations of the interface that are those of the inside, value by value.
-static_assert(same<WRC_REGULARISE_KEEP_WIDTH>(SecondCriterion::width) &&
-              same<WRC_REGULARISE_KEEP_RATIO>(SecondCriterion::aspect_ratio));
-static_assert(same<WRC_BOUND_PARABOLIC>(TractionBound::parabolic) &&
-              same<WRC_BOUND_ELLIPTIC>(TractionBound::elliptic) &&
-              same<WRC_BOUND_ELLIPSOIDAL>(TractionBound::ellipsoidal));
-static_assert(same<WRC_FLEXIBILITY_SEPARATE>(FlexibilityForm::separate) &&
-              same<WRC_FLEXIBILITY_SINGLE>(FlexibilityForm::single) &&
-              same<WRC_FLEXIBILITY_BLENDED>(FlexibilityForm::blended));
+static_assert(same<WRC_REGULARISE_KEEP_WIDTH>(patch::SecondCriterion::width) &&
+              same<WRC_REGULARISE_KEEP_RATIO>(patch::SecondCriterion::aspect_ratio));
+static_assert(same<WRC_BOUND_PARABOLIC>(tangential::TractionBound::parabolic) &&
+              same<WRC_BOUND_ELLIPTIC>(tangential::TractionBound::elliptic) &&
+              same<WRC_BOUND_ELLIPSOIDAL>(tangential::TractionBound::ellipsoidal));
+static_assert(same<WRC_FLEXIBILITY_SEPARATE>(tangential::FlexibilityForm::separate) &&
+              same<WRC_FLEXIBILITY_SINGLE>(tangential::FlexibilityForm::single) &&
+              same<WRC_FLEXIBILITY_BLENDED>(tangential::FlexibilityForm::blended));
 static_assert(same<WRC_INSTRUCTIONS_BASELINE - 1>(InstructionSet::baseline) &&
               same<WRC_INSTRUCTIONS_AVX2 - 1>(InstructionSet::avx2) &&
               same<WRC_INSTRUCTIONS_AVX512 - 1>(InstructionSet::avx512));
 
 /// In the order of enum wrc_patch_model.
-constexpr PatchModel patch_models[] = {patch_with_sdec, patch_with_ellipse, ellipse_at_middle,
-                                       ellipse_at_point};
+constexpr tangential::PatchModel patch_models[] = {
+    tangential::patch_with_sdec, tangential::patch_with_ellipse, tangential::ellipse_at_middle,
+    tangential::ellipse_at_point};
 static_assert(WRC_PATCH_MODEL_PATCH_SDEC == 0 && WRC_PATCH_MODEL_PATCH_ELLIPSE == 1 &&
               WRC_PATCH_MODEL_ELLIPSE_AT_MIDDLE == 2 && WRC_PATCH_MODEL_ELLIPSE_AT_POINT == 3);
 
-Fault read_methods(const wrc_config& config, ModelOptions& options) {
-  options.normal_method = normal_method(config.normal.method);
-  options.tangential_method = tangential_method(config.tangential.method);
+Fault read_methods(const wrc_config& config, contact::ModelOptions& options) {
+  options.normal_method = contact::normal_method(config.normal.method);
+  options.tangential_method = contact::tangential_method(config.tangential.method);
   if (options.normal_method == nullptr || options.tangential_method == nullptr)
     return Fault::internal("config", "a method without a row in its table");
   options.patch_model = patch_models[config.tangential.patch_model];
-  options.regularisation = static_cast<SecondCriterion>(config.planar.regularisation);
-  options.traction_bound = static_cast<TractionBound>(config.tangential.bound);
-  options.flexibility = static_cast<FlexibilityForm>(config.tangential.flexibility);
+  options.regularisation = static_cast<patch::SecondCriterion>(config.planar.regularisation);
+  options.traction_bound = static_cast<tangential::TractionBound>(config.tangential.bound);
+  options.flexibility = static_cast<tangential::FlexibilityForm>(config.tangential.flexibility);
   options.non_steady = config.planar.non_steady == 1;
   const InstructionSet best = best_instruction_set();
   options.instruction_set = config.instruction_set == WRC_INSTRUCTIONS_BEST
@@ -101,17 +102,17 @@ Fault read_methods(const wrc_config& config, ModelOptions& options) {
 
 /// Options of the configuration that some methods read and others do not.
 constexpr struct {
-  Option option;
+  contact::Option option;
   const Member& member;
 } options_of_methods[] = {
-    {Option::max_iterations, member<wrc_config>("normal.max_iterations")},
-    {Option::max_sweeps, member<wrc_config>("planar.max_sweeps")},
-    {Option::load_tolerance, member<wrc_config>("normal.load_tolerance")},
-    {Option::warm_start, member<wrc_config>("planar.start")},
-    {Option::patch_model, member<wrc_config>("tangential.patch_model")},
-    {Option::traction_bound, member<wrc_config>("tangential.bound")},
-    {Option::flexibility, member<wrc_config>("tangential.flexibility")},
-    {Option::non_steady, member<wrc_config>("planar.non_steady")},
+    {contact::Option::max_iterations, member<wrc_config>("normal.max_iterations")},
+    {contact::Option::max_sweeps, member<wrc_config>("planar.max_sweeps")},
+    {contact::Option::load_tolerance, member<wrc_config>("normal.load_tolerance")},
+    {contact::Option::warm_start, member<wrc_config>("planar.start")},
+    {contact::Option::patch_model, member<wrc_config>("tangential.patch_model")},
+    {contact::Option::traction_bound, member<wrc_config>("tangential.bound")},
+    {contact::Option::flexibility, member<wrc_config>("tangential.flexibility")},
+    {contact::Option::non_steady, member<wrc_config>("planar.non_steady")},
 };
 
 /// Members that place profiles, and are read with profiles only.
@@ -122,20 +123,21 @@ constexpr const Member* places_of_profiles[] = {
 
 /// Refuses options that are not at their defaults although nothing reads them: without effect they are
 /// mistakes of the caller's.
-Fault check_unread(const wrc_config& config, const ModelOptions& options) {
+Fault check_unread(const wrc_config& config, const contact::ModelOptions& options) {
   const auto changed = [&](const Member& member) {
     return number_in(config, member) != number_in(Description<wrc_config>::defaults, member);
   };
   const auto refused = [&](const Member& member, const char* cause) {
     return Fault::unsupported({"config", member.name}, {number_in(config, member), member.unit}, cause);
   };
-  const auto read = [&](Option option) {
+  const auto read = [&](contact::Option option) {
     return options.normal_method->reads.has(option) || options.tangential_method->reads.has(option);
   };
   for (const auto& [option, member] : options_of_methods)
-    if (changed(member) && !read(option)) return refused(member, readers_of(option));
-  if (config.tangential.force_table != nullptr && !read(Option::force_table))
-    return Fault::unsupported("config.tangential.force_table", readers_of(Option::force_table));
+    if (changed(member) && !read(option)) return refused(member, contact::readers_of(option));
+  if (config.tangential.force_table != nullptr && !read(contact::Option::force_table))
+    return Fault::unsupported("config.tangential.force_table",
+                              contact::readers_of(contact::Option::force_table));
   if (has_profiles(config)) return {};
   for (const Member* const member : places_of_profiles)
     if (changed(*member))
@@ -145,12 +147,12 @@ Fault check_unread(const wrc_config& config, const ModelOptions& options) {
 }
 
 /// Elastic constants of both bodies together, their coupling K, and the smaller yield limit.
-void read_materials(const wrc_config& config, ModelOptions& options) {
-  const Material wheel{config.wheel_material.shear_modulus, config.wheel_material.poisson},
+void read_materials(const wrc_config& config, contact::ModelOptions& options) {
+  const patch::Material wheel{config.wheel_material.shear_modulus, config.wheel_material.poisson},
       rail{config.rail_material.shear_modulus, config.rail_material.poisson};
   const bool alike = wheel.shear_modulus == rail.shear_modulus && wheel.poisson == rail.poisson;
-  options.material = alike ? wheel : combined(wheel, rail);
-  options.coupling = alike ? 0.0 : coupling(wheel, rail);
+  options.material = alike ? wheel : patch::combined(wheel, rail);
+  options.coupling = alike ? 0.0 : patch::coupling(wheel, rail);
   options.wheel_poisson = wheel.poisson;
   options.rail_poisson = rail.poisson;
   options.shear_yield = std::min(config.wheel_material.shear_yield, config.rail_material.shear_yield);
@@ -164,10 +166,10 @@ Fault section_at(const wrc_config& config, std::int32_t k, wrc_rail_section& our
 }
 
 /// The k-th section, checked before. `given`: the caller's wrc_config.
-RailSectionSource read_section(const void* given, std::int32_t k) {
+contact::RailSectionSource read_section(const void* given, std::int32_t k) {
   wrc_rail_section theirs;
   (void)section_at(*static_cast<const wrc_config*>(given), k, theirs);
-  RailSectionSource ours;
+  contact::RailSectionSource ours;
   ours.section = {.distance = theirs.distance,
                   .y = theirs.y,
                   .z = theirs.z,
@@ -183,12 +185,13 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
   constexpr const char* name = "config.rail_sections";
   constexpr const char* profile = "config.rail_sections.profile";
   wrc_rail_section ours;
-  ProfileSource source;
+  contact::ProfileSource source;
   RETURN_IF_FAILED(section_at(config, k, ours));
   RETURN_IF_FAILED(check_no_points(ours.profile, profile));
   RETURN_IF_FAILED(read_profile(ours.profile, profile, source));
   if (!is_rail(source.kind)) return Fault::profile(profile, "this is a wheel profile");
-  if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
+  if (source.kind == contact::ProfileSource::Kind::rail_uic60_benchmark &&
+      config.track.rail_inclination != 0.0)
     return Fault::unsupported("config.track.rail_inclination", {config.track.rail_inclination, ""},
                               "WRC_PROFILE_UIC60_BENCHMARK, of a section, is canted 1:40 already");
 
@@ -214,7 +217,7 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
 }
 
 /// `theirs`: the caller's struct, which is there while the model is made.
-Fault read_sections(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+Fault read_sections(const wrc_config* theirs, const wrc_config& config, contact::ModelOptions& options) {
   const auto count = static_cast<std::int32_t>(config.rail_section_count);
   if (count > 0 && config.rail_section_size < Description<wrc_rail_section>::first)
     return Fault::struct_size(
@@ -231,7 +234,7 @@ Fault read_sections(const wrc_config* theirs, const wrc_config& config, ModelOpt
   return {};
 }
 
-Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
+Fault read_roundness(const wrc_config_roundness& theirs, surface::RadiusTable& table) {
   if (theirs.angle_count == 0) return {};
   const std::uint32_t angles = theirs.angle_count;
   constexpr double turn = 6.283185307179586, tolerance = 1e-6;
@@ -271,10 +274,10 @@ Fault read_roundness(const wrc_config_roundness& theirs, RadiusTable& table) {
 }
 
 /// A check rail and its rail as the two faces of one that is the same everywhere. `given`: wrc_config.
-RailSectionSource read_guided_section(const void* given, std::int32_t k) {
+contact::RailSectionSource read_guided_section(const void* given, std::int32_t k) {
   constexpr double everywhere = 1e6;  // [m]
   const auto& config = *static_cast<const wrc_config*>(given);
-  RailSectionSource ours;
+  contact::RailSectionSource ours;
   ours.section.distance = k % 2 == 0 ? -everywhere : everywhere;
   ours.section.face = k / 2;
   if (k >= 2) {
@@ -288,7 +291,7 @@ RailSectionSource read_guided_section(const void* given, std::int32_t k) {
 }
 
 /// `theirs`: the caller's struct, which is there while the model is made.
-Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, contact::ModelOptions& options) {
   constexpr const char* name = "config.check_rail.profile";
   const wrc_profile& profile = config.check_rail.profile;
   if (config.rail_section_count > 0)
@@ -296,10 +299,11 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
                               "beside config.rail_sections a check rail is one of their surfaces");
   if (config.roller_curvature != 0.0)
     return Fault::unsupported("config.check_rail", "a roller has none: leave config.roller_curvature 0");
-  ProfileSource source;
+  contact::ProfileSource source;
   RETURN_IF_FAILED(read_profile(profile, name, source));
   if (!is_rail(source.kind)) return Fault::profile(name, "this is a wheel profile");
-  if (source.kind == ProfileSource::Kind::rail_uic60_benchmark && config.track.rail_inclination != 0.0)
+  if (source.kind == contact::ProfileSource::Kind::rail_uic60_benchmark &&
+      config.track.rail_inclination != 0.0)
     return Fault::unsupported(
         name, "WRC_PROFILE_UIC60_BENCHMARK is canted already, and check rails are canted as the rail");
   options.check_rail = true;
@@ -308,7 +312,7 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, ModelO
 }
 
 /// Rails and wheels that change along the track or round the wheel, which contact on the surface alone reads.
-Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOptions& options) {
+Fault read_varying(const wrc_config* theirs, const wrc_config& config, contact::ModelOptions& options) {
   const bool guided = config.check_rail.profile.kind != WRC_PROFILE_NONE;
   if (!guided && (config.check_rail.y != 0.0 || config.check_rail.z != 0.0))
     return Fault::unsupported("config.check_rail.y", {config.check_rail.y, "m"},
@@ -343,13 +347,13 @@ Fault read_varying(const wrc_config* theirs, const wrc_config& config, ModelOpti
 }
 
 /// The header of the force table tells how much memory the model needs.
-Fault read_table(const char* file, ModelOptions& options) {
+Fault read_table(const char* file, contact::ModelOptions& options) {
   if (file == nullptr) {
     return Fault::null("config.tangential.force_table",
                        "this tangential method needs the file of the force table");
   }
   options.force_table = file;
-  return read_force_table_axes(file, options.force_table_axes);
+  return tangential::read_force_table_axes(file, options.force_table_axes);
 }
 
 /// Checksum of all numbers of a configuration but the instruction set, which results do not depend on, and
@@ -381,9 +385,9 @@ std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<
 
 }  // namespace
 
-static_assert(member<wrc_config>("planar.max_patches").high == patch_capacity);
+static_assert(member<wrc_config>("planar.max_patches").high == contact::patch_capacity);
 
-Fault read_options(const wrc_config* theirs, ModelOptions& options) {
+Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
   wrc_config config;
   RETURN_IF_FAILED(read(theirs, "config", config));
   RETURN_IF_FAILED(read_methods(config, options));
@@ -415,7 +419,7 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
                    .by_origin = config.track.placement == WRC_PLACEMENT_ORIGIN,
                    .rail_origin = config.track.rail_origin};
 
-  if (options.tangential_method->reads.has(Option::force_table))
+  if (options.tangential_method->reads.has(contact::Option::force_table))
     RETURN_IF_FAILED(read_table(config.tangential.force_table, options));
   RETURN_IF_FAILED(read_varying(theirs, config, options));
   if (!has_profiles(config)) return {};  // the host hands over gaps
@@ -427,7 +431,7 @@ Fault read_options(const wrc_config* theirs, ModelOptions& options) {
   if (!is_rail(options.rail.kind)) {
     return Fault::profile("config.rail", "this is a wheel profile");
   }
-  if (options.rail.kind == ProfileSource::Kind::rail_uic60_benchmark &&
+  if (options.rail.kind == contact::ProfileSource::Kind::rail_uic60_benchmark &&
       config.track.rail_inclination != 0.0) {
     return Fault::unsupported(
         "config.track.rail_inclination", {config.track.rail_inclination, ""},

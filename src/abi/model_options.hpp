@@ -10,6 +10,6 @@ namespace wrc::abi {
 
 /// Translates and checks `config`. Profile points are checked for NULL and count here, for their shape by the
 /// model.
-Fault read_options(const wrc_config* config, ModelOptions& options);
+Fault read_options(const wrc_config* config, contact::ModelOptions& options);
 
 }  // namespace wrc::abi

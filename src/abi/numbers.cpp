@@ -32,10 +32,10 @@ int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc
         abi::check(psi, "psi", "", -0.95, 0.95), abi::check(poisson, "poisson", "", 0.0, 0.5)}) {
     if (fault.failed()) return fault.status;
   }
-  const wrc::SdecTable table(poisson);
+  const wrc::theory::SdecTable table(poisson);
   Fault fault;
-  const wrc::KalkerCoefficients kalker = table.ellipse().at(a_over_b, fault);
-  const wrc::SdecCoefficients sdec = table.at(a_over_b, psi, fault);
+  const wrc::theory::KalkerCoefficients kalker = table.ellipse().at(a_over_b, fault);
+  const wrc::theory::SdecCoefficients sdec = table.at(a_over_b, psi, fault);
   wrc_coefficients ours = abi::defaults<wrc_coefficients>();
   ours.c11 = kalker.c11;
   ours.c22 = kalker.c22;
@@ -49,11 +49,11 @@ int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc
 }
 
 int32_t wrc_shakedown_limit(double utilisation, double* load_factor) {
-  return abi::limit(utilisation, load_factor, wrc::shakedown_limit);
+  return abi::limit(utilisation, load_factor, wrc::damage::shakedown_limit);
 }
 
 int32_t wrc_shakedown_limit_point(double utilisation, double* load_factor) {
-  return abi::limit(utilisation, load_factor, wrc::shakedown_limit_of_point);
+  return abi::limit(utilisation, load_factor, wrc::damage::shakedown_limit_of_point);
 }
 
 }  // extern "C"

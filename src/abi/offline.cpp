@@ -59,16 +59,16 @@ halfspace::Grid grid_of(const wrc_grid& checked) {
           .y0 = checked.y0};
 }
 
-Material elastic(const wrc_material& checked) { return {checked.shear_modulus, checked.poisson}; }
+patch::Material elastic(const wrc_material& checked) { return {checked.shear_modulus, checked.poisson}; }
 
 /// Elastic constants of both bodies together, and Kalker's coupling K of normal and tangential contact.
 struct PressedBodies {
-  Material material;
+  patch::Material material;
   double coupling = 0.0;
 };
 
 PressedBodies bodies_of(const wrc_material& wheel, const wrc_material& rail) {
-  return {combined(elastic(wheel), elastic(rail)), coupling(elastic(wheel), elastic(rail))};
+  return {patch::combined(elastic(wheel), elastic(rail)), patch::coupling(elastic(wheel), elastic(rail))};
 }
 
 /// A field of one number per cell.
@@ -94,12 +94,12 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   if (fault.failed()) return fault;
   const halfspace::Grid grid = grid_of(ours.grid);
   zero_field(solution.pressure, grid.cells());
-  const Material material = bodies_of(ours.wheel_material, ours.rail_material).material;
+  const patch::Material material = bodies_of(ours.wheel_material, ours.rail_material).material;
   halfspace::GapProblem problem;
   fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
   problem.prescribed =
-      ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? Prescribed::load : Prescribed::approach;
+      ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? normal::Prescribed::load : normal::Prescribed::approach;
   problem.normal_force = ours.normal_force;
   problem.approach = ours.approach;
   problem.tolerance = ours.tolerance;
@@ -126,7 +126,7 @@ Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Gr
   const wrc_creepage& creepage = ours.creepage;
   Fault fault = first_of(
       {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
-       check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, fastest_rolling,
+       check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, geometry::fastest_rolling,
              "the exact solver rolls along x: mirror the problem"),
        check(creepage.reverse_share, "problem.creepage.reverse_share", "", 0.0, 0.0, nullptr,
              "the exact solver rolls one way only")});
@@ -237,7 +237,7 @@ Fault find_stresses(const wrc_exact_loads* theirs, const double* points, std::ui
   if (fault.failed()) return fault;
   for (std::uint32_t k = 0; k < count; ++k) {
     const double* const point = points + 3 * std::size_t{k};
-    const Stress stress = halfspace::stress_at(loads, point[0], point[1], point[2]);
+    const damage::Stress stress = halfspace::stress_at(loads, point[0], point[1], point[2]);
     const double six[6] = {stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.zx};
     std::copy_n(six, 6, stresses + 6 * std::size_t{k});
   }
@@ -280,9 +280,9 @@ Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_r
 }
 
 /// The contact's own problem, exactly: all its strips with their pressure on one grid.
-Fault check_contact(Contact& contact, const wrc_exact_check_options& options,
+Fault check_contact(contact::Contact& contact, const wrc_exact_check_options& options,
                     wrc_exact_check_result& result) {
-  if (contact.reached < Stage::tangential) {
+  if (contact.reached < contact::Stage::tangential) {
     return Fault::sequence("contact", "call wrc_planar_tangential or wrc_planar_step first");
   }
   if (!contact.touching) return Fault::no_contact();
@@ -321,19 +321,19 @@ Fault read_options(const wrc_exact_wrench_options* theirs, halfspace::SurfaceOpt
   return fault;
 }
 
-Fault solve_exact_wheel(const Contact& contact, const wrc_wheel_input* input,
+Fault solve_exact_wheel(const contact::Contact& contact, const wrc_wheel_input* input,
                         const wrc_exact_wrench_options* options, wrc_wrench& ours) {
-  HostWheel hosted;
+  contact::HostWheel hosted;
   halfspace::SurfaceOptions solver;
   Reporter reporter;
-  const Fault reading = read_hosted(input, *tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted);
+  const Fault reading = read_hosted(input, *contact::tangential_method(WRC_TANGENTIAL_STRIP_FASTSIM), hosted);
   Fault fault = first_of({reading, read_options(options, solver, reporter)});
   if (fault.failed()) return fault;
   if (hosted.friction.law.heated()) {
     return Fault::unsupported("input.friction.temperature_law", {WRC_TEMPERATURE_LAW_LINEAR, ""},
                               "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE");
   }
-  HostWrench result;
+  contact::HostWrench result;
   std::int32_t regions = 0;
   fault = halfspace::solve_exact_wheel(contact, hosted, solver, reporter.callback(), result, regions);
   if (fault.failed()) return fault;
@@ -450,7 +450,7 @@ int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap) {
   const wrc::halfspace::Grid ours = abi::grid_of(theirs);
   if (!fault.failed()) abi::zero_field(gap, ours.cells());
   if (!abi::valid(contact)) return WRC_ERROR_NULL;
-  const wrc::Contact& inside = *contact->contact;
+  const wrc::contact::Contact& inside = *contact->contact;
   const Fault outcome = abi::guarded([&]() -> Fault {
     if (fault.failed()) return fault;
     if (gap == nullptr) return Fault::null("gap");
@@ -523,7 +523,7 @@ void wrc_exact_transient_destroy(wrc_exact_transient* transient) {
 int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                         wrc_exact_check_result* result) {
   return abi::solve_exactly(__func__, contact, result, "result",
-                            [&](wrc::Contact& of, wrc_exact_check_result& ours) -> Fault {
+                            [&](wrc::contact::Contact& of, wrc_exact_check_result& ours) -> Fault {
                               wrc_exact_check_options how;
                               const Fault fault = abi::read_or_defaults(options, "options", how);
                               if (fault.failed()) return fault;
@@ -534,7 +534,7 @@ int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* opt
 int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* input,
                          const wrc_exact_wrench_options* options, wrc_wrench* wrench) {
   return abi::solve_exactly(__func__, contact, wrench, "wrench",
-                            [&](const wrc::Contact& of, wrc_wrench& ours) {
+                            [&](const wrc::contact::Contact& of, wrc_wrench& ours) {
                               return abi::solve_exact_wheel(of, input, options, ours);
                             });
 }

@@ -30,9 +30,9 @@ constexpr char portable_mark[8] = {'w', 'r', 'c', 's', 't', 'a', 't', 'e'};
 constexpr std::uint32_t native_order = 0x01020304, other_order = 0x04030201, portable_format = 1;
 static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
 
-std::uint64_t layout_of(const Model& model) {
+std::uint64_t layout_of(const contact::Model& model) {
   Checksum sum;
-  sum.add(std::uint64_t{sizeof(Contact)});
+  sum.add(std::uint64_t{sizeof(contact::Contact)});
   for (const std::size_t offset : model.layout.offset) sum.add(std::uint64_t{offset});
   return sum.value();
 }
@@ -46,11 +46,11 @@ std::uint64_t checksum_of(const PortableHeader& header, const void* state, std::
 
 /// Addresses of this process stand in the first member, the model, and in the sentence's parts; the rest are
 /// numbers.
-static_assert(offsetof(Contact, model) == 0 && offsetof(Contact, last) == sizeof(void*));
+static_assert(offsetof(contact::Contact, model) == 0 && offsetof(contact::Contact, last) == sizeof(void*));
 constexpr std::size_t addressed = sizeof(void*) + sizeof(Fault);
 
 /// The beginning of a state without addresses: of the last fault its status and number of an element.
-void without_addresses(const Contact& contact, unsigned char (&bytes)[addressed]) {
+void without_addresses(const contact::Contact& contact, unsigned char (&bytes)[addressed]) {
   std::memset(bytes, 0, sizeof bytes);
   const Fault last{.status = contact.last.status, .index = contact.last.index, .flags = contact.last.flags};
   std::memcpy(bytes + sizeof(void*), &last, sizeof last);
@@ -59,8 +59,8 @@ void without_addresses(const Contact& contact, unsigned char (&bytes)[addressed]
 Fault damaged(const char* cause) { return Fault::file("buffer", cause); }
 
 /// Is this a state of that contact's configuration, whole?
-Fault check_header(const Contact& contact, const PortableHeader& header, std::uint64_t bytes) {
-  const Model& model = *contact.model;
+Fault check_header(const contact::Contact& contact, const PortableHeader& header, std::uint64_t bytes) {
+  const contact::Model& model = *contact.model;
   if (std::memcmp(header.mark, portable_mark, sizeof portable_mark) != 0)
     return damaged("it does not begin as wrc_contact_save_portable has it");
   if (header.byte_order == other_order)
@@ -74,7 +74,7 @@ Fault check_header(const Contact& contact, const PortableHeader& header, std::ui
   if (bytes < header.bytes)
     return Fault::file("bytes", {bytes, "", header.bytes, header.bytes}, "the end is missing");
   if (header.configuration != model.configuration || header.layout != layout_of(model) ||
-      header.bytes != sizeof header + state_bytes(model))
+      header.bytes != sizeof header + contact::state_bytes(model))
     return Fault::sequence("buffer", "it is of a contact whose configuration or profiles are others");
   if (header.side != static_cast<std::uint32_t>(contact.side))
     return Fault::sequence("buffer", "it holds the state of a contact of the other side");
@@ -93,14 +93,14 @@ int32_t wrc_contact_portable_size(const wrc_model* model, uint64_t* bytes) {
   if (bytes == nullptr) return WRC_ERROR_NULL;
   *bytes = 0;
   if (!abi::valid(model)) return WRC_ERROR_NULL;
-  *bytes = sizeof(abi::PortableHeader) + wrc::state_bytes(*model->model);
+  *bytes = sizeof(abi::PortableHeader) + wrc::contact::state_bytes(*model->model);
   return WRC_OK;
 }
 
 int32_t wrc_contact_save_portable(wrc_contact* handle, void* buffer, uint64_t bytes) {
   if (!abi::valid(handle)) return WRC_ERROR_NULL;
-  const wrc::Contact& contact = *handle->contact;
-  const std::size_t state = wrc::state_bytes(*contact.model);
+  const wrc::contact::Contact& contact = *handle->contact;
+  const std::size_t state = wrc::contact::state_bytes(*contact.model);
   if (buffer == nullptr) return abi::keep(*handle, __func__, Fault::null("buffer"));
   if (bytes < sizeof(abi::PortableHeader) + state)
     return abi::keep(
@@ -127,7 +127,7 @@ int32_t wrc_contact_save_portable(wrc_contact* handle, void* buffer, uint64_t by
 
 int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, uint64_t bytes) {
   if (!abi::valid(handle)) return WRC_ERROR_NULL;
-  wrc::Contact& contact = *handle->contact;
+  wrc::contact::Contact& contact = *handle->contact;
   abi::PortableHeader header{};
   Fault fault;
   if (buffer == nullptr) {
@@ -138,13 +138,13 @@ int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, ui
     std::memcpy(&header, buffer, sizeof header);
     fault = abi::check_header(contact, header, bytes);
   }
-  const std::size_t state = wrc::state_bytes(*contact.model);
+  const std::size_t state = wrc::contact::state_bytes(*contact.model);
   const auto* const begin =
       fault.failed() ? nullptr : static_cast<const unsigned char*>(buffer) + sizeof header;
   if (!fault.failed() && header.checksum != abi::checksum_of(header, begin, state))
     fault = abi::damaged("bytes of it have changed since it was written");
   if (fault.failed()) return abi::keep(*handle, __func__, fault);
-  const wrc::Model* const model = contact.model;
+  const wrc::contact::Model* const model = contact.model;
   std::memcpy(handle->contact, begin, state);
   contact.model = model;
   return WRC_OK;

@@ -16,7 +16,7 @@ namespace {
 /// An array of the caller, and the number that goes there.
 struct Column {
   double* theirs;
-  double (*value)(const SettledWheelset&);
+  double (*value)(const profiles::SettledWheelset&);
 };
 
 Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_problem* theirs,
@@ -25,8 +25,9 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
   wrc_wheelset_geometry_problem problem;
   RETURN_IF_FAILED(read(functions, "functions", into));
   RETURN_IF_FAILED(read(theirs, "problem", problem));
-  constexpr int right = static_cast<int>(Side::right), left = static_cast<int>(Side::left);
-  using Settled = const SettledWheelset&;
+  constexpr int right = static_cast<int>(geometry::Side::right),
+                left = static_cast<int>(geometry::Side::left);
+  using Settled = const profiles::SettledWheelset&;
   const Column columns[] = {
       {into.vertical, [](Settled s) { return s.vertical; }},
       {into.roll, [](Settled s) { return s.roll; }},
@@ -42,12 +43,12 @@ Fault find_functions(const wrc_model* handle, const wrc_wheelset_geometry_proble
   for (const Column& each : columns)
     if (each.theirs != nullptr) std::fill_n(each.theirs, problem.count, 0.0);
   if (!valid(handle)) return Fault::null("model");
-  const Model& model = *handle->model;
+  const contact::Model& model = *handle->model;
   if (!model.has_geometry)
     return Fault::sequence("model", "it has no profiles: give config.wheel and config.rail");
-  std::vector<SettledWheelset> settled(problem.count);
+  std::vector<profiles::SettledWheelset> settled(problem.count);
   const Fault fault =
-      settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
+      profiles::settle_wheelset(model, problem.wheel_load, problem.count, problem.lateral, settled.data());
   if (fault.failed()) return fault;
   for (const Column& each : columns)
     if (each.theirs != nullptr) std::transform(settled.begin(), settled.end(), each.theirs, each.value);
@@ -72,12 +73,14 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
                           "the displacements do not reach that far: it is half the way from side to side");
   }
   std::vector<double> potential(problem.count);
-  const RadiusDifference of{problem.count, problem.lateral, problem.radius_difference, potential.data()};
-  integrate(of);
-  const auto method =
-      problem.method == WRC_CONICITY_WAVELENGTH ? conicity_by_wavelength : conicity_by_regression;
+  const profiles::RadiusDifference of{problem.count, problem.lateral, problem.radius_difference,
+                                      potential.data()};
+  profiles::integrate(of);
+  const auto method = problem.method == WRC_CONICITY_WAVELENGTH ? profiles::conicity_by_wavelength
+                                                                : profiles::conicity_by_regression;
   for (std::uint32_t i = 0; i < problem.amplitude_count; ++i) {
-    const Conicity found = method(of, problem.amplitudes[i], problem.contact_distance, problem.radius);
+    const profiles::Conicity found =
+        method(of, problem.amplitudes[i], problem.contact_distance, problem.radius);
     if (into.conicity != nullptr) into.conicity[i] = found.conicity;
     if (into.wavelength != nullptr) into.wavelength[i] = found.wavelength;
     if (into.centre != nullptr) into.centre[i] = found.centre;
@@ -94,18 +97,19 @@ Fault take_off(const wrc_profile_wear* theirs, wrc_worn_profile* worn) {
   write(into, worn);
   RETURN_IF_FAILED(read(theirs, "wear", ours));
   if (into.y == nullptr || into.z == nullptr) return Fault::null("worn.y");
-  WornProfile found;
-  Fault fault = wear_profile(ours.count, ours.y, ours.z,
-                             {.body = ours.body == WRC_BODY_WHEEL ? ProfileBody::wheel : ProfileBody::rail,
-                              .bins = ours.bin_count,
-                              .first = ours.first,
-                              .width = ours.width,
-                              .depth = ours.depth,
-                              .passages = ours.passages,
-                              .largest_depth = ours.largest_depth,
-                              .smoothing = ours.smoothing,
-                              .spacing = ours.spacing},
-                             found);
+  profiles::WornProfile found;
+  Fault fault = profiles::wear_profile(
+      ours.count, ours.y, ours.z,
+      {.body = ours.body == WRC_BODY_WHEEL ? geometry::ProfileBody::wheel : geometry::ProfileBody::rail,
+       .bins = ours.bin_count,
+       .first = ours.first,
+       .width = ours.width,
+       .depth = ours.depth,
+       .passages = ours.passages,
+       .largest_depth = ours.largest_depth,
+       .smoothing = ours.smoothing,
+       .spacing = ours.spacing},
+      found);
   if (fault.failed()) {
     if (fault.field == nullptr) fault.field = "wear";
     return fault;
@@ -131,8 +135,8 @@ Fault find_flange(std::uint32_t count, const double* y, const double* z, double 
   RETURN_IF_FAILED(check(back, "flange_back_to_origin", "m", 0.01, 0.2));
   for (const double* each : {y, z})
     RETURN_IF_FAILED(check_all(each, count, "y or z", "m", -1.0, 1.0, nullptr, "did you pass mm?"));
-  FlangeDimensions found;
-  const Fault fault = measure_flange(count, y, z, back, found);
+  profiles::FlangeDimensions found;
+  const Fault fault = profiles::measure_flange(count, y, z, back, found);
   if (fault.failed()) return fault;
   *flange = {found.height, found.thickness, found.slope, {}};
   return fault;

@@ -13,15 +13,15 @@
 namespace wrc::abi {
 namespace {
 
-static_assert(all_regions == WRC_ALL_REGIONS);
-static_assert(same<WRC_FIELD_SLIP_Y>(FieldId::slip_y) &&
-              same<WRC_FIELD_TEMPERATURE_RISE>(FieldId::temperature_rise) &&
-              same<WRC_FIELD_STRIP_WEAR>(FieldId::strip_wear) &&
-              same<WRC_FIELD_STRIP_ANGLE>(FieldId::strip_angle) &&
-              same<WRC_FIELD_GAP_CURVATURE>(FieldId::gap_curvature) &&
-              enumerations::wrc_field.count == static_cast<std::int32_t>(FieldId::count_));
+static_assert(contact::all_regions == WRC_ALL_REGIONS);
+static_assert(same<WRC_FIELD_SLIP_Y>(contact::FieldId::slip_y) &&
+              same<WRC_FIELD_TEMPERATURE_RISE>(contact::FieldId::temperature_rise) &&
+              same<WRC_FIELD_STRIP_WEAR>(contact::FieldId::strip_wear) &&
+              same<WRC_FIELD_STRIP_ANGLE>(contact::FieldId::strip_angle) &&
+              same<WRC_FIELD_GAP_CURVATURE>(contact::FieldId::gap_curvature) &&
+              enumerations::wrc_field.count == static_cast<std::int32_t>(contact::FieldId::count_));
 
-wrc_region region_of(const RegionResult& found) {
+wrc_region region_of(const contact::RegionResult& found) {
   wrc_region ours = empty<wrc_region>();
   ours.available = (found.adhesion_known ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U) |
                    (found.placed ? std::uint32_t{WRC_AVAILABLE_PLACE} : 0U);
@@ -59,14 +59,14 @@ wrc_region region_of(const RegionResult& found) {
 }
 
 /// A field into the caller's memory, or its counts alone.
-Fault write_field(Contact& contact, std::int32_t index, std::int32_t field, double* values,
+Fault write_field(contact::Contact& contact, std::int32_t index, std::int32_t field, double* values,
                   std::uint64_t room, std::uint64_t* counts) {
-  if (field < 0 || field >= static_cast<std::int32_t>(FieldId::count_))
+  if (field < 0 || field >= static_cast<std::int32_t>(contact::FieldId::count_))
     return Fault::unsupported("field", {field, ""}, "see enum wrc_field");
   if (values == nullptr && counts == nullptr) return Fault::null("values");
-  const auto which = static_cast<FieldId>(field);
-  FieldSize size;
-  const Fault fault = region_field_size(contact, index, which, size);
+  const auto which = static_cast<contact::FieldId>(field);
+  contact::FieldSize size;
+  const Fault fault = contact::region_field_size(contact, index, which, size);
   if (fault.failed()) return fault;
   const auto rows = static_cast<std::uint64_t>(size.rows), cells = static_cast<std::uint64_t>(size.cells);
   if (values != nullptr && room < rows * cells)
@@ -76,14 +76,14 @@ Fault write_field(Contact& contact, std::int32_t index, std::int32_t field, doub
     counts[1] = rows;
   }
   if (values == nullptr) return fault;
-  WearLaws laws;
+  damage::WearLaws laws;
   RETURN_IF_FAILED(read_wear_laws(nullptr, "laws", laws));
-  return region_field(contact, index, which, laws.sheffield, values);
+  return contact::region_field(contact, index, which, laws.sheffield, values);
 }
 
 }  // namespace
 
-wrc_damage damage_of(const DamageNumbers& found, bool of_tractions) {
+wrc_damage damage_of(const contact::DamageNumbers& found, bool of_tractions) {
   wrc_damage ours{};
   ours.power = found.power;
   ours.t_gamma = found.t_gamma;
@@ -102,16 +102,16 @@ wrc_damage damage_of(const DamageNumbers& found, bool of_tractions) {
 }  // namespace wrc::abi
 
 namespace abi = wrc::abi;
-using wrc::Contact;
 using wrc::Fault;
+using wrc::contact::Contact;
 
 extern "C" {
 
 int32_t wrc_contact_region(wrc_contact* handle, int32_t index, wrc_region* region) {
   return abi::call(__func__, handle, abi::clear(region), [&](Contact& contact) {
     if (region == nullptr) return Fault::null("region");
-    wrc::RegionResult found;
-    const Fault fault = wrc::find_region(contact, index, found);
+    wrc::contact::RegionResult found;
+    const Fault fault = wrc::contact::find_region(contact, index, found);
     if (!fault.failed()) abi::write(abi::region_of(found), region);
     return fault;
   });
@@ -128,10 +128,10 @@ int32_t wrc_contact_field(wrc_contact* handle, int32_t index, int32_t field, dou
 int32_t wrc_contact_damage(wrc_contact* handle, int32_t index, wrc_damage* damage) {
   return abi::call(__func__, handle, abi::clear(damage), [&](Contact& contact) {
     if (damage == nullptr) return Fault::null("damage");
-    wrc::DamageNumbers found;
-    const Fault fault = wrc::region_damage(contact, index, found);
+    wrc::contact::DamageNumbers found;
+    const Fault fault = wrc::contact::region_damage(contact, index, found);
     if (!fault.failed() && !fault.has(WRC_FLAG_NO_CONTACT))
-      abi::write(abi::damage_of(found, wrc::has_tractions(contact)), damage);
+      abi::write(abi::damage_of(found, wrc::contact::has_tractions(contact)), damage);
     return fault;
   });
 }
@@ -139,10 +139,10 @@ int32_t wrc_contact_damage(wrc_contact* handle, int32_t index, wrc_damage* damag
 int32_t wrc_contact_wear(wrc_contact* handle, int32_t index, const wrc_wear_laws* laws, wrc_wear* wear) {
   return abi::call(__func__, handle, abi::clear(wear), [&](Contact& contact) {
     if (wear == nullptr) return Fault::null("wear");
-    wrc::WearLaws ours;
-    wrc::WearNumbers numbers;
+    wrc::damage::WearLaws ours;
+    wrc::contact::WearNumbers numbers;
     RETURN_IF_FAILED(abi::read_wear_laws(laws, "laws", ours));
-    const Fault outcome = wrc::region_wear(contact, index, ours, numbers);
+    const Fault outcome = wrc::contact::region_wear(contact, index, ours, numbers);
     if (outcome.failed()) return outcome;
     wrc_wear result = abi::defaults<wrc_wear>();
     result.worn_area_rate = numbers.worn_area_rate;
@@ -159,9 +159,9 @@ int32_t wrc_contact_temperature(wrc_contact* handle, int32_t index, const wrc_bu
   return abi::call(__func__, handle, abi::clear(temperature), [&](Contact& contact) {
     if (temperature == nullptr) return Fault::null("temperature");
     wrc_bulk_temperatures ours;
-    wrc::TemperatureNumbers numbers;
+    wrc::contact::TemperatureNumbers numbers;
     RETURN_IF_FAILED(abi::read_or_defaults(bulk, "bulk", ours));
-    const Fault outcome = wrc::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
+    const Fault outcome = wrc::contact::region_temperature(contact, index, {ours.wheel, ours.rail}, numbers);
     if (!outcome.failed() && !outcome.has(WRC_FLAG_NO_CONTACT))
       abi::write(abi::temperature_of(numbers), temperature);
     return outcome;
@@ -176,10 +176,10 @@ int32_t wrc_contact_stresses(wrc_contact* handle, int32_t index, int32_t body, c
   return abi::call(__func__, handle, abi::clear(stresses), [&](Contact& contact) {
     RETURN_IF_FAILED(of_count);
     RETURN_IF_FAILED(abi::check_stress_depths(body, depths, count));
-    wrc::StressPeaks found[static_cast<std::size_t>(abi::most_stress_depths)];
-    wrc::BodyStresses of_body;
-    const Fault outcome = wrc::region_stresses(contact, index, body == WRC_BODY_RAIL, depths,
-                                               static_cast<std::int32_t>(count), found, of_body);
+    wrc::damage::StressPeaks found[static_cast<std::size_t>(abi::most_stress_depths)];
+    wrc::contact::BodyStresses of_body;
+    const Fault outcome = wrc::contact::region_stresses(contact, index, body == WRC_BODY_RAIL, depths,
+                                                        static_cast<std::int32_t>(count), found, of_body);
     if (outcome.failed()) return outcome;
     for (std::uint32_t k = 0; levels != nullptr && k < count; ++k) levels[k] = abi::peaks_of(found[k]);
     wrc_stresses result = abi::empty<wrc_stresses>();

@@ -7,13 +7,13 @@
 namespace wrc::abi {
 
 /// A double ellipse with its load; `joint`: lateral place or arc length [m].
-inline wrc_ellipse ellipse_of(const Sdec& sdec, double joint, double normal_force) {
+inline wrc_ellipse ellipse_of(const patch::Sdec& sdec, double joint, double normal_force) {
   return {
       .a = sdec.a, .b = sdec.b, .psi = sdec.psi, .y = joint, .normal_force = normal_force, .reserved = {}};
 }
 
 /// Wear and fatigue numbers; without tractions those of cells are missing.
-wrc_damage damage_of(const DamageNumbers& found, bool of_tractions);
+wrc_damage damage_of(const contact::DamageNumbers& found, bool of_tractions);
 
 /// A result with the flags of the call that made it.
 template <typename Result>

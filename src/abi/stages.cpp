@@ -19,32 +19,33 @@ namespace {
 // ------------------------------------------------------------------------------------------------ reading
 // arguments
 
-Pose pose_of(const wrc_planar_pose& checked) {
+geometry::Pose pose_of(const wrc_planar_pose& checked) {
   return {.lateral = flush_subnormals(checked.lateral),
           .roll = flush_subnormals(checked.roll),
           .yaw = flush_subnormals(checked.yaw)};
 }
 
-Load load_of(const wrc_planar_load& checked) {
+contact::Load load_of(const wrc_planar_load& checked) {
   return checked.prescribed == WRC_PRESCRIBE_NORMAL_FORCE
-             ? Load{Prescribed::load, checked.normal_force}
-             : Load{Prescribed::approach, checked.approach, checked.approach_velocity, checked.damping};
+             ? contact::Load{normal::Prescribed::load, checked.normal_force}
+             : contact::Load{normal::Prescribed::approach, checked.approach, checked.approach_velocity,
+                             checked.damping};
 }
 
 // Creepages of wrc_planar_creepages() are within the range that wrc_planar_tangential() takes.
-static_assert(member<wrc_creepage>("longitudinal").high == largest_creepage);
-static_assert(member<wrc_creepage>("lateral").high == largest_creepage);
-static_assert(member<wrc_creepage>("spin").high == largest_spin);
-static_assert(member<wrc_creepage>("speed").high == fastest_rolling);
-static_assert(member<wrc_creepage>("reverse_share").high == largest_share_of_other_way);
-static_assert(member<wrc_planar_motion>("speed").high == fastest_rolling);
+static_assert(member<wrc_creepage>("longitudinal").high == geometry::largest_creepage);
+static_assert(member<wrc_creepage>("lateral").high == geometry::largest_creepage);
+static_assert(member<wrc_creepage>("spin").high == geometry::largest_spin);
+static_assert(member<wrc_creepage>("speed").high == geometry::fastest_rolling);
+static_assert(member<wrc_creepage>("reverse_share").high == geometry::largest_share_of_other_way);
+static_assert(member<wrc_planar_motion>("speed").high == geometry::fastest_rolling);
 
-Creepage creepage_of(const wrc_creepage& checked) {
+tangential::Creepage creepage_of(const wrc_creepage& checked) {
   return {flush_subnormals(checked.longitudinal), flush_subnormals(checked.lateral),
           flush_subnormals(checked.spin)};
 }
 
-Rolling rolling_of(const wrc_creepage& checked) {
+contact::Rolling rolling_of(const wrc_creepage& checked) {
   const double speed = flush_subnormals(checked.speed);
   return {std::fabs(speed), speed < 0.0 ? -1.0 : 1.0, flush_subnormals(checked.reverse_share)};
 }
@@ -53,8 +54,8 @@ Rolling rolling_of(const wrc_creepage& checked) {
 Fault check_increasing(const double* y, std::uint32_t count, const char* of, const char* field,
                        const char* spacing, const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
-    if (y[j] > y[j - 1] && y[j] - y[j - 1] < row_spacing_least) {
-      return Fault::gap({of, spacing, j}, {y[j] - y[j - 1], "m", row_spacing_least, 0.6},
+    if (y[j] > y[j - 1] && y[j] - y[j - 1] < patch::row_spacing_least) {
+      return Fault::gap({of, spacing, j}, {y[j] - y[j - 1], "m", patch::row_spacing_least, 0.6},
                         "so close together, slopes are made of the errors of heights: leave one out");
     }
     if (!(y[j] > y[j - 1])) {
@@ -71,7 +72,7 @@ Fault check_stride(const wrc_planar_gap& gap, const char* of) {
   return fault;
 }
 
-Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
+Fault take_gap(contact::Contact& contact, const wrc_planar_gap* theirs, const char* of) {
   wrc_planar_gap gap;
   RETURN_IF_FAILED(read(theirs, of, gap));
   const std::int32_t room = contact.model->options.sizes.gap_rows;
@@ -90,15 +91,16 @@ Fault take_gap(Contact& contact, const wrc_planar_gap* theirs, const char* of) {
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
-    return wrc::take_gap(contact, GapGrid{rows, static_cast<std::int32_t>(gap.column_count), gap.x, gap.y,
-                                          gap.h, static_cast<std::int64_t>(gap.row_stride)});
+    return wrc::contact::take_gap(
+        contact, patch::GapGrid{rows, static_cast<std::int32_t>(gap.column_count), gap.x, gap.y, gap.h,
+                                static_cast<std::int64_t>(gap.row_stride)});
   }
 
-  wrc::take_gap(contact, GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
+  wrc::contact::take_gap(contact, patch::GapRows{rows, gap.y, gap.height, gap.centre, gap.curvature});
   return {};
 }
 
-Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
+Fault take_strips(contact::Contact& contact, const wrc_planar_strips* theirs) {
   wrc_planar_strips strips;
   RETURN_IF_FAILED(read(theirs, "strips", strips));
   const std::int32_t room = contact.model->options.sizes.strips;
@@ -111,25 +113,27 @@ Fault take_strips(Contact& contact, const wrc_planar_strips* theirs) {
     }
   }
   // The strips of the caller are only read; the internal view has no const form.
-  return wrc::take_strips(contact, Strips{.capacity = static_cast<std::int32_t>(strips.count),
-                                          .count = static_cast<std::int32_t>(strips.count),
-                                          .y = const_cast<double*>(strips.y),
-                                          .width = const_cast<double*>(strips.width),
-                                          .centre = const_cast<double*>(strips.centre),
-                                          .half_length = const_cast<double*>(strips.half_length),
-                                          .peak = const_cast<double*>(strips.peak)});
+  return wrc::contact::take_strips(contact,
+                                   patch::Strips{.capacity = static_cast<std::int32_t>(strips.count),
+                                                 .count = static_cast<std::int32_t>(strips.count),
+                                                 .y = const_cast<double*>(strips.y),
+                                                 .width = const_cast<double*>(strips.width),
+                                                 .centre = const_cast<double*>(strips.centre),
+                                                 .half_length = const_cast<double*>(strips.half_length),
+                                                 .peak = const_cast<double*>(strips.peak)});
 }
 
-Fault take_ellipse(Contact& contact, const wrc_ellipse* theirs) {
+Fault take_ellipse(contact::Contact& contact, const wrc_ellipse* theirs) {
   wrc_ellipse ellipse;
   RETURN_IF_FAILED(read(theirs, "ellipse", ellipse));
-  return take_double_ellipse(contact, Sdec{ellipse.a, ellipse.b, ellipse.psi}, ellipse.normal_force);
+  return contact::take_double_ellipse(contact, patch::Sdec{ellipse.a, ellipse.b, ellipse.psi},
+                                      ellipse.normal_force);
 }
 
 // ------------------------------------------------------------------------------------------------- writing
 // results
 
-wrc_planar_point point_of(const Contact& contact) {
+wrc_planar_point point_of(const contact::Contact& contact) {
   wrc_planar_point ours{};
   ours.x = contact.point.x;
   ours.y = contact.point.y;
@@ -142,15 +146,15 @@ wrc_planar_point point_of(const Contact& contact) {
   return ours;
 }
 
-wrc_planar_normal_solution normal_of(const Contact& contact) {
+wrc_planar_normal_solution normal_of(const contact::Contact& contact) {
   wrc_planar_normal_solution ours{};
   ours.approach = contact.normal.approach;
   if (!contact.touching) return ours;
-  const StripTotals& extent = contact.extent;
+  const patch::StripTotals& extent = contact.extent;
   ours.patch_count = contact.patches;
   ours.strip_count = contact.strips;
   ours.iterations = static_cast<std::int32_t>(contact.normal.iterations);
-  const Patch& main = contact.patch[contact.main_patch];
+  const contact::Patch& main = contact.patch[contact.main_patch];
   ours.ellipse = ellipse_of(main.sdec, main.y_contact, main.extent.normal_force);
   ours.normal_force = extent.normal_force;
   ours.damping_force = extent.normal_force * (1.0 - 1.0 / contact.damping_factor);
@@ -166,19 +170,19 @@ wrc_planar_normal_solution normal_of(const Contact& contact) {
 
 /// Ends a call of the normal stage whose patch is known: equivalent ellipses, then the result. `outcome`: of
 /// the call so far.
-Fault regularise_and_write(Contact& contact, Fault outcome, wrc_planar_normal_solution* normal) {
-  if (!outcome.failed()) keep_worst(outcome, regularise_patch(contact));
+Fault regularise_and_write(contact::Contact& contact, Fault outcome, wrc_planar_normal_solution* normal) {
+  if (!outcome.failed()) keep_worst(outcome, contact::regularise_patch(contact));
   if (!outcome.failed()) write(with_flags(normal_of(contact), outcome), normal);
   return outcome;
 }
 
 /// Bits of enum wrc_available that hold for results from the cells.
-std::uint32_t of_tractions(const Contact& contact) {
-  return gives_fields(contact) ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U;
+std::uint32_t of_tractions(const contact::Contact& contact) {
+  return contact::gives_fields(contact) ? std::uint32_t{WRC_AVAILABLE_TRACTIONS} : 0U;
 }
 
-wrc_planar_forces forces_of(const Contact& contact) {
-  const TangentialForces& forces = contact.forces;
+wrc_planar_forces forces_of(const contact::Contact& contact) {
+  const tangential::TangentialForces& forces = contact.forces;
   wrc_planar_forces ours{};
   if (!contact.touching) return ours;
   ours.fx = forces.fx;
@@ -196,31 +200,32 @@ wrc_planar_forces forces_of(const Contact& contact) {
 
 /// The gravest fault of all stages, with the flags of all; `normal` and `tangential`: the faults of these
 /// two.
-Fault solve_step(Contact& contact, const wrc_planar_input* input, Fault& normal, Fault& tangential) {
+Fault solve_step(contact::Contact& contact, const wrc_planar_input* input, Fault& normal, Fault& tangential) {
   // All of the input is checked before the first stage runs.
   wrc_planar_input in;
-  Friction friction;
+  contact::Friction friction;
   RETURN_IF_FAILED(read(input, "input", in));
   RETURN_IF_FAILED(check_prescribed_of_plane(in.load.prescribed, "input.load"));
   RETURN_IF_FAILED(
       read_friction(in.friction, "input.friction", *contact.model->options.tangential_method, friction));
 
   // A stage that fails ends the step; flags of those that ran are kept.
-  Fault outcome =
-      in.gap != nullptr ? take_gap(contact, in.gap, "input.gap") : find_gap(contact, pose_of(in.pose));
+  Fault outcome = in.gap != nullptr ? take_gap(contact, in.gap, "input.gap")
+                                    : contact::find_gap(contact, pose_of(in.pose));
   if (outcome.failed()) return outcome;
-  normal = solve_normal(contact, load_of(in.load));
-  if (!normal.failed()) keep_worst(normal, regularise_patch(contact));
+  normal = contact::solve_normal(contact, load_of(in.load));
+  if (!normal.failed()) keep_worst(normal, contact::regularise_patch(contact));
   keep_worst(outcome, normal);
   if (outcome.failed()) return outcome;
-  tangential = solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage));
+  tangential =
+      contact::solve_tangential(contact, creepage_of(in.creepage), friction, rolling_of(in.creepage));
   keep_worst(outcome, tangential);
-  if (!outcome.failed()) keep_worst(outcome, assess_damage(contact));
+  if (!outcome.failed()) keep_worst(outcome, contact::assess_damage(contact));
   return outcome;
 }
 
 std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar_output* output) {
-  return call("wrc_planar_step", handle, clear(output), [&](Contact& contact) {
+  return call("wrc_planar_step", handle, clear(output), [&](contact::Contact& contact) {
     Fault normal, tangential;
     const Fault outcome = solve_step(contact, input, normal, tangential);
     if (outcome.failed() || output == nullptr) return outcome;
@@ -229,7 +234,7 @@ std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar
     ours.flags = outcome.all_flags();
     ours.normal = with_flags(normal_of(contact), normal);
     ours.forces = with_flags(forces_of(contact), tangential);
-    if (contact.touching) ours.damage = damage_of(contact.damage, gives_fields(contact));
+    if (contact.touching) ours.damage = damage_of(contact.damage, contact::gives_fields(contact));
     write(ours, output);
     return outcome;
   });
@@ -238,8 +243,8 @@ std::int32_t step(wrc_contact* handle, const wrc_planar_input* input, wrc_planar
 }  // namespace
 }  // namespace wrc::abi
 
-using wrc::Contact;
 using wrc::Fault;
+using wrc::contact::Contact;
 namespace abi = wrc::abi;
 
 extern "C" {
@@ -248,7 +253,7 @@ int32_t wrc_planar_geometry(wrc_contact* handle, const wrc_planar_pose* pose, wr
   return abi::call(__func__, handle, abi::clear(point), [&](Contact& contact) {
     wrc_planar_pose ours;
     RETURN_IF_FAILED(abi::read(pose, "pose", ours));
-    const Fault outcome = wrc::find_gap(contact, abi::pose_of(ours));
+    const Fault outcome = wrc::contact::find_gap(contact, abi::pose_of(ours));
     if (!outcome.failed()) abi::write(abi::point_of(contact), point);
     return outcome;
   });
@@ -258,15 +263,15 @@ int32_t wrc_planar_creepages(wrc_contact* handle, const wrc_planar_motion* motio
   return abi::call(__func__, handle, abi::clear(creepage), [&](Contact& contact) -> Fault {
     wrc_planar_motion ours;
     RETURN_IF_FAILED(abi::read(motion, "motion", ours));
-    wrc::RigidCreepage rigid;
-    const Fault outcome = wrc::find_creepages(contact,
-                                              {.speed = ours.speed,
-                                               .lateral_velocity = ours.lateral_velocity,
-                                               .vertical_velocity = ours.vertical_velocity,
-                                               .roll_rate = ours.roll_rate,
-                                               .yaw_rate = ours.yaw_rate,
-                                               .pitch_rate = ours.pitch_rate},
-                                              rigid);
+    wrc::geometry::RigidCreepage rigid;
+    const Fault outcome = wrc::contact::find_creepages(contact,
+                                                       {.speed = ours.speed,
+                                                        .lateral_velocity = ours.lateral_velocity,
+                                                        .vertical_velocity = ours.vertical_velocity,
+                                                        .roll_rate = ours.roll_rate,
+                                                        .yaw_rate = ours.yaw_rate,
+                                                        .pitch_rate = ours.pitch_rate},
+                                                       rigid);
     if (outcome.failed()) return outcome;
     wrc_creepage result = abi::defaults<wrc_creepage>();
     result.longitudinal = rigid.longitudinal;
@@ -287,7 +292,7 @@ int32_t wrc_planar_normal(wrc_contact* handle, const wrc_planar_gap* gap, const 
     RETURN_IF_FAILED(abi::read(load, "load", ours));
     RETURN_IF_FAILED(abi::check_prescribed_of_plane(ours.prescribed, "load"));
     Fault outcome = gap == nullptr ? Fault{} : abi::take_gap(contact, gap, "gap");
-    if (!outcome.failed()) keep_worst(outcome, wrc::solve_normal(contact, abi::load_of(ours)));
+    if (!outcome.failed()) keep_worst(outcome, wrc::contact::solve_normal(contact, abi::load_of(ours)));
     return abi::regularise_and_write(contact, outcome, normal);
   });
 }
@@ -320,13 +325,14 @@ int32_t wrc_planar_tangential(wrc_contact* handle, const wrc_ellipse* ellipse, c
   return abi::call(__func__, handle, abi::clear(forces), [&](Contact& contact) {
     wrc_creepage ours;
     wrc_friction theirs;
-    wrc::Friction law;
+    wrc::contact::Friction law;
     RETURN_IF_FAILED(abi::read(creepage, "creepage", ours));
     RETURN_IF_FAILED(abi::read(friction, "friction", theirs));
     RETURN_IF_FAILED(abi::read_friction(theirs, "friction", *contact.model->options.tangential_method, law));
     Fault outcome = ellipse == nullptr ? Fault{} : abi::take_ellipse(contact, ellipse);
     if (!outcome.failed())
-      keep_worst(outcome, wrc::solve_tangential(contact, abi::creepage_of(ours), law, abi::rolling_of(ours)));
+      keep_worst(outcome,
+                 wrc::contact::solve_tangential(contact, abi::creepage_of(ours), law, abi::rolling_of(ours)));
     if (!outcome.failed()) abi::write(abi::with_flags(abi::forces_of(contact), outcome), forces);
     return outcome;
   });

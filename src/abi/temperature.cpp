@@ -11,7 +11,7 @@ Fault find_flash_temperature(std::uint32_t count, double cell, const double* pow
                              double* rise) {
   constexpr double shortest_cell = 1e-7, longest_cell = 0.01, most_power = 1e18;
   constexpr double slowest = 1e-6, fastest = 200.0;
-  RETURN_IF_FAILED(check(count, "count", "", 1.0, most_flash_cells));
+  RETURN_IF_FAILED(check(count, "count", "", 1.0, tangential::most_flash_cells));
   if (power_density == nullptr) return Fault::null("power_density");
   if (rise == nullptr) return Fault::null("rise");
   wrc_heat_properties of_wheel, of_rail;
@@ -26,17 +26,20 @@ Fault find_flash_temperature(std::uint32_t count, double cell, const double* pow
   }
   // One strip, whose tractions of 1 Pa slide by -q / V.
   const auto cells = static_cast<std::int32_t>(count);
-  double one[most_flash_cells], none[most_flash_cells] = {}, slip[most_flash_cells], found[most_flash_cells];
+  double one[tangential::most_flash_cells], none[tangential::most_flash_cells] = {},
+                                            slip[tangential::most_flash_cells],
+                                            found[tangential::most_flash_cells];
   for (std::int32_t i = 0; i < cells; ++i) {
     one[i] = 1.0;
     slip[i] = -power_density[i] / speed;
   }
   double half_length = 0.5 * cell * count;
-  Strips strip{};
+  patch::Strips strip{};
   strip.count = 1;
   strip.half_length = &half_length;
-  flash_rise(strip, {one, none, slip, none}, cells, speed, {effusivity_of(of_wheel), effusivity_of(of_rail)},
-             FlashWeights(cells), found);
+  tangential::flash_rise(strip, {one, none, slip, none}, cells, speed,
+                         {effusivity_of(of_wheel), effusivity_of(of_rail)}, tangential::FlashWeights(cells),
+                         found);
   for (std::int32_t i = 0; i < cells; ++i) rise[i] = found[i];
   return {};
 }

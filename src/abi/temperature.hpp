@@ -14,7 +14,7 @@ inline double effusivity_of(const wrc_heat_properties& checked) {
   return std::sqrt(checked.conductivity * checked.density * checked.specific_heat);
 }
 
-inline wrc_temperature temperature_of(const TemperatureNumbers& numbers) {
+inline wrc_temperature temperature_of(const contact::TemperatureNumbers& numbers) {
   wrc_temperature ours = empty<wrc_temperature>();
   ours.at_entry = numbers.at_entry;
   ours.rise = numbers.rise;

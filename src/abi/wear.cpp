@@ -21,8 +21,8 @@ Fault check_order(const wrc_wear_laws& laws) {
                             laws.archard_severe_start)});
 }
 
-WearLaws laws_of(const wrc_wear_laws& checked) {
-  WearLaws laws;
+damage::WearLaws laws_of(const wrc_wear_laws& checked) {
+  damage::WearLaws laws;
   laws.t_gamma.t1 = checked.t_gamma_mild_end;
   laws.t_gamma.t2 = checked.t_gamma_severe_start;
   laws.t_gamma.slope_mild = checked.t_gamma_mild_slope;
@@ -51,7 +51,7 @@ WearLaws laws_of(const wrc_wear_laws& checked) {
 
 }  // namespace
 
-Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& laws) {
+Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, damage::WearLaws& laws) {
   wrc_wear_laws ours;
   RETURN_IF_FAILED(read_or_defaults(theirs, name, ours));
   RETURN_IF_FAILED(check_order(ours));

@@ -8,6 +8,6 @@
 namespace wrc::abi {
 
 /// The caller's parameters, checked; NULL: the published ones.
-Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, WearLaws& laws);
+Fault read_wear_laws(const wrc_wear_laws* theirs, const char* name, damage::WearLaws& laws);
 
 }  // namespace wrc::abi

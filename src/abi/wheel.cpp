@@ -58,7 +58,7 @@ Fault check_rotation(const double (&r)[9]) {
 
 /// Reads the direction of the axle into hosted.rotation; `axes`: those of the body, which may be turned by
 /// the pitch, track = axes * body.
-Fault read_axle(const wrc_wheel_state& ours, HostWheel& hosted, double (&axes)[3][3]) {
+Fault read_axle(const wrc_wheel_state& ours, contact::HostWheel& hosted, double (&axes)[3][3]) {
   if (ours.orientation == WRC_ORIENTATION_ANGLES) {
     const auto [sine_roll, cosine_roll] = sine_cosine(flush_subnormals(ours.roll));
     const auto [sine_yaw, cosine_yaw] = sine_cosine(flush_subnormals(ours.yaw));
@@ -79,7 +79,7 @@ Fault read_axle(const wrc_wheel_state& ours, HostWheel& hosted, double (&axes)[3
 }
 
 /// Reads the angular velocity; `body`: the body's axes.
-void read_turning(const wrc_wheel_state& ours, const double (&body)[3][3], HostWheel& hosted) {
+void read_turning(const wrc_wheel_state& ours, const double (&body)[3][3], contact::HostWheel& hosted) {
   const double rates[3] = {ours.roll_rate, ours.pitch_rate, ours.yaw_rate};
   const bool by_rates = ours.angular_axes == WRC_AXES_NONE, in_track = ours.angular_axes == WRC_AXES_TRACK;
   const double* const w = by_rates ? rates : ours.angular_velocity;
@@ -106,7 +106,8 @@ double part_across(const double (&v)[3], double x, double y, double z) {
 
 /// Flags a rotation whose transpose has its axle along the angular velocity, which its own has not: without
 /// pitch a transpose is a rotation that a wheel may have.
-Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3], const HostWheel& hosted) {
+Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3],
+                         const contact::HostWheel& hosted) {
   constexpr double least = 1e-3, much_less = 0.05;
   if (ours.orientation == WRC_ORIENTATION_ANGLES || ours.angular_axes != WRC_AXES_TRACK) return {};
   const auto& w = hosted.angular_velocity;
@@ -122,7 +123,7 @@ Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3]
             "did you pass its rows? then say WRC_ORIENTATION_ROWS");
 }
 
-Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostWheel& hosted) {
+Fault read_wheel(const wrc_wheel_state& ours, bool height_read, contact::HostWheel& hosted) {
   Fault fault;
   double body[3][3];
   if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
@@ -136,7 +137,7 @@ Fault read_wheel(const wrc_wheel_state& ours, bool height_read, HostWheel& hoste
   return look_for_transpose(ours, body, hosted);
 }
 
-RailMotion rail_of(const wrc_rail_state& checked) {
+surface::RailMotion rail_of(const wrc_rail_state& checked) {
   return {.y = flush_subnormals(checked.y),
           .z = flush_subnormals(checked.z),
           .roll = flush_subnormals(checked.roll),
@@ -148,11 +149,12 @@ RailMotion rail_of(const wrc_rail_state& checked) {
 }
 
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
-Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& method, HostWheel& hosted) {
+Fault read_hosted_friction(const wrc_friction& ours, const contact::TangentialMethod& method,
+                           contact::HostWheel& hosted) {
   hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
   if (hosted.frictionless) return {};
   RETURN_IF_FAILED(read_friction(ours, "input.friction", method, hosted.friction));
-  if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::contact)
+  if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == contact::ZoneFrame::contact)
     return Fault::unsupported("input.friction.zone_frame", {ours.zone_frame, ""},
                               "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "
                               "WRC_ZONES_WHEEL_PROFILE");
@@ -161,7 +163,8 @@ Fault read_hosted_friction(const wrc_friction& ours, const TangentialMethod& met
 
 }  // namespace
 
-Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method, HostWheel& hosted) {
+Fault read_hosted(const wrc_wheel_input* theirs, const contact::TangentialMethod& method,
+                  contact::HostWheel& hosted) {
   wrc_wheel_input ours;
   Fault fault = read(theirs, "input", ours);
   if (!fault.failed()) fault = check_prescribed_of_wheel(ours.prescribed, "input");
@@ -185,8 +188,8 @@ Fault read_hosted(const wrc_wheel_input* theirs, const TangentialMethod& method,
   return wheel;
 }
 
-wrc_wrench wrench_of(const HostWrench& hosted) {
-  const Wrench& wrench = hosted.wrench;
+wrc_wrench wrench_of(const contact::HostWrench& hosted) {
+  const surface::Wrench& wrench = hosted.wrench;
   wrc_wrench ours = empty<wrc_wrench>();
   ours.region_count = wrench.regions;
   ours.iterations = wrench.iterations;
@@ -208,27 +211,28 @@ wrc_wrench wrench_of(const HostWrench& hosted) {
 
 namespace {
 
-wrc_wrench_derivatives derivatives_of(const HostJacobian& slopes) {
-  static_assert(hosted_inputs == WRC_WRENCH_INPUTS);
+wrc_wrench_derivatives derivatives_of(const contact::HostJacobian& slopes) {
+  static_assert(contact::hosted_inputs == WRC_WRENCH_INPUTS);
   wrc_wrench_derivatives ours = empty<wrc_wrench_derivatives>();
-  for (int i = 0; i < 6; ++i) std::copy_n(slopes.wrench[i], hosted_inputs, ours.wrench[i]);
-  std::copy_n(slopes.z, hosted_inputs, ours.z);
+  for (int i = 0; i < 6; ++i) std::copy_n(slopes.wrench[i], contact::hosted_inputs, ours.wrench[i]);
+  std::copy_n(slopes.z, contact::hosted_inputs, ours.z);
   return ours;
 }
 
 /// The solution stays in the contact. `slopes`: its derivatives; nullptr: not wanted.
-Fault solve(Contact& contact, const wrc_wheel_input* input, HostJacobian* slopes = nullptr) {
+Fault solve(contact::Contact& contact, const wrc_wheel_input* input,
+            contact::HostJacobian* slopes = nullptr) {
   contact.wheel_solved = false;
-  HostWheel hosted;
+  contact::HostWheel hosted;
   const Fault reading = read_hosted(input, *contact.model->options.tangential_method, hosted);
   if (reading.failed()) return reading;
-  Fault fault = solve_wheel(contact, hosted, slopes);
+  Fault fault = contact::solve_wheel(contact, hosted, slopes);
   keep_worst(fault, reading);
   return fault;
 }
 
 std::int32_t wheel_step(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench) {
-  return call("wrc_contact_wrench", handle, clear(wrench), [&](Contact& contact) {
+  return call("wrc_contact_wrench", handle, clear(wrench), [&](contact::Contact& contact) {
     const Fault outcome = solve(contact, input);
     if (!outcome.failed()) write(with_flags(wrench_of(contact.wheel), outcome), wrench);
     return outcome;
@@ -249,8 +253,8 @@ int32_t wrc_contact_wrench(wrc_contact* handle, const wrc_wheel_input* input, wr
 int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_input* input, wrc_wrench* wrench,
                                        wrc_wrench_derivatives* derivatives) {
   return abi::call(__func__, handle, abi::first_of({abi::clear(wrench), abi::clear(derivatives)}),
-                   [&](wrc::Contact& contact) {
-                     wrc::HostJacobian slopes;
+                   [&](wrc::contact::Contact& contact) {
+                     wrc::contact::HostJacobian slopes;
                      const wrc::Fault outcome =
                          abi::solve(contact, input, derivatives == nullptr ? nullptr : &slopes);
                      if (outcome.failed()) return outcome;

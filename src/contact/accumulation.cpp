@@ -6,7 +6,7 @@
 #include "contact/plane_over.hpp"
 #include "contact/stages.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 constexpr int on_wheel = 0, on_rail = 1;
@@ -15,12 +15,12 @@ constexpr int on_wheel = 0, on_rail = 1;
 class Adder {
  public:
   Adder(const Contact& contact, const Accumulation& accumulation, double speed, double way,
-        const DamageBins* wheel, const DamageBins* rail, DamageTotals& totals)
+        const damage::DamageBins* wheel, const damage::DamageBins* rail, DamageTotals& totals)
       : distance_(std::abs(speed) * accumulation.duration),
         from_(accumulation.distance - (way < 0.0 ? distance_ : 0.0)),
         wanted_{wheel != nullptr, rail != nullptr},
-        bins_{{wheel ? *wheel : DamageBins{}, from_, from_ + distance_},
-              {rail ? *rail : DamageBins{}, from_, from_ + distance_}},
+        bins_{{wheel ? *wheel : damage::DamageBins{}, from_, from_ + distance_},
+              {rail ? *rail : damage::DamageBins{}, from_, from_ + distance_}},
         totals_(totals),
         laws_{.wear = accumulation.wear,
               .whole_life = accumulation.whole_life,
@@ -34,12 +34,12 @@ class Adder {
     patch_.power = power;
   }
 
-  void take(const DamagingStrip& strip) {
+  void take(const damage::DamagingStrip& strip) {
     // One contribution per strip, shared out over the bins that its width and its path cover.
-    const Contribution c = contribution_of(strip, patch_, laws_);
+    const damage::Contribution c = damage::contribution_of(strip, patch_, laws_);
     for (const int body : {on_wheel, on_rail})
       if (wanted_[body]) bins_[body].take(c, strip.place[body], strip.width);
-    add_share(1.0, c, totals_.sum);
+    damage::add_share(1.0, c, totals_.sum);
     totals_.largest_pressure = std::max(totals_.largest_pressure, c.pressure);
     totals_.largest_traction = std::max(totals_.largest_traction, c.traction);
   }
@@ -53,10 +53,10 @@ class Adder {
  private:
   double distance_, from_;
   bool wanted_[2];
-  BinAdder bins_[2];
+  damage::BinAdder bins_[2];
   DamageTotals& totals_;
-  DamageLaws laws_;
-  DamagingPatch patch_;
+  damage::DamageLaws laws_;
+  damage::DamagingPatch patch_;
 };
 
 /// Resultants of the tractions of `count` strips, up to `chunk` of them, over the area of a cell [Pa];
@@ -84,8 +84,8 @@ void sum_cells(const double* tx, const double* ty, std::int32_t cells, std::int3
   for (std::int32_t j = 0; j < count; ++j) sum[j] = std::sqrt(x[j] * x[j] + y[j] * y[j]);
 }
 
-Fault add_stages(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
-                 const DamageBins* rail, DamageTotals& totals) {
+Fault add_stages(Contact& contact, const Accumulation& accumulation, const damage::DamageBins* wheel,
+                 const damage::DamageBins* rail, DamageTotals& totals) {
   const Fault fault = tractions_needed(contact, "this method has no tractions: choose another");
   if (fault.failed()) return fault;
   if (!contact.posed)
@@ -96,11 +96,11 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
 
   // Places of strips by arc length on the right-hand profiles; the left contact plane runs against them.
   const Model& model = *contact.model;
-  const Bodies& right = model.bodies[static_cast<int>(Side::right)];
+  const Bodies& right = model.bodies[static_cast<int>(geometry::Side::right)];
   PlaneOver plane[2] = {{model.arc[on_wheel], right.wheel.origin_y + contact.point.y_wheel},
                         {model.arc[on_rail], right.rail.origin_y + contact.point.y_rail}};
-  const double outward = contact.side == Side::right ? 1.0 : -1.0;
-  const Creepage& creepage = contact.creepage;
+  const double outward = contact.side == geometry::Side::right ? 1.0 : -1.0;
+  const tangential::Creepage& creepage = contact.creepage;
   const std::int32_t cells = model.options.sizes.cells;
   Adder adder(contact, accumulation, contact.rolling.speed, contact.rolling.direction, wheel, rail, totals);
   for (std::int32_t p = 0; p < contact.patches; ++p) {
@@ -146,16 +146,17 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const Damag
   return adder.finish();
 }
 
-Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
-                        const DamageBins* rail, DamageTotals& totals) {
+Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation,
+                        const damage::DamageBins* wheel, const damage::DamageBins* rail,
+                        DamageTotals& totals) {
   if (!contact.wheel_solved) return Fault::sequence("wrench", "call wrc_contact_wrench first");
   const Model& model = *contact.model;
-  const StripResults& kept =
-      reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
+  const surface::StripResults& kept =
+      reinterpret_cast<const surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
   const auto count = static_cast<std::int32_t>(kept.count);
   if (count == 0) return Fault::no_contact();
-  const Bodies& right = model.bodies[static_cast<int>(Side::right)];
-  const Wrench& wrench = contact.wheel.wrench;
+  const Bodies& right = model.bodies[static_cast<int>(geometry::Side::right)];
+  const surface::Wrench& wrench = contact.wheel.wrench;
   Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);
   // Strips come in the order of the rail; a region begins where the one before ends. Beyond the deepest
   // overlap that is solved, forces and power are `factor` times those solved.
@@ -169,27 +170,28 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
       adder.begin_patch(kept.speed, wrench.region[region].power);
     }
     const double turning = kept.spin[k] * kept.half_length[k];
-    adder.take({.place = {arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k], wheel_piece),
-                          arc_at(model.arc[on_rail], right.rail.origin_y + kept.y[k], rail_piece)},
-                .width = kept.width[k],
-                .half_length = kept.half_length[k],
-                .peak = kept.peak[k],
-                .friction = kept.friction[k],
-                .sliding = kept.speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] +
-                                                  kept.slip_y[k] * kept.slip_y[k] + turning * turning / 3.0),
-                .traction = kept.factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
-                .power = kept.factor * kept.power[k]});
+    adder.take(
+        {.place = {geometry::arc_at(model.arc[on_wheel], right.wheel.origin_y + kept.y_wheel[k], wheel_piece),
+                   geometry::arc_at(model.arc[on_rail], right.rail.origin_y + kept.y[k], rail_piece)},
+         .width = kept.width[k],
+         .half_length = kept.half_length[k],
+         .peak = kept.peak[k],
+         .friction = kept.friction[k],
+         .sliding = kept.speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] + kept.slip_y[k] * kept.slip_y[k] +
+                                           turning * turning / 3.0),
+         .traction = kept.factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
+         .power = kept.factor * kept.power[k]});
   }
   return adder.finish();
 }
 
 }  // namespace
 
-Fault accumulate(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
-                 const DamageBins* rail, DamageTotals& totals) {
+Fault accumulate(Contact& contact, const Accumulation& accumulation, const damage::DamageBins* wheel,
+                 const damage::DamageBins* rail, DamageTotals& totals) {
   totals = {};
   return contact.newest == Solution::wheel ? add_wheel_on_rail(contact, accumulation, wheel, rail, totals)
                                            : add_stages(contact, accumulation, wheel, rail, totals);
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -13,7 +13,7 @@
 #include "damage/wear.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// Why the stages' tractions cannot be used: none are solved yet, the method gives none (then `why_not` is
 /// the sentence), or there is no contact.
@@ -30,7 +30,7 @@ struct WearNumbers {
   double largest_depth_velocity = 0.0;        ///< Archard [m/s]
   double largest_power_depth_velocity = 0.0;  ///< power law [m/s]
 };
-Fault region_wear(Contact& contact, std::int32_t index, const WearLaws& laws, WearNumbers& wear);
+Fault region_wear(Contact& contact, std::int32_t index, const damage::WearLaws& laws, WearNumbers& wear);
 
 /// Temperatures in one contact.
 struct TemperatureNumbers {
@@ -40,36 +40,36 @@ struct TemperatureNumbers {
   double mean_rise = 0.0;  ///< over the area [K]
   double wheel_heat = 0.0, rail_heat = 0.0;  ///< [W]
 };
-Fault region_temperature(Contact& contact, std::int32_t index, const BulkTemperatures& bulk,
+Fault region_temperature(Contact& contact, std::int32_t index, const tangential::BulkTemperatures& bulk,
                          TemperatureNumbers& temperature);
 
 /// Largest stresses in one of the bodies.
 struct BodyStresses {
-  StressPeaks surface, below;
+  damage::StressPeaks surface, below;
 };
 
 /// At the surface, at `depths` (increasing; into `levels`, one for each, where not nullptr) and around the
 /// largest of these. A wheel's region is laid flat along the rail's arc, y its arc length.
 Fault region_stresses(Contact& contact, std::int32_t index, bool in_rail, const double* depths,
-                      std::int32_t count, StressPeaks* levels, BodyStresses& stresses);
+                      std::int32_t count, damage::StressPeaks* levels, BodyStresses& stresses);
 
 /// A stretch of time during which the newest solution acts.
 struct Accumulation {
   double duration = 0.0;  ///< [s]
   double distance = 0.0;  ///< along the track where it begins [m]
-  WearLaws wear;
-  WholeLifeLaw whole_life;
+  damage::WearLaws wear;
+  damage::WholeLifeLaw whole_life;
 };
 
 /// Sums added to each set of bins.
 struct DamageTotals {
-  double sum[damage_sums] = {};
+  double sum[damage::damage_sums] = {};
   double largest_pressure = 0.0, largest_traction = 0.0;  ///< [Pa]
 };
 
 /// Adds damage to the bins of wheel and rail (accumulation.cpp); nullptr: not wanted. The stages' frictional
 /// power is assessed where it has not been.
-Fault accumulate(Contact& contact, const Accumulation& accumulation, const DamageBins* wheel,
-                 const DamageBins* rail, DamageTotals& totals);
+Fault accumulate(Contact& contact, const Accumulation& accumulation, const damage::DamageBins* wheel,
+                 const damage::DamageBins* rail, DamageTotals& totals);
 
-}  // namespace wrc
+}  // namespace wrc::contact

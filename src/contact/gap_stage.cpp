@@ -6,7 +6,7 @@
 #include "contact/stages.hpp"
 #include "geometry/gap_rows.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Half width of the gap about the contact point: the widest patch of two rails' heads, tread and flange
@@ -22,13 +22,14 @@ constexpr double pressed_depth = 80e-6;
 /// The wheel where its gap is taken, lowered to first touch and pressed_depth further, and the contact point
 /// as the origin of that gap: the wheel is down already.
 struct PressedWheel {
-  PosedWheel wheel;
-  ContactPoint origin;
+  geometry::PosedWheel wheel;
+  geometry::ContactPoint origin;
 
-  PressedWheel(const Wheel& placed, Pose pose, const ContactPoint& first_touch) : origin(first_touch) {
+  PressedWheel(const geometry::Wheel& placed, geometry::Pose pose, const geometry::ContactPoint& first_touch)
+      : origin(first_touch) {
     // pressed_depth is along the contact normal: pose.vertical moves along z, hence the cosine.
     pose.vertical += first_touch.vertical_gap + pressed_depth / first_touch.cosine;
-    wheel = posed(placed, pose);
+    wheel = geometry::posed(placed, pose);
     origin.vertical_gap = 0.0;
   }
 };
@@ -37,10 +38,10 @@ struct PressedWheel {
 /// from which the next normal solve may start, is taken over from the frame of the contact point `before`
 /// into the present one. The angle between the two frames does not matter for a start. A contact
 /// point that merely moves takes its patch along.
-void carry_start_over_jump(Contact& contact, const ContactPoint& before) {
+void carry_start_over_jump(Contact& contact, const geometry::ContactPoint& before) {
   if (contact.start_strips == 0) return;
   constexpr double jump = 0.25;  // over the patch's width
-  const ContactPoint& now = contact.point;
+  const geometry::ContactPoint& now = contact.point;
   // Movement of the origin along y of the present contact plane [m].
   const double moved = now.cosine * (now.y - before.y) + now.sine * (now.z - before.z);
   double* const y = array(contact, Array::start_y);
@@ -50,11 +51,11 @@ void carry_start_over_jump(Contact& contact, const ContactPoint& before) {
 
 }  // namespace
 
-Fault find_gap(Contact& contact, const Pose& pose) {
+Fault find_gap(Contact& contact, const geometry::Pose& pose) {
   back_to(contact, Stage::none);
   contact.gap_rows = 0;
   const bool was_posed = contact.posed;
-  const ContactPoint before = contact.point;
+  const geometry::ContactPoint before = contact.point;
   contact.posed = false;
   const Model& model = *contact.model;
   if (!model.has_geometry) {
@@ -65,19 +66,20 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   // First touch: the one point where the wheel, lowered, meets the rail.
   std::int32_t found = 0;
   const auto& [placed, rail] = bodies(contact);
-  Fault fault = find_contact(rail, posed(placed, pose), 1, &contact.point, found);
+  Fault fault = geometry::find_contact(rail, geometry::posed(placed, pose), 1, &contact.point, found);
   if (fault.failed()) return fault;
   if (was_posed && model.options.warm_start) carry_start_over_jump(contact, before);
 
   // Rows of the gap of the wheel pressed_depth inside the rail, in the plane of first touch.
   const auto [wheel, origin] = PressedWheel(placed, pose, contact.point);
-  const GapWindow window = gap_window(rail, wheel, origin, {model.options.gap_limit, gap_half_width});
-  GapRows rows;
-  const GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
-                            array(contact, Array::gap_height), array(contact, Array::gap_centre),
-                            array(contact, Array::gap_curvature)};
-  keep_worst(fault,
-             fill_gap_rows(rail, wheel, origin, window, memory.capacity, memory, *model.kernels, rows));
+  const geometry::GapWindow window =
+      geometry::gap_window(rail, wheel, origin, {model.options.gap_limit, gap_half_width});
+  patch::GapRows rows;
+  const geometry::GapRowMemory memory{model.options.sizes.gap_rows, array(contact, Array::gap_y),
+                                      array(contact, Array::gap_height), array(contact, Array::gap_centre),
+                                      array(contact, Array::gap_curvature)};
+  keep_worst(fault, geometry::fill_gap_rows(rail, wheel, origin, window, memory.capacity, memory,
+                                            *model.kernels, rows));
   if (fault.failed()) return fault;
   // Heights count from first touch again, so that the approach does.
   for (std::int32_t j = 0; j < rows.count; ++j) memory.height[j] += pressed_depth;
@@ -88,20 +90,21 @@ Fault find_gap(Contact& contact, const Pose& pose) {
   return fault;
 }
 
-SurfaceGap surface_gap(const Contact& contact) {
+geometry::SurfaceGap surface_gap(const Contact& contact) {
   const auto [wheel, origin] = PressedWheel(bodies(contact).wheel, contact.pose, contact.point);
   return {bodies(contact).rail, wheel, origin};
 }
 
-Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid) {
+Fault find_creepages(const Contact& contact, const geometry::WheelsetMotion& motion,
+                     geometry::RigidCreepage& rigid) {
   if (!contact.posed)
     return Fault::sequence("pose", "call wrc_planar_geometry first: creepages belong to its contact point");
-  rigid = creepage(posed(bodies(contact).wheel, contact.pose), contact.point, motion);
+  rigid = geometry::creepage(geometry::posed(bodies(contact).wheel, contact.pose), contact.point, motion);
   if (rigid.limited) return Fault::creepages_limited("motion");
   return {};
 }
 
-void take_gap(Contact& contact, const GapRows& rows) {
+void take_gap(Contact& contact, const patch::GapRows& rows) {
   back_to(contact, Stage::gap);
   contact.posed = false;
   contact.gap_rows = rows.count;
@@ -117,7 +120,7 @@ void take_gap(Contact& contact, const GapRows& rows) {
   std::copy_n(rows.curvature, rows.count, array(contact, Array::gap_curvature));
 }
 
-Fault take_gap(Contact& contact, const GapGrid& grid) {
+Fault take_gap(Contact& contact, const patch::GapGrid& grid) {
   // A failure leaves the contact without a gap.
   back_to(contact, Stage::none);
   contact.posed = false;
@@ -125,8 +128,8 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
   // Rows are needed accurately where they may touch; a quarter of the depth that matters leaves the rest out
   // of the fit.
   const Fault fault =
-      rows_from_grid(grid, 0.25 * contact.model->options.gap_limit, array(contact, Array::gap_height),
-                     array(contact, Array::gap_centre), array(contact, Array::gap_curvature));
+      patch::rows_from_grid(grid, 0.25 * contact.model->options.gap_limit, array(contact, Array::gap_height),
+                            array(contact, Array::gap_centre), array(contact, Array::gap_curvature));
   if (fault.failed()) return fault;
   std::copy_n(grid.y, grid.rows, array(contact, Array::gap_y));
   contact.gap_rows = grid.rows;
@@ -134,4 +137,4 @@ Fault take_gap(Contact& contact, const GapGrid& grid) {
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -1,6 +1,6 @@
 #include "contact/layout.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Doubles that hold so many bytes.
@@ -50,4 +50,4 @@ ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes) {
   return layout;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::contact {
 
 inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the widest vector
 
@@ -66,4 +66,4 @@ struct ArrayLayout {
 /// Lays the arrays out behind a header of `header_bytes`, each on a cache line.
 ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes);
 
-}  // namespace wrc
+}  // namespace wrc::contact

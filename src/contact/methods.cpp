@@ -19,28 +19,29 @@
 #include "tangential/methods/strip_fastsim.hpp"
 #include "wrc/wrc_methods.h"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// The strip half-space solver with its scratch memory, from its last solution where the model asks for that;
 /// beyond the gap it is continued as the other methods are.
-Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& strips) {
+Fault solve_from_start(Contact& contact, const normal::NormalProblem& problem, patch::Strips& strips) {
   // Scratch, and the last solution: place, width, squared half length and shift of each strip.
   const ModelOptions& options = contact.model->options;
-  NormalWorkspace workspace{array(contact, Array::normal_workspace), options.sizes.normal_workspace_bytes};
-  StripHalfspaceStart start{options.sizes.strips,
-                            options.warm_start ? contact.start_strips : 0,
-                            array(contact, Array::start_y),
-                            array(contact, Array::start_width),
-                            array(contact, Array::start_length_squared),
-                            array(contact, Array::start_shift)};
-  const auto solve = [&](const NormalProblem& posed) {
-    return solve_strip_halfspace(posed, {.max_sweeps = options.max_sweeps}, *contact.model->influence,
-                                 workspace, start, strips, contact.normal);
+  normal::NormalWorkspace workspace{array(contact, Array::normal_workspace),
+                                    options.sizes.normal_workspace_bytes};
+  normal::StripHalfspaceStart start{options.sizes.strips,
+                                    options.warm_start ? contact.start_strips : 0,
+                                    array(contact, Array::start_y),
+                                    array(contact, Array::start_width),
+                                    array(contact, Array::start_length_squared),
+                                    array(contact, Array::start_shift)};
+  const auto solve = [&](const normal::NormalProblem& posed) {
+    return normal::solve_strip_halfspace(posed, {.max_sweeps = options.max_sweeps}, *contact.model->influence,
+                                         workspace, start, strips, contact.normal);
   };
 
   // Within the gap the solver as it is; `beyond` where its approach would pass the deepest row.
-  bool beyond = problem.prescribed == Prescribed::approach && problem.approach > problem.deepest;
+  bool beyond = problem.prescribed == normal::Prescribed::approach && problem.approach > problem.deepest;
   Fault fault;
   if (!beyond) {
     fault = solve(problem);
@@ -49,11 +50,12 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
   }
   // Beyond it: the solution at the gap's end, continued with its stiffness.
   if (beyond) {
-    NormalProblem end = problem;
-    end.prescribed = Prescribed::approach;
-    end.approach = std::min(deepest_approach(problem.gap, minimum(problem.gap)), problem.deepest);
+    normal::NormalProblem end = problem;
+    end.prescribed = normal::Prescribed::approach;
+    end.approach =
+        std::min(normal::deepest_approach(problem.gap, patch::minimum(problem.gap)), problem.deepest);
     fault = solve(end);
-    if (!fault.failed()) fault = continue_beyond(problem, strips, contact.normal);
+    if (!fault.failed()) fault = normal::continue_beyond(problem, strips, contact.normal);
   }
   contact.start_strips = fault.failed() ? 0 : start.count;
   return fault;
@@ -65,33 +67,35 @@ Fault solve_from_start(Contact& contact, const NormalProblem& problem, Strips& s
 constexpr NormalMethod normal_methods[] = {
     {.is = WRC_ENUMERATOR(WRC_NORMAL_HERTZ),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .planar = solve_hertz},
+     .planar = normal::solve_hertz},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_KIK_PIOTROWSKI),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .planar = [](const NormalProblem& problem, Strips& strips,
-                  NormalSolution& solution) { return solve_kik_piotrowski(problem, {}, strips, solution); }},
+     .planar =
+         [](const normal::NormalProblem& problem, patch::Strips& strips, normal::NormalSolution& solution) {
+           return normal::solve_kik_piotrowski(problem, {}, strips, solution);
+         }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP),
      .reads = {Option::max_iterations, Option::load_tolerance},
      .planar =
-         [](const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
-           return solve_ekp(problem, {EkpScale::area}, strips, solution);
+         [](const normal::NormalProblem& problem, patch::Strips& strips, normal::NormalSolution& solution) {
+           return normal::solve_ekp(problem, {normal::EkpScale::area}, strips, solution);
          }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_EKP_ELLIPSE),
      .reads = {Option::max_iterations, Option::load_tolerance},
      .planar =
-         [](const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
-           return solve_ekp(problem, {EkpScale::ellipse}, strips, solution);
+         [](const normal::NormalProblem& problem, patch::Strips& strips, normal::NormalSolution& solution) {
+           return normal::solve_ekp(problem, {normal::EkpScale::ellipse}, strips, solution);
          }},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_ANALYN),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .planar = solve_analyn},
+     .planar = normal::solve_analyn},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIPES),
      .reads = {Option::max_iterations, Option::load_tolerance},
-     .planar = solve_stripes},
+     .planar = normal::solve_stripes},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIP_HALFSPACE),
      .reads = {Option::max_sweeps, Option::warm_start},  // the load is met to rounding
      .half_space = true,
-     .workspace = strip_halfspace_workspace,
+     .workspace = normal::strip_halfspace_workspace,
      .solve = solve_from_start},
 };
 
@@ -101,28 +105,30 @@ constexpr TangentialMethod tangential_methods[] = {
      .gives_tractions = true,
      .gives_derivatives = true,
      .over_strips = true,
-     .strips = SurfaceRollingMethod::fastsim,
-     .solve = fastsim},
+     .strips = surface::SurfaceRollingMethod::fastsim,
+     .solve = tangential::fastsim},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FASTRIP),
      .reads = Option::patch_model,
      .gives_tractions = true,
      .over_strips = true,
-     .strips = SurfaceRollingMethod::fastrip,
-     .workspace = fastrip_workspace,
-     .solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
-                 TangentialSensitivities*) { return fastrip(c, fields, fault); }},
+     .strips = surface::SurfaceRollingMethod::fastrip,
+     .workspace = tangential::fastrip_workspace,
+     .solve = [](const tangential::RollingContact& c, const tangential::TangentialFields& fields,
+                 Fault& fault,
+                 tangential::TangentialSensitivities*) { return tangential::fastrip(c, fields, fault); }},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_STRIP_FASTSIM),
      .reads = Option::non_steady,
      .gives_tractions = true,
      .gives_derivatives = true,
      .over_strips = true,
-     .solve = strip_fastsim},
+     .solve = tangential::strip_fastsim},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_FORCE_TABLE),
      .reads = Option::force_table,
      .solve =
-         [](const RollingContact& c, const TangentialFields&, Fault& fault, TangentialSensitivities*) {
-           return table_forces(*c.force_table, {c.a, c.b, c.shape_number}, c.normal_force, c.shear_modulus,
-                               c.friction.mean, c.creepage, fault);
+         [](const tangential::RollingContact& c, const tangential::TangentialFields&, Fault& fault,
+            tangential::TangentialSensitivities*) {
+           return tangential::table_forces(*c.force_table, {c.a, c.b, c.shape_number}, c.normal_force,
+                                           c.shear_modulus, c.friction.mean, c.creepage, fault);
          }},
 };
 #undef WRC_ENUMERATOR
@@ -180,30 +186,32 @@ const TangentialMethod* tangential_method(std::int32_t value) { return row(tange
 
 const char* readers_of(Option option) { return sentences[static_cast<std::size_t>(option)].text; }
 
-SurfaceMethods surface_methods(const ModelOptions& options) {
+surface::SurfaceMethods surface_methods(const ModelOptions& options) {
   const NormalMethod& normal = *options.normal_method;
   const TangentialMethod& tangential = *options.tangential_method;
-  SurfaceMethods methods;
+  surface::SurfaceMethods methods;
   // The planar method, if there is one, is laid over the rail's strips; otherwise the surface has its own
   // solver.
   methods.planar = {normal.planar, options.sizes.strips, options.max_iterations, options.load_tolerance};
   methods.strips = tangential.strips;
-  methods.parabolic = options.traction_bound == TractionBound::parabolic;
+  methods.parabolic = options.traction_bound == tangential::TractionBound::parabolic;
   // Strip FASTSIM rolls strips one by one whatever the options; the others do in their strip forms only, and
   // otherwise roll whole regions.
-  if (tangential.over_strips && tangential.strips == SurfaceRollingMethod::strip_fastsim) return methods;
-  const PatchModel& shape = options.patch_model;
+  if (tangential.over_strips && tangential.strips == surface::SurfaceRollingMethod::strip_fastsim)
+    return methods;
+  const tangential::PatchModel& shape = options.patch_model;
   methods.by_region = !(tangential.over_strips && shape.of_sdec && !shape.on_ellipse &&
-                        options.flexibility == FlexibilityForm::separate &&
-                        options.traction_bound != TractionBound::ellipsoidal);
+                        options.flexibility == tangential::FlexibilityForm::separate &&
+                        options.traction_bound != tangential::TractionBound::ellipsoidal);
   methods.region = {.solve = tangential.solve,
                     .model = shape,
                     .bound = options.traction_bound,
                     .form = options.flexibility};
   // A region has no more strips than may overlap at once.
   if (tangential.workspace)
-    methods.region.workspace_bytes = tangential.workspace(most_overlapping_strips, options.surface_cells);
+    methods.region.workspace_bytes =
+        tangential.workspace(surface::most_overlapping_strips, options.surface_cells);
   return methods;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

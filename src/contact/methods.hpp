@@ -11,7 +11,7 @@
 #include "tangential/problem.hpp"
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 struct Contact;
 
@@ -51,12 +51,13 @@ struct NormalMethod {
   Enumerator is;  ///< value of enum wrc_normal_method
   OptionSet reads{};
   /// The whole method; on a rail's surface it is applied patch by patch.
-  Fault (*planar)(const NormalProblem& problem, Strips& strips, NormalSolution& solution) = nullptr;
+  Fault (*planar)(const normal::NormalProblem& problem, patch::Strips& strips,
+                  normal::NormalSolution& solution) = nullptr;
   /// In its stead, a method that has its own way on a surface: needs the influence table in the model.
   bool half_space = false;
   std::int64_t (*workspace)(std::int32_t strips) = nullptr;  ///< in the contact [bytes]; nullptr: none
   /// Fills contact.normal, too.
-  Fault (*solve)(Contact& contact, const NormalProblem& problem, Strips& strips) = nullptr;
+  Fault (*solve)(Contact& contact, const normal::NormalProblem& problem, patch::Strips& strips) = nullptr;
 };
 
 struct TangentialMethod {
@@ -68,11 +69,12 @@ struct TangentialMethod {
   /// WRC_PATCH_MODEL_PATCH_SDEC, separate flexibilities and a bound of each strip's load; otherwise it is
   /// applied patch by patch.
   bool over_strips = false;
-  SurfaceRollingMethod strips = SurfaceRollingMethod::strip_fastsim;
+  surface::SurfaceRollingMethod strips = surface::SurfaceRollingMethod::strip_fastsim;
   std::int64_t (*workspace)(std::int32_t strips,
                             std::int32_t cells) = nullptr;  ///< in the contact [bytes]; nullptr: none
-  TangentialForces (*solve)(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
-                            TangentialSensitivities* sensitivities) = nullptr;
+  tangential::TangentialForces (*solve)(const tangential::RollingContact& contact,
+                                        const tangential::TangentialFields& fields, Fault& fault,
+                                        tangential::TangentialSensitivities* sensitivities) = nullptr;
 };
 
 /// The row of a value of wrc_methods.h; nullptr if there is none.
@@ -85,6 +87,6 @@ const char* readers_of(Option option);
 struct ModelOptions;
 
 /// Methods for a wheel on a rail in a model of these options. The caller adds tables.
-SurfaceMethods surface_methods(const ModelOptions& options);
+surface::SurfaceMethods surface_methods(const ModelOptions& options);
 
-}  // namespace wrc
+}  // namespace wrc::contact

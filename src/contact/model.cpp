@@ -12,18 +12,18 @@
 #include "tangential/force_table/force_table_file.hpp"
 #include "tangential/methods/strip_memory.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Nodes the profile of this source needs.
 std::int32_t node_count(const ProfileSource& source) {
   switch (source.kind) {
     case ProfileSource::Kind::s1002:
-      return s1002_nodes;
+      return geometry::s1002_nodes;
     case ProfileSource::Kind::rail_60e1:
-      return rail_head_nodes;
+      return geometry::rail_head_nodes;
     case ProfileSource::Kind::rail_uic60_benchmark:
-      return uic60_benchmark_nodes;
+      return geometry::uic60_benchmark_nodes;
     case ProfileSource::Kind::points:
       return source.count;
     case ProfileSource::Kind::none:
@@ -34,11 +34,11 @@ std::int32_t node_count(const ProfileSource& source) {
 
 /// Doubles of scratch to load this source.
 std::size_t scratch_size(const ProfileSource& source) {
-  return static_cast<std::size_t>(source.smoothing > 0.0 ? smoothing_scratch + 1 : 1) *
+  return static_cast<std::size_t>(source.smoothing > 0.0 ? geometry::smoothing_scratch + 1 : 1) *
          static_cast<std::size_t>(node_count(source));
 }
 
-std::size_t doubles(const ProfileSource& source) { return profile_doubles(node_count(source)); }
+std::size_t doubles(const ProfileSource& source) { return geometry::profile_doubles(node_count(source)); }
 
 /// Doubles of the arc lengths of both bodies.
 std::size_t arcs(const ModelOptions& options) {
@@ -47,22 +47,23 @@ std::size_t arcs(const ModelOptions& options) {
 }
 
 /// Cuts the nodes of one profile from the arrays behind the model.
-ProfileMemory cut(double*& arrays, std::int32_t nodes) {
-  const ProfileMemory memory = profile_memory(nodes, arrays);
-  arrays += profile_doubles(nodes);
+geometry::ProfileMemory cut(double*& arrays, std::int32_t nodes) {
+  const geometry::ProfileMemory memory = geometry::profile_memory(nodes, arrays);
+  arrays += geometry::profile_doubles(nodes);
   return memory;
 }
 
 /// Points of the caller, smoothed if wanted.
-Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch, const ProfileMemory& memory,
-                  Profile& profile, double& deviation) {
+Fault load_points(const ProfileSource& source, geometry::ProfileBody body, double* scratch,
+                  const geometry::ProfileMemory& memory, geometry::Profile& profile, double& deviation) {
   // Points without smoothing must increase strictly; noise of a measurement is allowed where it is smoothed
   // away.
   if (!(source.smoothing > 0.0))
-    return spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
-  RETURN_IF_FAILED(check_points(body, source.count, source.y, source.z, profile_noise_most));
-  const SmoothedPoints smooth =
-      smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
+    return geometry::spline_through(body, source.count, source.y, source.z, scratch, memory, profile);
+  RETURN_IF_FAILED(
+      geometry::check_points(body, source.count, source.y, source.z, geometry::profile_noise_most));
+  const geometry::SmoothedPoints smooth =
+      geometry::smooth_points(source.count, source.y, source.z, source.smoothing, scratch + source.count);
   // Smoothing moves points in both directions: the curve must still be a height over y.
   for (std::int32_t i = 1; i < source.count; ++i) {
     if (!(smooth.y[i] > smooth.y[i - 1]))
@@ -70,19 +71,19 @@ Fault load_points(const ProfileSource& source, ProfileBody body, double* scratch
                             "so long a smoothing folds the steep part of the profile at this point");
   }
   deviation = smooth.deviation;
-  return spline_through(body, source.count, smooth.y, smooth.z, scratch, memory, profile);
+  return geometry::spline_through(body, source.count, smooth.y, smooth.z, scratch, memory, profile);
 }
 
 /// The profile in its own coordinates. `scratch`: scratch_size(source) doubles.
-Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratch,
-                   const ProfileMemory& memory, Profile& profile, double& deviation) {
+Fault load_profile(const ProfileSource& source, geometry::ProfileBody body, double* scratch,
+                   const geometry::ProfileMemory& memory, geometry::Profile& profile, double& deviation) {
   switch (source.kind) {
     case ProfileSource::Kind::s1002:
-      return sample_s1002(memory, profile);
+      return geometry::sample_s1002(memory, profile);
     case ProfileSource::Kind::rail_60e1:
-      return sample_rail_head(rail_60e1, memory, profile);
+      return geometry::sample_rail_head(geometry::rail_60e1, memory, profile);
     case ProfileSource::Kind::rail_uic60_benchmark:
-      return sample_uic60_benchmark(memory, profile);
+      return geometry::sample_uic60_benchmark(memory, profile);
     case ProfileSource::Kind::points:
       return load_points(source, body, scratch, memory, profile, deviation);
     case ProfileSource::Kind::none:
@@ -93,12 +94,12 @@ Fault load_profile(const ProfileSource& source, ProfileBody body, double* scratc
 
 /// Bytes of the influence tables, of models with the strip half-space solver.
 std::size_t influence_bytes(const ModelOptions& options) {
-  return options.normal_method->half_space ? sizeof(InfluenceTables) : 0;
+  return options.normal_method->half_space ? sizeof(normal::InfluenceTables) : 0;
 }
 
 /// Bytes of the force table, of models that use one; a multiple of the alignment of double.
 std::size_t table_bytes(const ModelOptions& options) {
-  return sizeof(float) * force_table_size(options.force_table_axes);
+  return sizeof(float) * tangential::force_table_size(options.force_table_axes);
 }
 
 /// With profiles there is contact on the rail's surface.
@@ -117,7 +118,7 @@ std::size_t section_bytes(const ModelOptions& options) {
     profiles += doubles(source);
     scratch = std::max(scratch, scratch_size(source));
   }
-  return static_cast<std::size_t>(options.sections.count) * sizeof(RailSection) +
+  return static_cast<std::size_t>(options.sections.count) * sizeof(surface::RailSection) +
          sizeof(double) * (profiles + scratch);
 }
 
@@ -127,8 +128,8 @@ std::size_t surface_bytes(const ModelOptions& options) {
   std::int32_t longest = 0;
   for (std::int32_t k = 0; k < options.sections.count; ++k)
     longest = std::max(longest, node_count(section(options, k).profile));
-  return surface_model_bytes(node_count(options.wheel), node_count(options.rail), options.sections.count,
-                             longest, options.radius);
+  return surface::surface_model_bytes(node_count(options.wheel), node_count(options.rail),
+                                      options.sections.count, longest, options.radius);
 }
 
 /// Bytes that contacts carry for the methods and the surface.
@@ -138,59 +139,60 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (const auto workspace = options.tangential_method->workspace)
     sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
   if (options.non_steady)
-    sizes.rolling_memory_bytes = static_cast<std::int64_t>(strip_memory_bytes(options.sizes.strips));
+    sizes.rolling_memory_bytes =
+        static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
   // On the surface: state is saved with the contact, work space lies behind it.
   if (!has_surface(options)) return;
-  sizes.surface_state_bytes = surface_state_bytes();
-  sizes.surface_workspace_bytes = surface_workspace_bytes(
+  sizes.surface_state_bytes = surface::surface_state_bytes();
+  sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
       node_count(options.wheel), surface_methods(options), options.surface_cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.
-Fault take_force_table(const ModelOptions& options, void* memory, ForceTable& table) {
+Fault take_force_table(const ModelOptions& options, void* memory, tangential::ForceTable& table) {
   // Coefficients in the file are for one Poisson ratio; the table is adapted to the model's.
   auto* coefficients = static_cast<float*>(memory);
-  RETURN_IF_FAILED(read_force_table(options.force_table, options.force_table_axes, coefficients));
+  RETURN_IF_FAILED(tangential::read_force_table(options.force_table, options.force_table_axes, coefficients));
   table.axes = options.force_table_axes;
   table.coefficients = coefficients;
-  adapt_to_poisson(options.material.poisson, table);
+  tangential::adapt_to_poisson(options.material.poisson, table);
   return {};
 }
 
 /// Reads a profile and places it on both sides by `place` (profile, side, memory). Takes its memory from
 /// `arrays`; memory behind it is scratch.
 template <class Place>
-Fault take_body(const ProfileSource& source, ProfileBody body, double*& arrays, Profile& given,
-                double& deviation, Place&& place) {
+Fault take_body(const ProfileSource& source, geometry::ProfileBody body, double*& arrays,
+                geometry::Profile& given, double& deviation, Place&& place) {
   // Nodes as placed on the right and on the left, then as given.
-  ProfileMemory placed[2];
-  for (ProfileMemory& each : placed) each = cut(arrays, node_count(source));
-  const ProfileMemory own = cut(arrays, node_count(source));
+  geometry::ProfileMemory placed[2];
+  for (geometry::ProfileMemory& each : placed) each = cut(arrays, node_count(source));
+  const geometry::ProfileMemory own = cut(arrays, node_count(source));
   Fault fault = load_profile(source, body, arrays, own, given, deviation);
-  for (const Side side : {Side::right, Side::left}) {
+  for (const geometry::Side side : {geometry::Side::right, geometry::Side::left}) {
     if (!fault.failed()) fault = place(given, side, placed[static_cast<int>(side)]);
   }
   // The fault goes under the caller's name of the profile.
   if (fault.failed() && fault.field == nullptr)
-    fault.field = body == ProfileBody::wheel ? "config.wheel" : "config.rail";
+    fault.field = body == geometry::ProfileBody::wheel ? "config.wheel" : "config.rail";
   return fault;
 }
 
 /// The sections with their profiles, into memory of section_bytes().
-Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sections) {
+Fault take_sections(const ModelOptions& options, void* memory, surface::RailSection*& sections) {
   // Sections are read from the caller's array once more: nothing of it is kept.
   const std::int32_t count = options.sections.count;
-  sections = static_cast<RailSection*>(memory);
+  sections = static_cast<surface::RailSection*>(memory);
   // Behind the sections the nodes of all profiles, behind these the scratch.
   auto* arrays = reinterpret_cast<double*>(sections + count);
   double* scratch = arrays;
   for (std::int32_t k = 0; k < count; ++k) scratch += doubles(section(options, k).profile);
   for (std::int32_t k = 0; k < count; ++k) {
     const RailSectionSource source = section(options, k);
-    RailSection& taken = *new (sections + k) RailSection(source.section);
+    surface::RailSection& taken = *new (sections + k) surface::RailSection(source.section);
     double deviation = 0.0;
-    Fault fault = load_profile(source.profile, ProfileBody::rail, scratch,
+    Fault fault = load_profile(source.profile, geometry::ProfileBody::rail, scratch,
                                cut(arrays, node_count(source.profile)), taken.profile, deviation);
     if (!fault.failed()) continue;
     if (fault.field == nullptr) fault.field = "config.rail_section.profile";
@@ -201,7 +203,7 @@ Fault take_sections(const ModelOptions& options, void* memory, RailSection*& sec
 }
 
 /// Has a wheel the back of its flange, which a check rail touches? Its outline rises behind the tip.
-Fault check_flange_back(const Profile& wheel) {
+Fault check_flange_back(const geometry::Profile& wheel) {
   constexpr double least_rise = 2e-3;  // [m]
   // Tip: lowest point of the flange, which lies at y < 0 (largest z); its back ends at the first node.
   std::int32_t tip = 0;
@@ -217,48 +219,50 @@ Fault check_flange_back(const Profile& wheel) {
 Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, void* section_memory,
                   Model& model) {
   // Profiles placed in track axes, right and left, for the planar stages.
-  Profile wheel, rail;
-  Fault fault = take_body(options.wheel, ProfileBody::wheel, arrays, wheel, model.wheel_deviation,
-                          [&](const Profile& profile, Side side, const ProfileMemory& memory) {
-                            Wheel& placed = model.bodies[static_cast<int>(side)].wheel;
-                            return place_wheel(profile, options.wheelset, side, memory, placed);
-                          });
+  geometry::Profile wheel, rail;
+  Fault fault = take_body(
+      options.wheel, geometry::ProfileBody::wheel, arrays, wheel, model.wheel_deviation,
+      [&](const geometry::Profile& profile, geometry::Side side, const geometry::ProfileMemory& memory) {
+        geometry::Wheel& placed = model.bodies[static_cast<int>(side)].wheel;
+        return geometry::place_wheel(profile, options.wheelset, side, memory, placed);
+      });
   if (fault.failed()) return fault;
-  fault = take_body(options.rail, ProfileBody::rail, arrays, rail, model.rail_deviation,
-                    [&](const Profile& profile, Side side, const ProfileMemory& memory) {
-                      Rail& placed = model.bodies[static_cast<int>(side)].rail;
-                      return place_rail(profile, options.track, side, memory, placed);
-                    });
+  fault = take_body(
+      options.rail, geometry::ProfileBody::rail, arrays, rail, model.rail_deviation,
+      [&](const geometry::Profile& profile, geometry::Side side, const geometry::ProfileMemory& memory) {
+        geometry::Rail& placed = model.bodies[static_cast<int>(side)].rail;
+        return geometry::place_rail(profile, options.track, side, memory, placed);
+      });
   if (fault.failed()) return fault;
 
   // Right-hand outlines by arc length and everything that the surface solver tabulates.
   if (!has_surface(options)) return {};
   if (options.check_rail) fault = check_flange_back(wheel);
   if (fault.failed()) return fault;
-  RailSection* sections = nullptr;
+  surface::RailSection* sections = nullptr;
   fault = take_sections(options, section_memory, sections);
   if (fault.failed()) return fault;
-  SurfaceMethods methods = surface_methods(options);
+  surface::SurfaceMethods methods = surface_methods(options);
   methods.region.linear_theory = &model.linear_theory;
   methods.region.force_table = &model.force_table;
-  fault = make_surface_model({.wheel = wheel,
-                              .rail = rail,
-                              .rail_inclination = options.track.rail_inclination,
-                              .rail_origin_y = model.bodies[0].rail.origin_y,
-                              .rail_origin_z = model.bodies[0].rail.origin_z,
-                              .nominal_radius = options.wheelset.nominal_radius,
-                              .sections = options.sections.count,
-                              .section = sections,
-                              .radius = options.radius,
-                              .roller_curvature = options.roller_curvature,
-                              .material = options.material,
-                              .effusivities = options.effusivities,
-                              .influence = model.influence,
-                              .kernels = model.kernels,
-                              .ellipse = &model.linear_theory.ellipse(),
-                              .grid = &model.surface_grid,
-                              .methods = methods},
-                             surface, model.surface);
+  fault = surface::make_surface_model({.wheel = wheel,
+                                       .rail = rail,
+                                       .rail_inclination = options.track.rail_inclination,
+                                       .rail_origin_y = model.bodies[0].rail.origin_y,
+                                       .rail_origin_z = model.bodies[0].rail.origin_z,
+                                       .nominal_radius = options.wheelset.nominal_radius,
+                                       .sections = options.sections.count,
+                                       .section = sections,
+                                       .radius = options.radius,
+                                       .roller_curvature = options.roller_curvature,
+                                       .material = options.material,
+                                       .effusivities = options.effusivities,
+                                       .influence = model.influence,
+                                       .kernels = model.kernels,
+                                       .ellipse = &model.linear_theory.ellipse(),
+                                       .grid = &model.surface_grid,
+                                       .methods = methods},
+                                      surface, model.surface);
   // Planar methods need no surface: that a profile cannot be cut into strips is found when a wheel is solved.
   return options.normal_method->half_space ? fault : Fault{};
 }
@@ -271,7 +275,7 @@ std::uint64_t fingerprint(const Model& model) {
   sum.add(model.options.numbers);
   if (model.has_geometry) {
     const Bodies& right = model.bodies[0];
-    for (const Profile* profile : {&right.wheel.profile, &right.rail.profile}) {
+    for (const geometry::Profile* profile : {&right.wheel.profile, &right.rail.profile}) {
       sum.add(static_cast<std::uint64_t>(profile->count));
       for (std::int32_t i = 0; i < profile->count; ++i) {
         sum.add(profile->y[i]);
@@ -281,9 +285,9 @@ std::uint64_t fingerprint(const Model& model) {
   }
   // Eight lists of outline per section, and the wheel's radius row by row.
   if (model.surface) {
-    const VaryingRail& rail = model.surface->varying;
+    const surface::VaryingRail& rail = model.surface->varying;
     for (std::int32_t f = 0; f < rail.faces; ++f) {
-      const RailFace& face = rail.face[f];
+      const surface::RailFace& face = rail.face[f];
       const std::size_t bytes = static_cast<std::size_t>(face.strips) * sizeof(double);
       for (std::int32_t k = face.first_section; k < face.first_section + face.sections; ++k) {
         sum.add(rail.distance[k]);
@@ -291,11 +295,12 @@ std::uint64_t fingerprint(const Model& model) {
           sum.add(rail.outline + (static_cast<std::int64_t>(k) * 8 + list) * rail.stride + face.first, bytes);
       }
     }
-    const OutOfRound& wheel = model.surface->out_of_round;
+    const surface::OutOfRound& wheel = model.surface->out_of_round;
     for (std::int32_t row = 0; row < wheel.rows; ++row) sum.add(wheel.y[row]);
-    sum.add(wheel.value, static_cast<std::size_t>(wheel.rows) * OutOfRound::nodes * sizeof(double));
+    sum.add(wheel.value, static_cast<std::size_t>(wheel.rows) * surface::OutOfRound::nodes * sizeof(double));
   }
-  if (const std::size_t floats = force_table_size(model.force_table.axes); model.force_table.coefficients)
+  if (const std::size_t floats = tangential::force_table_size(model.force_table.axes);
+      model.force_table.coefficients)
     sum.add(model.force_table.coefficients, floats * sizeof(float));
   return sum.value();
 }
@@ -308,8 +313,9 @@ std::size_t model_bytes(const ModelOptions& options) {
   const std::size_t scratch = std::max(scratch_size(options.wheel), scratch_size(options.rail));
   return sizeof(Model) + influence_bytes(options) + surface_bytes(options) + section_bytes(options) +
          table_bytes(options) +
-         sizeof(double) * (march_grid_size(options.sizes.cells) + march_grid_size(options.surface_cells) +
-                           3 * profiles + scratch + arcs(options));
+         sizeof(double) *
+             (tangential::march_grid_size(options.sizes.cells) +
+              tangential::march_grid_size(options.surface_cells) + 3 * profiles + scratch + arcs(options));
 }
 
 Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
@@ -325,14 +331,14 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   // Layout of the contacts, and tables by the materials.
   take_sizes(options, model->options.sizes);
   model->layout = lay_out(model->options.sizes, sizeof(Contact));
-  model->linear_theory = SdecTable(options.material.poisson);
+  model->linear_theory = theory::SdecTable(options.material.poisson);
   model->kernels = &kernels_for(options.instruction_set);
 
   // Blocks behind the model, in the order of model_bytes().
   auto* behind = reinterpret_cast<char*>(model + 1);
   if (influence_bytes(options) > 0) {
-    auto* influence = new (behind) InfluenceTables;
-    tabulate(*influence);
+    auto* influence = new (behind) normal::InfluenceTables;
+    normal::tabulate(*influence);
     model->influence = influence;
   }
   behind += influence_bytes(options);
@@ -346,10 +352,10 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
 
   // Grids of cells along a strip, of both kinds of contact.
   auto* arrays = reinterpret_cast<double*>(behind + table_bytes(options));
-  model->march_grid = make_march_grid(options.sizes.cells, arrays, *model->kernels);
-  arrays += march_grid_size(options.sizes.cells);
-  model->surface_grid = make_march_grid(options.surface_cells, arrays, *model->kernels);
-  arrays += march_grid_size(options.surface_cells);
+  model->march_grid = tangential::make_march_grid(options.sizes.cells, arrays, *model->kernels);
+  arrays += tangential::march_grid_size(options.sizes.cells);
+  model->surface_grid = tangential::make_march_grid(options.surface_cells, arrays, *model->kernels);
+  arrays += tangential::march_grid_size(options.surface_cells);
 
   // Bodies, and the arc lengths of the right-hand ones, by which damage is binned.
   model->has_geometry = options.wheel.kind != ProfileSource::Kind::none;
@@ -357,13 +363,14 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     double* const arc = arrays;
     arrays += arcs(options);
     RETURN_IF_FAILED(take_bodies(options, arrays, surface, sections, *model));
-    const Bodies& right = model->bodies[static_cast<int>(Side::right)];
-    model->arc[0] = measure(right.wheel.profile, right.wheel.origin_y, arc);
-    model->arc[1] = measure(right.rail.profile, right.rail.origin_y, arc + node_count(options.wheel));
+    const Bodies& right = model->bodies[static_cast<int>(geometry::Side::right)];
+    model->arc[0] = geometry::measure(right.wheel.profile, right.wheel.origin_y, arc);
+    model->arc[1] =
+        geometry::measure(right.rail.profile, right.rail.origin_y, arc + node_count(options.wheel));
   }
   model->configuration = fingerprint(*model);
   made = model;
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -22,7 +22,7 @@
 #include "tangential/rolling_contact.hpp"
 #include "theory/sdec.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 struct NormalMethod;
 struct TangentialMethod;
@@ -39,7 +39,7 @@ struct ProfileSource {
 /// A cross section of a rail that changes along the track, as the caller has it
 /// (surface/geometry/varying_rail.hpp).
 struct RailSectionSource {
-  RailSection section;  ///< all but its profile
+  surface::RailSection section;  ///< all but its profile
   ProfileSource profile;
 };
 
@@ -52,11 +52,11 @@ struct RailSectionSources {
 
 struct ModelOptions {
   const NormalMethod* normal_method = nullptr;  ///< a row of methods.hpp
-  SecondCriterion regularisation = SecondCriterion::width;
+  patch::SecondCriterion regularisation = patch::SecondCriterion::width;
   const TangentialMethod* tangential_method = nullptr;  ///< see normal_method
-  PatchModel patch_model;                               ///< ignored by methods that do not read it
-  TractionBound traction_bound = TractionBound::parabolic;
-  FlexibilityForm flexibility = FlexibilityForm::separate;
+  tangential::PatchModel patch_model;                   ///< ignored by methods that do not read it
+  tangential::TractionBound traction_bound = tangential::TractionBound::parabolic;
+  tangential::FlexibilityForm flexibility = tangential::FlexibilityForm::separate;
   InstructionSet instruction_set = InstructionSet::baseline;  ///< one this processor has
   ArraySizes sizes;
   std::int32_t surface_cells = 0;  ///< along each strip of a wheel on a rail
@@ -64,49 +64,49 @@ struct ModelOptions {
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool non_steady = false;        ///< contacts remember their tractions
   bool warm_start = false;        ///< does the strip half-space solver begin with the last solution?
-  Material material;              ///< combined
+  patch::Material material;       ///< combined
   double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]
   double load_tolerance = 0.0;    ///< relative
   double gap_limit = 0.0;         ///< [m]
   double roller_curvature = 0.0;  ///< curvature of a rail that is a roller, at its profile's origin [1/m]
   std::uint64_t numbers = 0;      ///< checksum of all numbers of the configuration that results depend on
   double shear_yield = 0.0;       ///< k [Pa]
-  Effusivities effusivities;
+  tangential::Effusivities effusivities;
   double wheel_poisson = 0.0,
          rail_poisson = 0.0;  ///< Poisson ratio of each body by itself; `material` has both combined [-]
-  TrackDimensions track;
-  WheelsetDimensions wheelset;
+  geometry::TrackDimensions track;
+  geometry::WheelsetDimensions wheelset;
   ProfileSource wheel, rail;
   RailSectionSources sections;  ///< cross sections, those of a check rail, too
   bool check_rail = false;
-  RadiusTable radius;
-  const char* force_table = nullptr;  ///< file, for the methods that read it
-  ForceTableAxes force_table_axes;    ///< axes of that file; no nodes: no table
+  surface::RadiusTable radius;
+  const char* force_table = nullptr;            ///< file, for the methods that read it
+  tangential::ForceTableAxes force_table_axes;  ///< axes of that file; no nodes: no table
 };
 
 /// Wheel and rail of one side, as placed.
 struct Bodies {
-  Wheel wheel;
-  Rail rail;
+  geometry::Wheel wheel;
+  geometry::Rail rail;
 };
 
 /// The options, and the profiles as placed; its arrays follow it in the same block of memory.
 struct Model {
   ModelOptions options;  ///< profile sources and file name cleared: no pointer of the caller is kept
   bool has_geometry = false;
-  Bodies bodies[2];              ///< right and left; meaningful with has_geometry
-  MeasuredProfile arc[2];        ///< arc lengths of the right-hand wheel and rail
-  double wheel_deviation = 0.0;  ///< largest distance of a given point from the smoothed curve [m]
-  double rail_deviation = 0.0;   ///< see wheel_deviation
-  const InfluenceTables* influence = nullptr;  ///< with NormalMethod::half_space
-  SdecTable linear_theory;                     ///< for the bodies' Poisson ratio
-  MarchGrid march_grid;                        ///< along each strip of a contact plane
-  MarchGrid surface_grid;                      ///< along each strip of a wheel on a rail
-  const Kernels* kernels = nullptr;  ///< kernels of the instruction set; everything else has this pointer
-  ForceTable force_table;            ///< with Option::force_table
-  const SurfaceModel* surface = nullptr;  ///< with profiles
-  ArrayLayout layout;                     ///< places of arrays in every contact of this model
-  std::uint64_t configuration = 0;        ///< equal in models that give equal results
+  Bodies bodies[2];                  ///< right and left; meaningful with has_geometry
+  geometry::MeasuredProfile arc[2];  ///< arc lengths of the right-hand wheel and rail
+  double wheel_deviation = 0.0;      ///< largest distance of a given point from the smoothed curve [m]
+  double rail_deviation = 0.0;       ///< see wheel_deviation
+  const normal::InfluenceTables* influence = nullptr;  ///< with NormalMethod::half_space
+  theory::SdecTable linear_theory;                     ///< for the bodies' Poisson ratio
+  tangential::MarchGrid march_grid;                    ///< along each strip of a contact plane
+  tangential::MarchGrid surface_grid;                  ///< along each strip of a wheel on a rail
+  const Kernels* kernels = nullptr;    ///< kernels of the instruction set; everything else has this pointer
+  tangential::ForceTable force_table;  ///< with Option::force_table
+  const surface::SurfaceModel* surface = nullptr;  ///< with profiles
+  ArrayLayout layout;                              ///< places of arrays in every contact of this model
+  std::uint64_t configuration = 0;                 ///< equal in models that give equal results
 };
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
@@ -116,4 +116,4 @@ std::size_t model_bytes(const ModelOptions& options);
 /// everything else in the options has been checked by the caller.
 Fault make_model(const ModelOptions& options, void* memory, Model*& model);
 
-}  // namespace wrc
+}  // namespace wrc::contact

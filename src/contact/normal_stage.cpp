@@ -8,13 +8,13 @@
 #include "contact/stages.hpp"
 #include "normal/damping.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Place where the bodies of a patch first touch: the gap's minimum within it; for strips of the host, which
 /// come without a gap, the origin if the patch holds it, and otherwise the strip of the largest peak.
-double contact_of(Contact& contact, const Strips& strips, const StripTotals& extent) {
-  if (contact.gap_rows > 0) return minimum(gap_rows(contact), extent.y_min, extent.y_max).y;
+double contact_of(Contact& contact, const patch::Strips& strips, const patch::StripTotals& extent) {
+  if (contact.gap_rows > 0) return patch::minimum(gap_rows(contact), extent.y_min, extent.y_max).y;
   if (extent.y_min < 0.0 && extent.y_max > 0.0) return 0.0;
   return strips.y[std::max_element(strips.peak, strips.peak + strips.count) - strips.peak];
 }
@@ -27,15 +27,15 @@ constexpr double least_patch_width = 1e-11;
 /// stage and flagged; the normal result keeps them. So are those without a width, which carry next to
 /// nothing.
 Fault find_patches(Contact& contact) {
-  const Strips strips = all_strips(contact);
-  contact.extent = totals(strips);
+  const patch::Strips strips = all_strips(contact);
+  contact.extent = patch::totals(strips);
   contact.patches = 0;
   std::int32_t first = 0;
   while (first < strips.count) {
     // A patch is a run of strips that share borders.
-    const std::int32_t end = patch_end(strips, first);
-    const Strips own = slice(strips, first, end);
-    const StripTotals extent = totals(own);
+    const std::int32_t end = patch::patch_end(strips, first);
+    const patch::Strips own = patch::slice(strips, first, end);
+    const patch::StripTotals extent = patch::totals(own);
     if (extent.y_max - extent.y_min < least_patch_width) {
       first = end;
       continue;
@@ -65,21 +65,22 @@ constexpr double smallest_approach = 1e-12;
 /// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
 /// slender than a strip that the strip's own displacement has no digits left, nor where every patch is
 /// narrower than least_patch_width.
-bool carries_load(const Strips& strips) {
-  const StripTotals sum = totals(strips);
+bool carries_load(const patch::Strips& strips) {
+  const patch::StripTotals sum = patch::totals(strips);
   if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&
         sum.normal_force > 0.0 && sum.area > 0.0))
     return false;
   // One patch of finite width is enough: find_patches() drops the others.
-  for (std::int32_t first = 0; first < strips.count; first = patch_end(strips, first)) {
-    const StripTotals patch = totals(slice(strips, first, patch_end(strips, first)));
+  for (std::int32_t first = 0; first < strips.count; first = patch::patch_end(strips, first)) {
+    const patch::StripTotals patch =
+        patch::totals(patch::slice(strips, first, patch::patch_end(strips, first)));
     if (patch.y_max - patch.y_min >= least_patch_width) return true;
   }
   return false;
 }
 
 /// The same patch under `share` times the pressure.
-void scale_pressure(Contact& contact, Strips& strips, double share) {
+void scale_pressure(Contact& contact, patch::Strips& strips, double share) {
   for (std::int32_t j = 0; j < strips.count; ++j) strips.peak[j] *= share;
   contact.normal.normal_force *= share;
   contact.normal.peak_pressure *= share;
@@ -90,14 +91,14 @@ void scale_pressure(Contact& contact, Strips& strips, double share) {
 constexpr double least_damping_factor = 1e-9;
 
 /// The problem of the contact's gap under `load`, by the model's options.
-NormalProblem normal_problem(const Contact& contact, const Load& load) {
+normal::NormalProblem normal_problem(const Contact& contact, const Load& load) {
   const ModelOptions& options = contact.model->options;
   // An approach or a load, of the combined half-space of both bodies.
-  NormalProblem problem;
+  normal::NormalProblem problem;
   problem.gap = gap_rows(contact);
   problem.material = options.material;
   problem.prescribed = load.prescribed;
-  (load.prescribed == Prescribed::load ? problem.normal_force : problem.approach) = load.value;
+  (load.prescribed == normal::Prescribed::load ? problem.normal_force : problem.approach) = load.value;
   // Rows of a pose are looked for up to the limit; how far the last lie above it is chance.
   if (contact.posed) problem.deepest = options.gap_limit;
   problem.strips = options.sizes.strips;
@@ -115,15 +116,15 @@ Fault solve_normal(Contact& contact, const Load& load) {
   // The patch will belong to this load; strips of the host have none.
   back_to(contact, Stage::gap);
   contact.pressed = true;
-  if (load.prescribed == Prescribed::approach && load.value < smallest_approach) {
+  if (load.prescribed == normal::Prescribed::approach && load.value < smallest_approach) {
     contact.reached = Stage::patch;
     return Fault::no_contact("load.approach");
   }
 
   // Elastic solution: a strip's centre [m], half length [m] and peak pressure [Pa].
   const NormalMethod& method = *contact.model->options.normal_method;
-  const NormalProblem problem = normal_problem(contact, load);
-  Strips strips = all_strips(contact);
+  const normal::NormalProblem problem = normal_problem(contact, load);
+  patch::Strips strips = all_strips(contact);
   Fault fault =
       method.planar ? method.planar(problem, strips, contact.normal) : method.solve(contact, problem, strips);
   if (!fault.failed() && strips.count > 0 && !carries_load(strips))
@@ -136,15 +137,15 @@ Fault solve_normal(Contact& contact, const Load& load) {
   }
   // An unfinished search may have ended beside the load: its patch is kept, but carries the load that was
   // prescribed, so that a host's equilibrium does not depend on the search; the flag reports it.
-  if (fault.status == WRC_FLAG_ITERATION_CAP && load.prescribed == Prescribed::load) {
+  if (fault.status == WRC_FLAG_ITERATION_CAP && load.prescribed == normal::Prescribed::load) {
     scale_pressure(contact, strips, load.value / contact.normal.normal_force);
   }
   contact.reached = Stage::patch;
 
   // Damping after Hunt and Crossley: the elastic pressure times 1 + (3/2) alpha v, v the velocity of
   // approach. Where that is 0 the bodies part faster than they spring back.
-  if (load.prescribed == Prescribed::approach && load.damping > 0.0) {
-    const double factor = damping_factor(load.approach_velocity, load.damping);
+  if (load.prescribed == normal::Prescribed::approach && load.damping > 0.0) {
+    const double factor = normal::damping_factor(load.approach_velocity, load.damping);
     if (factor < least_damping_factor) {
       back_to(contact, Stage::patch);
       return Fault::no_contact("load.approach_velocity");
@@ -161,13 +162,13 @@ Fault solve_normal(Contact& contact, const Load& load) {
   return fault;
 }
 
-Fault take_strips(Contact& contact, const Strips& strips) {
+Fault take_strips(Contact& contact, const patch::Strips& strips) {
   back_to(contact, Stage::patch);
   contact.posed = false;
   contact.gap_rows = 0;
   contact.strips = strips.count;
   // Numbers of the host whose products would be subnormal count as 0: they would slow the stages that follow.
-  const Strips ours = all_strips(contact);
+  const patch::Strips ours = all_strips(contact);
   std::copy_n(strips.y, strips.count, ours.y);
   std::copy_n(strips.width, strips.count, ours.width);
   if (strips.centre != nullptr) {
@@ -182,19 +183,19 @@ Fault take_strips(Contact& contact, const Strips& strips) {
   return contact.touching ? fault : Fault::no_contact();
 }
 
-Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force) {
+Fault take_double_ellipse(Contact& contact, const patch::Sdec& sdec, double normal_force) {
   back_to(contact, Stage::patch);
   contact.posed = false;
   contact.gap_rows = 0;
-  Strips strips = all_strips(contact);
-  sdec_strips(sdec, 0.0, 0.0, normal_force, contact.model->options.sizes.strips, strips);
+  patch::Strips strips = all_strips(contact);
+  patch::sdec_strips(sdec, 0.0, 0.0, normal_force, contact.model->options.sizes.strips, strips);
   contact.strips = strips.count;
   contact.touching = true;
   // Area, load, peak and length are the ellipse's exact ones, to which sums over strips converge only.
-  contact.extent = totals(strips);
+  contact.extent = patch::totals(strips);
   contact.extent.area = pi * sdec.a * sdec.b;
   contact.extent.normal_force = normal_force;
-  contact.extent.peak_pressure = peak_pressure(sdec, normal_force);
+  contact.extent.peak_pressure = patch::peak_pressure(sdec, normal_force);
   contact.extent.length = 2.0 * sdec.a;
   // One patch, its contact point the origin, and its ellipse the one given.
   contact.patches = 1;
@@ -213,10 +214,10 @@ Fault regularise_patch(Contact& contact) {
   Fault fault;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    keep_worst(fault,
-               regularise(patch.extent, patch.y_contact, contact.model->options.regularisation, patch.sdec));
+    keep_worst(fault, patch::regularise(patch.extent, patch.y_contact, contact.model->options.regularisation,
+                                        patch.sdec));
   }
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

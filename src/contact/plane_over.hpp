@@ -9,14 +9,14 @@
 #include "geometry/arc_length.hpp"
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 class PlaneOver {
  public:
   /// `at`: the contact point on the right-hand profile.
-  PlaneOver(const MeasuredProfile& profile, double at)
-      : measured_(profile), y0_(at), at_(at), piece_(piece_at(*profile.profile, at)) {
-    point_ = evaluate(*profile.profile, at, piece_);
+  PlaneOver(const geometry::MeasuredProfile& profile, double at)
+      : measured_(profile), y0_(at), at_(at), piece_(geometry::piece_at(*profile.profile, at)) {
+    point_ = geometry::evaluate(*profile.profile, at, piece_);
     z0_ = point_.z;
     cosine_ = 1.0 / std::sqrt(1.0 + point_.slope * point_.slope);
     sine_ = point_.slope * cosine_;
@@ -33,7 +33,7 @@ class PlaneOver {
     at_ += (y - y_) / run_;
     y_ = y;
     for (int n = 0; n < most_steps; ++n) {
-      point_ = evaluate(*measured_.profile, at_, piece_);
+      point_ = geometry::evaluate(*measured_.profile, at_, piece_);
       run_ =
           std::max(cosine_ + sine_ * point_.slope, 0.1);  // small where the profile turns away from the plane
       const double off = y - cosine_ * (at_ - y0_) - sine_ * (point_.z - z0_);
@@ -45,7 +45,7 @@ class PlaneOver {
   }
 
   /// z of the point found [m].
-  double z() { return evaluate(*measured_.profile, at_, piece_).z; }
+  double z() { return geometry::evaluate(*measured_.profile, at_, piece_).z; }
 
   /// Arc length of the profile's point over `y` of the contact plane.
   double arc(double y) {
@@ -57,7 +57,7 @@ class PlaneOver {
     const double slope = point_.slope + point_.second * move_, stretch = std::sqrt(1.0 + slope * slope);
     const double bend = slope * point_.second / stretch, step = at_ - last_;
     arc_ = std::abs(step) < beside ? arc_ + step * (0.5 * (stretch + stretch_) + step / 12.0 * (bend_ - bend))
-                                   : arc_at(measured_, at_, piece_);
+                                   : geometry::arc_at(measured_, at_, piece_);
     last_ = at_;
     stretch_ = stretch;
     bend_ = bend;
@@ -65,13 +65,13 @@ class PlaneOver {
   }
 
  private:
-  MeasuredProfile measured_;
+  geometry::MeasuredProfile measured_;
   double y0_, z0_ = 0.0, cosine_ = 1.0, sine_ = 0.0, at_;
-  ProfilePoint point_;                                           // before the last step
+  geometry::ProfilePoint point_;                                 // before the last step
   double move_ = 0.0;                                            // that step
   double last_ = -1.0, arc_ = 0.0, stretch_ = 1.0, bend_ = 0.0;  // strip before; none so far
   double y_ = 0.0, run_ = 1.0;                                   // strip before
   std::int32_t piece_;
 };
 
-}  // namespace wrc
+}  // namespace wrc::contact

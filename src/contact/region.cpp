@@ -7,15 +7,15 @@
 #include "contact/plane_over.hpp"
 #include "contact/rolled_region.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Direction that is y of the contact axes: along a right-hand rail's arc, against a left-hand one's.
-double along_arc(const Contact& contact) { return contact.side == Side::right ? 1.0 : -1.0; }
+double along_arc(const Contact& contact) { return contact.side == geometry::Side::right ? 1.0 : -1.0; }
 
 /// Arc length where the strips are longest [m]: the vertex of the parabola through the squared half lengths
 /// of the longest and of its neighbours, as half lengths of an ellipse have it.
-double place_of_longest(const Strips& strips) {
+double place_of_longest(const patch::Strips& strips) {
   const auto longest = static_cast<std::int32_t>(
       std::max_element(strips.half_length, strips.half_length + strips.count) - strips.half_length);
   // At an end of the region there is no neighbour to fit with.
@@ -33,9 +33,9 @@ double place_of_longest(const Strips& strips) {
 }
 
 /// Extent of a wheel's strips.
-StripTotals extent_of(const Strips& strips) {
+patch::StripTotals extent_of(const patch::Strips& strips) {
   // Each strip has a semi-ellipse of pressure: load (pi / 2) width L p0 [N].
-  StripTotals extent;
+  patch::StripTotals extent;
   double front = 0.0, rear = 0.0;
   for (std::int32_t k = 0; k < strips.count; ++k) {
     const double l = strips.half_length[k], width = strips.width[k], peak = strips.peak[k];
@@ -69,9 +69,9 @@ double adhesion_of(const RolledRegion& rolled) {
 }
 
 /// Index of the rail's face that a region is on.
-std::int32_t face_of(const Contact& contact, const SurfaceRegion& region) {
+std::int32_t face_of(const Contact& contact, const surface::SurfaceRegion& region) {
   // Strips are numbered face by face.
-  const VaryingRail& rail = contact.model->surface->varying;
+  const surface::VaryingRail& rail = contact.model->surface->varying;
   std::int32_t face = 0;
   while (face + 1 < rail.faces && region.first >= rail.face[face + 1].first) ++face;
   return face;
@@ -87,7 +87,7 @@ void turn_normal(double sine, double cosine, double (&normal)[3]) {
 /// A region of the last solve_wheel().
 Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& result) {
   const Model& model = *contact.model;
-  const SurfaceRegion& region = contact.wheel.wrench.region[index];
+  const surface::SurfaceRegion& region = contact.wheel.wrench.region[index];
   const WheelSums sums = wheel_sums(contact, index);
   const RolledRegion rolled(contact, region);
 
@@ -117,14 +117,15 @@ Fault find_wheel_region(Contact& contact, std::int32_t index, RegionResult& resu
   // Equivalent double ellipse about the longest strip.
   result.ellipse.joint = place_of_longest(rolled.strips);
   result.ellipse.normal_force = sums.extent.normal_force;
-  return regularise(sums.extent, result.ellipse.joint, model.options.regularisation, result.ellipse.sdec);
+  return patch::regularise(sums.extent, result.ellipse.joint, model.options.regularisation,
+                           result.ellipse.sdec);
 }
 
 /// The place of a patch: its joint in the contact plane, and over that on both profiles.
 void place_patch(const Contact& contact, const Patch& patch, RegionResult& result) {
   const Model& model = *contact.model;
   // The joint lies in the contact plane, y_contact from the contact point.
-  const ContactPoint& origin = contact.point;
+  const geometry::ContactPoint& origin = contact.point;
   const auto [sine, cosine] = sine_cosine(origin.angle);
   result.placed = true;
   result.point[0] = origin.x;
@@ -133,7 +134,7 @@ void place_patch(const Contact& contact, const Patch& patch, RegionResult& resul
   turn_normal(sine, cosine, result.normal);
   result.angle = origin.angle;
   // Profiles are kept for the right-hand side: y of a left contact plane counts against theirs.
-  const Bodies& right = model.bodies[static_cast<int>(Side::right)];
+  const Bodies& right = model.bodies[static_cast<int>(geometry::Side::right)];
   const double y = along_arc(contact) * patch.y_contact;
   PlaneOver on_wheel(model.arc[0], right.wheel.origin_y + origin.y_wheel);
   PlaneOver on_rail(model.arc[1], right.rail.origin_y + origin.y_rail);
@@ -148,7 +149,7 @@ void place_patch(const Contact& contact, const Patch& patch, RegionResult& resul
 void turn_forces(Contact& contact, const Patch& patch, RegionResult& result) {
   // Moment about the joint in contact axes [N m]: pressure p at (x, y) gives -y p about x and x p about y;
   // that of the tractions comes from the origin of the frame to the joint.
-  const Strips strips = patch_strips(contact, patch);
+  const patch::Strips strips = patch_strips(contact, patch);
   double about[3] = {0.0, 0.0, patch.forces.mz + patch.y_contact * patch.forces.fx};
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double load = 0.5 * pi * strips.width[j] * strips.half_length[j] * strips.peak[j];
@@ -217,11 +218,11 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
 }
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {
-  const SurfaceRegion& region = contact.wheel.wrench.region[index];
-  const StripResults& kept = wheel_strips(contact);
+  const surface::SurfaceRegion& region = contact.wheel.wrench.region[index];
+  const surface::StripResults& kept = wheel_strips(contact);
   const std::int32_t first = strip_run(kept, region).first;
   const RolledRegion rolled(contact, region, false);
-  const Strips& strips = rolled.strips;
+  const patch::Strips& strips = rolled.strips;
   WheelSums sums;
   sums.extent = extent_of(strips);
   // Point of the region on the surface laid flat: load-weighted mean of the strips' centres (x, s) [m].
@@ -234,7 +235,7 @@ WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   }
 
   // Forces of the strips, and their moment about that point; on the left the arc runs against y.
-  TangentialForces& forces = sums.forces;
+  tangential::TangentialForces& forces = sums.forces;
   for (std::int32_t k = 0; k < strips.count; ++k) {
     const double fx = kept.factor * kept.fx[first + k], fy = kept.factor * kept.fy[first + k];
     forces.fx += fx;
@@ -258,4 +259,4 @@ Fault find_region(Contact& contact, std::int32_t index, RegionResult& region) {
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -12,7 +12,7 @@
 #include "contact/state.hpp"
 #include "damage/wear.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// In the place of an index: all patches together. A wheel's regions have tractions in planes of their own.
 inline constexpr std::int32_t all_regions = -1;
@@ -32,7 +32,7 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all);
 /// The equivalent double ellipse of a region: its joint at the initial contact point of a patch, where the
 /// strips of a wheel are longest.
 struct RegionEllipse {
-  Sdec sdec;
+  patch::Sdec sdec;
   double joint = 0.0;         ///< lateral place, or arc length [m]
   double normal_force = 0.0;  ///< sum of the strips' loads [N]
 };
@@ -57,15 +57,15 @@ struct RegionResult {
   double force[3] = {}, moment[3] = {};  ///< on the wheel, moment about `point`, track axes [N], [N m]
 
   // Load and forces.
-  StripTotals extent;  ///< its strips'; y as RegionEllipse::joint
+  patch::StripTotals extent;  ///< its strips'; y as RegionEllipse::joint
   RegionEllipse ellipse;
   double normal_force = 0.0;  ///< resultant of the pressure [N]
   /// Sums of the strips' own along x and y; mz of a wheel about the normal through `point`, of a patch about
   /// the origin of the contact frame.
-  TangentialForces tangential;
-  Creepage creepage;           ///< means over a wheel's load; of a patch those at the origin of the frame
-  double rolling_speed = 0.0;  ///< speed that creepages are divided by, < 0 backwards [m/s]
-  double power = 0.0;          ///< frictional [W]
+  tangential::TangentialForces tangential;
+  tangential::Creepage creepage;  ///< means over a wheel's load; of a patch those at the origin of the frame
+  double rolling_speed = 0.0;     ///< speed that creepages are divided by, < 0 backwards [m/s]
+  double power = 0.0;             ///< frictional [W]
 };
 
 /// WRC_FLAG_TABLE_RANGE where the ellipse's shape number was cut.
@@ -122,7 +122,7 @@ struct FieldSize {
 Fault region_field_size(const Contact& contact, std::int32_t index, FieldId field, FieldSize& size);
 
 /// Writes rows * cells values. `wear`: the law that strip_wear follows.
-Fault region_field(Contact& contact, std::int32_t index, FieldId field, const SheffieldWearLaw& wear,
+Fault region_field(Contact& contact, std::int32_t index, FieldId field, const damage::SheffieldWearLaw& wear,
                    double* values);
 
-}  // namespace wrc
+}  // namespace wrc::contact

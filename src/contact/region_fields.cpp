@@ -6,7 +6,7 @@
 #include "contact/rolled_region.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 struct Row {
@@ -51,7 +51,7 @@ std::int32_t number_from(FieldId first, FieldId field) {
 }
 
 void copy_gap(const Contact& contact, FieldId field, double* values) {
-  const GapRows rows = gap_rows(contact);
+  const patch::GapRows rows = gap_rows(contact);
   const double* const each[] = {rows.y, rows.height, rows.centre, rows.curvature};
   std::copy_n(each[number_from(FieldId::gap_y, field)], rows.count, values);
 }
@@ -59,14 +59,15 @@ void copy_gap(const Contact& contact, FieldId field, double* values) {
 /// The array a field over cells lies in, element (cell i, strip j) at i * strips + j.
 const double* cells_of(const Contact& contact, const RolledRegion& rolled, FieldId field) {
   // Tractions and slips are there already; power, fatigue and temperature are made in work space.
-  const TangentialFields& fields = rolled.fields;
+  const tangential::TangentialFields& fields = rolled.fields;
   if (field <= FieldId::slip_y) {
     const double* const each[] = {fields.traction_x, fields.traction_y, fields.slip_x, fields.slip_y};
     return each[number_from(FieldId::traction_x, field)];
   }
   if (field == FieldId::temperature_rise) {
-    flash_rise(rolled.strips, fields, rolled.cells(), rolled.speed, contact.model->options.effusivities,
-               FlashWeights(rolled.cells()), rolled.work.power_density);
+    tangential::flash_rise(rolled.strips, fields, rolled.cells(), rolled.speed,
+                           contact.model->options.effusivities, tangential::FlashWeights(rolled.cells()),
+                           rolled.work.power_density);
     return rolled.work.power_density;
   }
   assess(contact, rolled, rolled.work);
@@ -89,9 +90,9 @@ void write_cells(const Contact& contact, const RolledRegion& rolled, FieldId fie
 
 /// The array a field over strips lies in.
 const double* strips_of(const Contact& contact, const RolledRegion& rolled, FieldId field,
-                        const SheffieldWearLaw& wear) {
+                        const damage::SheffieldWearLaw& wear) {
   // Geometry and pressure, then places on the rail's profile, then results of rolling.
-  const Strips& strips = rolled.strips;
+  const patch::Strips& strips = rolled.strips;
   if (field <= FieldId::strip_peak) {
     const double* const each[] = {strips.y, strips.width, strips.centre, strips.half_length, strips.peak};
     return each[number_from(FieldId::strip_y, field)];
@@ -113,7 +114,7 @@ const double* strips_of(const Contact& contact, const RolledRegion& rolled, Fiel
 }
 
 void write_region(const Contact& contact, const RolledRegion& rolled, FieldId field,
-                  const SheffieldWearLaw& wear, double* values) {
+                  const damage::SheffieldWearLaw& wear, double* values) {
   if (row_of(field).over == FieldOver::cells) return write_cells(contact, rolled, field, values);
   std::copy_n(strips_of(contact, rolled, field, wear), rolled.strips.count, values);
 }
@@ -141,7 +142,7 @@ Fault region_field_size(const Contact& contact, std::int32_t index, FieldId fiel
   return {};
 }
 
-Fault region_field(Contact& contact, std::int32_t index, FieldId field, const SheffieldWearLaw& wear,
+Fault region_field(Contact& contact, std::int32_t index, FieldId field, const damage::SheffieldWearLaw& wear,
                    double* values) {
   FieldSize size;
   const Fault fault = region_field_size(contact, index, field, size);
@@ -159,4 +160,4 @@ Fault region_field(Contact& contact, std::int32_t index, FieldId field, const Sh
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -1,15 +1,15 @@
 #include "contact/rolled_region.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
-StripResults& wheel_strips(Contact& contact) {
-  return reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state))->kept;
+surface::StripResults& wheel_strips(Contact& contact) {
+  return reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
-const StripResults& wheel_strips(const Contact& contact) {
-  return reinterpret_cast<const SurfaceState*>(array(contact, Array::surface_state))->kept;
+const surface::StripResults& wheel_strips(const Contact& contact) {
+  return reinterpret_cast<const surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
 }
 
-StripRun strip_run(const StripResults& kept, const SurfaceRegion& region) {
+StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegion& region) {
   const auto all = static_cast<std::int32_t>(kept.count);
   StripRun run;
   // strips of results increase by number, and a region is a run of them
@@ -36,9 +36,9 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
   work.strip_power = work.fatigue_index + all;
 }
 
-RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells)
+RolledRegion::RolledRegion(Contact& contact, const surface::SurfaceRegion& region, bool with_cells)
     : grid(&contact.model->surface_grid) {
-  StripResults& kept = wheel_strips(contact);
+  surface::StripResults& kept = wheel_strips(contact);
   const auto [first, count] = strip_run(kept, region);
   strips = {count,
             count,
@@ -54,8 +54,8 @@ RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool w
   speed = kept.speed;
   direction = kept.backwards > 0.0 ? -1.0 : 1.0;
   if (!with_cells || kept.by_region > 0.0) return;
-  const StripFields rolled =
-      fields_of_strips(*contact.model->surface, kept, first, count, work_space(contact));
+  const surface::StripFields rolled =
+      surface::fields_of_strips(*contact.model->surface, kept, first, count, work_space(contact));
 
   // beyond the deepest overlap solved tractions grow as the load does; slips stay
   for (double* const a : {rolled.traction_x, rolled.traction_y})
@@ -64,4 +64,4 @@ RolledRegion::RolledRegion(Contact& contact, const SurfaceRegion& region, bool w
   work = {rolled.slip_x, rolled.slip_y, rolled.of_strips};
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

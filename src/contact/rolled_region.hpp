@@ -11,17 +11,17 @@
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// The strips in contact of the last solve_wheel().
-StripResults& wheel_strips(Contact& contact);
-const StripResults& wheel_strips(const Contact& contact);
+surface::StripResults& wheel_strips(Contact& contact);
+const surface::StripResults& wheel_strips(const Contact& contact);
 
 /// Strips of a region among them.
 struct StripRun {
   std::int32_t first = 0, count = 0;
 };
-StripRun strip_run(const StripResults& kept, const SurfaceRegion& region);
+StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegion& region);
 
 /// Where numbers over the cells of a region go, and one per strip.
 struct CellNumbers {
@@ -34,16 +34,16 @@ struct RolledRegion {
   RolledRegion(Contact& contact, const Patch& patch);
   /// A wheel's region; its cells where they are wanted and its strips rolled on their own: then they take
   /// a march, and lie in the contact's work space.
-  RolledRegion(Contact& contact, const SurfaceRegion& region, bool with_cells = true);
+  RolledRegion(Contact& contact, const surface::SurfaceRegion& region, bool with_cells = true);
 
   /// y in the contact frame, or the arc length of the rail; x from the origin of that frame, or from the
   /// wheel's reference point.
-  Strips strips;
-  const MarchGrid* grid = nullptr;   ///< their cells
-  TangentialFields fields;           ///< without cells none
-  const double* friction = nullptr;  ///< coefficient of each strip; nullptr: has not rolled [-]
-  double speed = 0.0;                ///< divisor of the slips [m/s]
-  double direction = 1.0;            ///< 1: rolls along x; -1: against it
+  patch::Strips strips;
+  const tangential::MarchGrid* grid = nullptr;  ///< their cells
+  tangential::TangentialFields fields;          ///< without cells none
+  const double* friction = nullptr;             ///< coefficient of each strip; nullptr: has not rolled [-]
+  double speed = 0.0;                           ///< divisor of the slips [m/s]
+  double direction = 1.0;                       ///< 1: rolls along x; -1: against it
   /// A wheel's strips alone: places on the rail's profile [m], and angles there [rad].
   const double *profile_y = nullptr, *profile_z = nullptr, *angle = nullptr;
   /// Work space. It may be that of the slips: a cell is read before it is written.
@@ -64,18 +64,18 @@ struct RolledRegion {
 };
 
 /// Fills numbers over the cells and strips (assessments.cpp).
-CellDamage assess(const Contact& contact, const RolledRegion& rolled, const CellNumbers& into);
+damage::CellDamage assess(const Contact& contact, const RolledRegion& rolled, const CellNumbers& into);
 
 /// Volume lost by a strip per width and distance rolled [m]; `largest` takes the depths of its cells [m/m].
-double worn_of_strip(const RolledRegion& rolled, const SheffieldWearLaw& law, std::int32_t strip,
+double worn_of_strip(const RolledRegion& rolled, const damage::SheffieldWearLaw& law, std::int32_t strip,
                      double& largest);
 
 /// Sums over the strips of a region of the last solve_wheel(), in the contact axes of RegionResult.
 struct WheelSums {
-  StripTotals extent;       ///< y by arc length
-  TangentialForces forces;  ///< without adhesion
-  Creepage creepage;
+  patch::StripTotals extent;            ///< y by arc length
+  tangential::TangentialForces forces;  ///< without adhesion
+  tangential::Creepage creepage;
 };
 WheelSums wheel_sums(Contact& contact, std::int32_t index);
 
-}  // namespace wrc
+}  // namespace wrc::contact

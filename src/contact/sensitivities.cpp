@@ -5,7 +5,7 @@
 
 #include "contact/stages.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// A copy of the contact in the memory behind it: a contact holds no pointer into itself.
@@ -32,14 +32,14 @@ Fault check_steady(const Contact& contact) {
 /// Central differences of the tangential stage. Steps are a thousandth of the creepages, or of those that
 /// saturate friction by linear theory (C about 4) where these are larger. Load and friction act through
 /// their product, so that one difference serves both.
-Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivities) {
+Fault difference_tangential(Contact& contact, tangential::TangentialSensitivities& sensitivities) {
   // Size of the creepages [-]: the largest component, spin times c = sqrt(a b), or mu N / (C G c^2).
   constexpr double relative_step = 1e-3, linear_coefficient = 4.0;
   const Patch& main = contact.patch[contact.main_patch];
   const double c2 = main.sdec.a * main.sdec.b, c = std::sqrt(c2);
   const double saturating = contact.friction * contact.extent.normal_force /
                             (linear_coefficient * contact.model->options.material.shear_modulus * c2);
-  const Creepage& creep = contact.creepage;
+  const tangential::Creepage& creep = contact.creepage;
   const double size =
       std::max({std::abs(creep.longitudinal), std::abs(creep.lateral), std::abs(creep.spin) * c, saturating});
   const double h = relative_step * size;
@@ -55,7 +55,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
     for (int end = 0; end < 2; ++end) {
       const double change = end == 0 ? -step : step;
       Contact& copy = copy_of(contact);
-      Creepage creepage = creep;
+      tangential::Creepage creepage = creep;
       Friction friction = friction_of(copy);
       if (input == 0) creepage.longitudinal += change;
       if (input == 1) creepage.lateral += change;
@@ -82,7 +82,7 @@ Fault difference_tangential(Contact& contact, TangentialSensitivities& sensitivi
 
 }  // namespace
 
-Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities) {
+Fault find_sensitivities(Contact& contact, tangential::TangentialSensitivities& sensitivities) {
   sensitivities = {};
   if (const Fault fault = check_steady(contact); fault.failed()) return fault;
   if (contact.reached < Stage::tangential) {
@@ -94,4 +94,4 @@ Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivitie
   return solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -11,29 +11,30 @@
 #include "contact/state.hpp"
 #include "geometry/surface_gap.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 // Geometry (gap_stage.cpp).
 
 /// Contact point of the pose and rows of the gap about it.
-Fault find_gap(Contact& contact, const Pose& pose);
+Fault find_gap(Contact& contact, const geometry::Pose& pose);
 
 /// Creepages of the wheelset's motion at the contact point of find_gap().
-Fault find_creepages(const Contact& contact, const WheelsetMotion& motion, RigidCreepage& rigid);
+Fault find_creepages(const Contact& contact, const geometry::WheelsetMotion& motion,
+                     geometry::RigidCreepage& rigid);
 
 /// The surfaces whose expansion are the rows of find_gap(), heights up to one constant; the contact must be
 /// `posed`. Not real-time code.
-SurfaceGap surface_gap(const Contact& contact);
+geometry::SurfaceGap surface_gap(const Contact& contact);
 
 /// A gap of the host, in rows or on a grid, in the place of find_gap().
-void take_gap(Contact& contact, const GapRows& rows);
-Fault take_gap(Contact& contact, const GapGrid& grid);
+void take_gap(Contact& contact, const patch::GapRows& rows);
+Fault take_gap(Contact& contact, const patch::GapGrid& grid);
 
 // Normal (normal_stage.cpp).
 
 /// Load or approach that presses the bodies together. Damping acts on a prescribed approach.
 struct Load {
-  Prescribed prescribed = Prescribed::load;
+  normal::Prescribed prescribed = normal::Prescribed::load;
   double value = 0.0;              ///< [N] or [m]
   double approach_velocity = 0.0;  ///< [m/s]
   double damping = 0.0;            ///< alpha of normal/damping.hpp [s/m]
@@ -44,8 +45,8 @@ Fault solve_normal(Contact& contact, const Load& load);
 
 /// A pressure distribution of the host, or an exact double ellipse under load, in the place of
 /// solve_normal().
-Fault take_strips(Contact& contact, const Strips& strips);
-Fault take_double_ellipse(Contact& contact, const Sdec& sdec, double normal_force);
+Fault take_strips(Contact& contact, const patch::Strips& strips);
+Fault take_double_ellipse(Contact& contact, const patch::Sdec& sdec, double normal_force);
 
 /// Equivalent double ellipse of each patch.
 Fault regularise_patch(Contact& contact);
@@ -55,8 +56,8 @@ Fault regularise_patch(Contact& contact);
 /// Tractions and forces of all patches. With a `reverse_share` each patch rolls in both directions, and of
 /// the reverse one forces and sensitivities alone count. `sensitivities`: nullptr, not wanted; with them no
 /// fields are computed, and they are right where the contact differentiates().
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
-                       const Rolling& rolling, TangentialSensitivities* sensitivities = nullptr);
+Fault solve_tangential(Contact& contact, const tangential::Creepage& creepage, const Friction& friction,
+                       const Rolling& rolling, tangential::TangentialSensitivities* sensitivities = nullptr);
 
 /// Friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);
@@ -66,11 +67,11 @@ Friction friction_of(const Contact& contact);
 bool differentiates(const Contact& contact);
 
 /// Derivatives of the last tangential stage, found on a copy: the contact stays as it is.
-Fault find_sensitivities(Contact& contact, TangentialSensitivities& sensitivities);
+Fault find_sensitivities(Contact& contact, tangential::TangentialSensitivities& sensitivities);
 
 // Damage (assessments.cpp).
 
 /// Frictional power and fatigue of all patches, kept in the contact.
 Fault assess_damage(Contact& contact);
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -6,7 +6,7 @@
 #include "contact/methods.hpp"
 #include "tangential/methods/strip_memory.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 std::size_t offset(const Contact& contact, Array which) {
@@ -14,7 +14,7 @@ std::size_t offset(const Contact& contact, Array which) {
 }
 
 /// The strips whose five arrays begin with `first`, in the order of enum Array.
-Strips strips_at(Contact& contact, Array first, std::int32_t count) {
+patch::Strips strips_at(Contact& contact, Array first, std::int32_t count) {
   const auto member = [&](int i) { return array(contact, static_cast<Array>(static_cast<int>(first) + i)); };
   return {contact.model->options.sizes.strips, count, member(0), member(1), member(2), member(3), member(4)};
 }
@@ -27,7 +27,7 @@ std::size_t contact_bytes(const Model& model) {
   return state_bytes(model) + std::max(state_bytes(model), model.layout.behind);
 }
 
-Contact& make_contact(const Model& model, Side side, void* memory) {
+Contact& make_contact(const Model& model, geometry::Side side, void* memory) {
   // Zeros make equal contacts equal in all their bytes, and touch every page once, before the first real-time
   // call.
   auto* bytes = static_cast<unsigned char*>(memory);
@@ -36,7 +36,7 @@ Contact& make_contact(const Model& model, Side side, void* memory) {
   contact->model = &model;
   contact->side = side;
   if (model.options.non_steady)
-    make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
+    tangential::make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
   return *contact;
 }
 
@@ -66,28 +66,28 @@ const double* array(const Contact& contact, Array which) {
   return reinterpret_cast<const double*>(reinterpret_cast<const char*>(&contact) + offset(contact, which));
 }
 
-GapRows gap_rows(const Contact& contact) {
+patch::GapRows gap_rows(const Contact& contact) {
   return {contact.gap_rows, array(contact, Array::gap_y), array(contact, Array::gap_height),
           array(contact, Array::gap_centre), array(contact, Array::gap_curvature)};
 }
 
-Strips all_strips(Contact& contact) { return strips_at(contact, Array::strip_y, contact.strips); }
+patch::Strips all_strips(Contact& contact) { return strips_at(contact, Array::strip_y, contact.strips); }
 
-Strips patch_strips(Contact& contact, const Patch& patch) {
-  return slice(all_strips(contact), patch.first, patch.first + patch.count);
+patch::Strips patch_strips(Contact& contact, const Patch& patch) {
+  return patch::slice(all_strips(contact), patch.first, patch.first + patch.count);
 }
 
-Strips region_strips(Contact& contact, const Patch& patch) {
+patch::Strips region_strips(Contact& contact, const Patch& patch) {
   // Strips that rolled: their own arrays, as an equivalent ellipse may stand for the patch.
-  const Strips all = strips_at(contact, Array::region_y, contact.model->options.sizes.strips);
-  return slice(all, patch.region_first, patch.region_first + patch.region_count);
+  const patch::Strips all = strips_at(contact, Array::region_y, contact.model->options.sizes.strips);
+  return patch::slice(all, patch.region_first, patch.region_first + patch.region_count);
 }
 
 double* cell_block(Contact& contact, Array which, const Patch& patch) {
   return array(contact, which) + patch.region_first * contact.model->options.sizes.cells;
 }
 
-TangentialFields cell_fields(Contact& contact, const Patch& patch) {
+tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch) {
   return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
@@ -98,4 +98,4 @@ bool gives_fields(const Contact& contact) {
   return contact.model->options.tangential_method->gives_tractions;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

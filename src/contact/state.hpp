@@ -17,17 +17,17 @@
 #include "tangential/friction/friction.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// Origin of the y of friction zones: the contact frame, the rail's profile, or the wheel's.
 enum class ZoneFrame : std::int64_t { contact, rail, wheel };
 
 /// Friction between the bodies, with the effect of a layer between them on the slope of the creep curve.
 struct Friction {
-  FrictionLaw law;
+  tangential::FrictionLaw law;
   ZoneFrame zone_frame = ZoneFrame::contact;
   double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
-  SlopeFall slope;               ///< fall of that slope as slip grows
+  tangential::SlopeFall slope;   ///< fall of that slope as slip grows
 };
 
 /// Direction and speed of rolling. Backwards the leading edge is at -x; creepages are sliding velocities over
@@ -55,11 +55,11 @@ struct DamageNumbers {
 struct Patch {
   std::int32_t first = 0, count = 0;                ///< strips of the patch
   std::int32_t region_first = 0, region_count = 0;  ///< strips its tangential fields live on
-  StripTotals extent;
-  double y_contact = 0.0;   ///< place where its bodies first touch [m]
-  Sdec sdec;                ///< its equivalent double ellipse about y_contact
-  double friction = 0.0;    ///< mean over the load [-]
-  TangentialForces forces;  ///< moment about the origin of the contact frame
+  patch::StripTotals extent;
+  double y_contact = 0.0;               ///< place where its bodies first touch [m]
+  patch::Sdec sdec;                     ///< its equivalent double ellipse about y_contact
+  double friction = 0.0;                ///< mean over the load [-]
+  tangential::TangentialForces forces;  ///< moment about the origin of the contact frame
 };
 
 /// Place of a region's point on both bodies, in the coordinates of their profiles [m].
@@ -69,9 +69,9 @@ struct RegionPlace {
 
 /// Wrench of a wheel on a rail, track axes of the host.
 struct HostWrench {
-  Wrench wrench;               ///< about the reference point; height: displacement z of that point
+  surface::Wrench wrench;      ///< about the reference point; height: displacement z of that point
   double rail_moment[3] = {};  ///< on the rail, about the displaced origin of its profile [N m]
-  RegionPlace place[most_surface_regions];
+  RegionPlace place[surface::most_surface_regions];
 };
 
 /// Newest solution of a contact: none, that of the stages, or that of a wheel on a rail.
@@ -102,42 +102,45 @@ struct Contact {
       0;                    ///< strips of the solution that the next normal solve may start from; 0: none
   std::int32_t strips = 0;  ///< strips of all patches
   std::int32_t patches = 0;
-  std::int32_t main_patch = 0;  ///< index of the patch with the largest load
-  Side side = Side::right;      ///< side of the wheelset
+  std::int32_t main_patch = 0;                  ///< index of the patch with the largest load
+  geometry::Side side = geometry::Side::right;  ///< side of the wheelset
 
-  Pose pose;  ///< pose of the last geometry stage
-  ContactPoint point;
-  NormalSolution normal;
+  geometry::Pose pose;  ///< pose of the last geometry stage
+  geometry::ContactPoint point;
+  normal::NormalSolution normal;
   double damping_factor = 1.0;  ///< damped over elastic pressure; strips and normal hold the damped one [-]
-  StripTotals extent;           ///< sums over all patches
+  patch::StripTotals extent;    ///< sums over all patches
   Patch patch[patch_capacity];
-  Creepage creepage;
+  tangential::Creepage creepage;
   double friction = 0.0;  ///< mean over the load; each strip's is in Array::strip_friction [-]
   Friction law;           ///< friction of the last tangential stage; its zones are the two arrays below
   double zone_y[zone_capacity] = {}, zone_coefficient[zone_capacity] = {};  ///< [m], [-]
   Rolling rolling;
-  double rolled = 0.0;      ///< distance since the last tangential stage, of a model that remembers [m]
-  TangentialForces forces;  ///< sums over all patches
+  double rolled = 0.0;  ///< distance since the last tangential stage, of a model that remembers [m]
+  tangential::TangentialForces forces;  ///< sums over all patches
   DamageNumbers damage;
   HostWrench wheel;
 };
 
 // A contact is saved as its bytes: with padding, where anything may lie, equal states could differ in their
 // bytes. Each line is a struct and the sum of its members.
-static_assert(sizeof(FrictionLaw) == 13 * sizeof(double));
-static_assert(sizeof(Friction) == sizeof(FrictionLaw) + 2 * sizeof(double) + sizeof(SlopeFall));
-static_assert(sizeof(NormalSolution) == 7 * sizeof(double));
-static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(StripTotals) + sizeof(Sdec) +
-                                   sizeof(TangentialForces) + 2 * sizeof(double));
+static_assert(sizeof(tangential::FrictionLaw) == 13 * sizeof(double));
+static_assert(sizeof(Friction) ==
+              sizeof(tangential::FrictionLaw) + 2 * sizeof(double) + sizeof(tangential::SlopeFall));
+static_assert(sizeof(normal::NormalSolution) == 7 * sizeof(double));
+static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(patch::StripTotals) + sizeof(patch::Sdec) +
+                                   sizeof(tangential::TangentialForces) + 2 * sizeof(double));
 static_assert(sizeof(Contact) ==
               sizeof(void*) + sizeof(Fault) + sizeof(Stage) + sizeof(Solution) + 4 * sizeof(bool) +
-                  5 * sizeof(std::int32_t) + sizeof(Side) + sizeof(Pose) + sizeof(ContactPoint) +
-                  sizeof(NormalSolution) + sizeof(StripTotals) + sizeof(Patch[patch_capacity]) +
-                  sizeof(Creepage) + sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
-                  sizeof(Rolling) + sizeof(TangentialForces) + sizeof(DamageNumbers) + sizeof(HostWrench));
-static_assert(sizeof(SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
-static_assert(sizeof(HostWrench) == 2 * sizeof(std::int32_t) + 16 * sizeof(double) +
-                                        most_surface_regions * (sizeof(SurfaceRegion) + sizeof(RegionPlace)));
+                  5 * sizeof(std::int32_t) + sizeof(geometry::Side) + sizeof(geometry::Pose) +
+                  sizeof(geometry::ContactPoint) + sizeof(normal::NormalSolution) +
+                  sizeof(patch::StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(tangential::Creepage) +
+                  sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) +
+                  sizeof(tangential::TangentialForces) + sizeof(DamageNumbers) + sizeof(HostWrench));
+static_assert(sizeof(surface::SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
+static_assert(sizeof(HostWrench) ==
+              2 * sizeof(std::int32_t) + 16 * sizeof(double) +
+                  surface::most_surface_regions * (sizeof(surface::SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Bytes of a contact: its state, and behind it the larger of a copy of the state, on which sensitivities are
 /// found, and the work space of a wheel on a rail.
@@ -147,7 +150,7 @@ std::size_t contact_bytes(const Model& model);
 std::size_t state_bytes(const Model& model);
 
 /// Makes an empty contact in `memory` (contact_bytes, aligned).
-Contact& make_contact(const Model& model, Side side, void* memory);
+Contact& make_contact(const Model& model, geometry::Side side, void* memory);
 
 /// Forgets the results of every stage after `stage`; the stages' solution is the newest.
 void back_to(Contact& contact, Stage stage);
@@ -160,17 +163,17 @@ double* array(Contact& contact, Array which);
 const double* array(const Contact& contact, Array which);
 
 /// Views over the contact's arrays, for the strips and rows in use.
-GapRows gap_rows(const Contact& contact);
-Strips all_strips(Contact& contact);
-Strips patch_strips(Contact& contact, const Patch& patch);
-Strips region_strips(Contact& contact, const Patch& patch);
+patch::GapRows gap_rows(const Contact& contact);
+patch::Strips all_strips(Contact& contact);
+patch::Strips patch_strips(Contact& contact, const Patch& patch);
+patch::Strips region_strips(Contact& contact, const Patch& patch);
 
 /// The block of a cell array that belongs to one patch: element (cell i, strip j) at
 /// i * patch.region_count + j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
 
 /// The tractions and slips of one patch.
-TangentialFields cell_fields(Contact& contact, const Patch& patch);
+tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch);
 
 /// Work space behind the state: as much as a wheel on a rail needs, and state_bytes() at least. Nothing in it
 /// outlives a call.
@@ -179,4 +182,4 @@ double* work_space(Contact& contact);
 /// Does the tangential method give tractions and slip of every cell?
 bool gives_fields(const Contact& contact);
 
-}  // namespace wrc
+}  // namespace wrc::contact

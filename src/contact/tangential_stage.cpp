@@ -9,7 +9,7 @@
 #include "tangential/methods/strip_memory.hpp"
 #include "tangential/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 // Every method rolls along x. Rolling backwards is its mirror image in the plane x = 0: x, vectors along x
@@ -17,16 +17,16 @@ namespace {
 
 double mirrored(double along_x, double direction) { return direction < 0.0 ? 0.0 - along_x : along_x; }
 
-Creepage mirrored(const Creepage& creepage, double direction) {
+tangential::Creepage mirrored(const tangential::Creepage& creepage, double direction) {
   return {mirrored(creepage.longitudinal, direction), creepage.lateral, mirrored(creepage.spin, direction)};
 }
 
-void mirror(TangentialForces& forces, double direction) {
+void mirror(tangential::TangentialForces& forces, double direction) {
   forces.fx = mirrored(forces.fx, direction);
   forces.mz = mirrored(forces.mz, direction);
 }
 
-void mirror(TangentialSensitivities& sensitivities, double direction) {
+void mirror(tangential::TangentialSensitivities& sensitivities, double direction) {
   // Rows Fx, Fy, Mz; columns longitudinal and lateral creepage, spin, load, friction. A derivative changes
   // sign where one of row and column does.
   for (int r = 0; r < 3; ++r) {
@@ -39,7 +39,7 @@ void mirror(TangentialSensitivities& sensitivities, double direction) {
 
 /// Turns strips and cells of a patch that rolled backwards to the caller's x.
 void mirror_region(Contact& contact, const Patch& patch) {
-  const Strips region = region_strips(contact, patch);
+  const patch::Strips region = region_strips(contact, patch);
   for (std::int32_t j = 0; j < region.count; ++j) region.centre[j] = mirrored(region.centre[j], -1.0);
   if (!gives_fields(contact)) return;
   const std::int32_t cells = contact.model->options.sizes.cells * region.count;
@@ -51,19 +51,19 @@ void mirror_region(Contact& contact, const Patch& patch) {
 
 /// Fills the region's strips of one patch, about its initial contact point or, of an ellipse that replaces
 /// it, about the ellipse's own centre.
-void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, double direction) {
+void prepare_region(Contact& contact, Patch& patch, const tangential::PatchModel& model, double direction) {
   patch.region_first = patch.first;
   patch.region_count = patch.count;
-  Strips region = region_strips(contact, patch);
+  patch::Strips region = region_strips(contact, patch);
   // The equivalent ellipse, symmetric about its own centre, in the place of the strips.
   if (model.on_ellipse) {
-    const Sdec ellipse{patch.sdec.a, patch.sdec.b, 0.0};
-    sdec_strips(ellipse, 0.0, 0.0, patch.extent.normal_force, patch.count, region);
+    const patch::Sdec ellipse{patch.sdec.a, patch.sdec.b, 0.0};
+    patch::sdec_strips(ellipse, 0.0, 0.0, patch.extent.normal_force, patch.count, region);
     patch.region_count = region.count;
     return;
   }
   // The patch's own strips, y counted from its contact point.
-  const Strips own = patch_strips(contact, patch);
+  const patch::Strips own = patch_strips(contact, patch);
   for (std::int32_t j = 0; j < own.count; ++j) region.y[j] = own.y[j] - patch.y_contact;
   for (std::int32_t j = 0; j < own.count; ++j) region.centre[j] = mirrored(own.centre[j], direction);
   std::copy_n(own.width, own.count, region.width);
@@ -72,24 +72,26 @@ void prepare_region(Contact& contact, Patch& patch, const PatchModel& model, dou
 }
 
 /// The law's coefficients on the region's strips, whose y is counted from `origin` in the contact frame.
-StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction, double origin,
-                             double direction) {
+tangential::StripFriction strip_friction(Contact& contact, const Patch& patch, const Friction& friction,
+                                         double origin, double direction) {
   // Zones over a profile: y there = y of its contact point + cos(contact angle) times y of the contact frame;
   // profiles on the left are mirror images.
-  FrictionFrame frame{.origin = origin};
+  tangential::FrictionFrame frame{.origin = origin};
   if (friction.zone_frame != ZoneFrame::contact) {
     frame.zone_origin = friction.zone_frame == ZoneFrame::rail ? contact.point.y_rail : contact.point.y_wheel;
-    frame.zone_slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
+    frame.zone_slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
   }
-  const SlidingSpeed sliding = friction.slope.falls() ? SlidingSpeed::of_patch : SlidingSpeed::of_strip;
-  return evaluate(friction.law, region_strips(contact, patch), frame, mirrored(contact.creepage, direction),
-                  contact.rolling.speed, sliding, array(contact, Array::strip_friction) + patch.region_first);
+  const tangential::SlidingSpeed sliding =
+      friction.slope.falls() ? tangential::SlidingSpeed::of_patch : tangential::SlidingSpeed::of_strip;
+  return tangential::evaluate(friction.law, region_strips(contact, patch), frame,
+                              mirrored(contact.creepage, direction), contact.rolling.speed, sliding,
+                              array(contact, Array::strip_friction) + patch.region_first);
 }
 
 /// Turns the method's strips, whose y is counted from `origin`, to y in the contact frame, and their shares
 /// of the mean friction to coefficients.
 void show_region(Contact& contact, const Patch& patch, double origin) {
-  Strips region = region_strips(contact, patch);
+  patch::Strips region = region_strips(contact, patch);
   double* const friction_of_strip = array(contact, Array::strip_friction) + patch.region_first;
   for (std::int32_t j = 0; j < region.count; ++j) {
     friction_of_strip[j] *= patch.friction;
@@ -99,35 +101,37 @@ void show_region(Contact& contact, const Patch& patch, double origin) {
 
 /// Solves a patch whose friction falls with the temperature that it makes. The rise of temperature in the
 /// contact is work space.
-TangentialForces roll_heated(Contact& contact, const Patch& patch, const FrictionLaw& law,
-                             const TangentialFields& fields, RollingContact& rolling, Fault& fault) {
+tangential::TangentialForces roll_heated(Contact& contact, const Patch& patch,
+                                         const tangential::FrictionLaw& law,
+                                         const tangential::TangentialFields& fields,
+                                         tangential::RollingContact& rolling, Fault& fault) {
   const ModelOptions& options = contact.model->options;
-  const Strips& region = rolling.region;
+  const patch::Strips& region = rolling.region;
   constexpr std::int32_t most_strips = 512;
   double cold[most_strips] = {}, share[most_strips] = {};
   double* const shares = array(contact, Array::strip_friction) + patch.region_first;
   for (std::int32_t j = 0; j < region.count; ++j) cold[j] = rolling.friction[j];
-  HeatedFriction heat(law, options.effusivities, options.sizes.cells, contact.rolling.speed);
-  TangentialForces forces;
+  tangential::HeatedFriction heat(law, options.effusivities, options.sizes.cells, contact.rolling.speed);
+  tangential::TangentialForces forces;
   // One solution at given shares of the cold coefficients, which solve_heated() repeats until friction and
   // temperature agree.
   const auto solve = [&] {
     for (std::int32_t j = 0; j < region.count; ++j) shares[j] = cold[j] * share[j];
-    rolling.friction = shared_out(region, shares);
+    rolling.friction = tangential::shared_out(region, shares);
     forces = options.tangential_method->solve(rolling, fields, fault, nullptr);
   };
   double* const rise = cell_block(contact, Array::temperature_rise, patch);
-  const Fault unsettled = solve_heated(heat, region, fields, rise, share, solve);
+  const Fault unsettled = tangential::solve_heated(heat, region, fields, rise, share, solve);
   keep_worst(fault, unsettled);
   return forces;
 }
 
 /// The contact's memory of its tractions, for a patch: over the rail's y where a pose is known.
-RollingMemory memory_of(Contact& contact, const Patch& patch) {
+tangential::RollingMemory memory_of(Contact& contact, const Patch& patch) {
   // y of the rail = origin + slope * y of the patch.
-  RollingMemory memory{.at = array(contact, Array::rolling_memory), .rolled = contact.rolled};
+  tangential::RollingMemory memory{.at = array(contact, Array::rolling_memory), .rolled = contact.rolled};
   if (contact.posed) {
-    memory.slope = contact.side == Side::left ? -contact.point.cosine : contact.point.cosine;
+    memory.slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
     memory.origin = contact.point.y_rail;
   }
   memory.origin += memory.slope * patch.y_contact;
@@ -150,14 +154,14 @@ Fault check_memory(const Contact& contact, const Friction& friction, const Rolli
 
 /// One patch, rolling along x times `direction`. `sensitivities`: see solve_tangential().
 Fault roll(Contact& contact, Patch& patch, const Friction& friction, double direction,
-           TangentialSensitivities* sensitivities) {
+           tangential::TangentialSensitivities* sensitivities) {
   const Model& model = *contact.model;
   const TangentialMethod& method = *model.options.tangential_method;
-  const PatchModel& shape = model.options.patch_model;
+  const tangential::PatchModel& shape = model.options.patch_model;
   prepare_region(contact, patch, shape, direction);
 
   // Shape and stiffness of the patch; a layer between the bodies acts as a lower shear modulus.
-  RollingContact rolling;
+  tangential::RollingContact rolling;
   rolling.region = region_strips(contact, patch);
   rolling.a = patch.sdec.a;
   rolling.b = patch.sdec.b;
@@ -169,8 +173,8 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   // The methods refer everything to the patch's initial contact point, which is not the origin of the contact
   // frame for a second patch, or for a gap of the host; and on an ellipse about mid-width to its centre.
   const double centre = shape.at_middle ? patch.sdec.psi * patch.sdec.b : 0.0;
-  rolling.creepage = seen_from(patch.y_contact, mirrored(contact.creepage, direction));
-  if (shape.at_middle) rolling.creepage = seen_from(centre, rolling.creepage);
+  rolling.creepage = tangential::seen_from(patch.y_contact, mirrored(contact.creepage, direction));
+  if (shape.at_middle) rolling.creepage = tangential::seen_from(centre, rolling.creepage);
   rolling.friction = strip_friction(contact, patch, friction, patch.y_contact + centre, direction);
 
   // Law of the method, its tables and its memory.
@@ -184,16 +188,17 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   if (model.options.non_steady) rolling.memory = memory_of(contact, patch);
 
   // Forces [N], [N m] about the method's origin, and cell fields unless derivatives are asked for.
-  const TangentialFields fields = sensitivities ? TangentialFields{} : cell_fields(contact, patch);
+  const tangential::TangentialFields fields =
+      sensitivities ? tangential::TangentialFields{} : cell_fields(contact, patch);
   Fault fault;
   patch.forces = friction.law.heated() ? roll_heated(contact, patch, friction.law, fields, rolling, fault)
-                 : model.options.non_steady ? roll_with_memory(rolling, fields, fault)
+                 : model.options.non_steady ? tangential::roll_with_memory(rolling, fields, fault)
                                             : method.solve(rolling, fields, fault, sensitivities);
   // A difference of sums of areas: rounding may leave it just outside 0..1.
   patch.forces.adhesion_fraction = std::clamp(patch.forces.adhesion_fraction, 0.0, 1.0);
   // Back to the origin of the contact frame, in the order reverse to the way in.
-  if (shape.at_middle) refer_back(centre, patch.forces, sensitivities);
-  refer_back(patch.y_contact, patch.forces, sensitivities);
+  if (shape.at_middle) tangential::refer_back(centre, patch.forces, sensitivities);
+  tangential::refer_back(patch.y_contact, patch.forces, sensitivities);
 
   patch.friction = rolling.friction.mean;
   show_region(contact, patch, patch.y_contact + centre);
@@ -208,12 +213,12 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
 /// they pass continuously through standstill. Its fields are those of `direction` alone, which is solved
 /// last.
 Fault roll_both_directions(Contact& contact, Patch& patch, const Friction& friction,
-                           TangentialSensitivities* sensitivities) {
+                           tangential::TangentialSensitivities* sensitivities) {
   // The reverse direction first: its fields are overwritten.
   const Rolling& rolling = contact.rolling;
-  TangentialSensitivities others;
+  tangential::TangentialSensitivities others;
   Fault fault = roll(contact, patch, friction, -rolling.direction, sensitivities ? &others : nullptr);
-  const TangentialForces other = patch.forces;
+  const tangential::TangentialForces other = patch.forces;
   keep_worst(fault, roll(contact, patch, friction, rolling.direction, sensitivities));
   const auto blend = [&](double& own, double of_other) {
     own = (1.0 - rolling.reverse_share) * own + rolling.reverse_share * of_other;
@@ -231,9 +236,9 @@ Fault roll_both_directions(Contact& contact, Patch& patch, const Friction& frict
 }
 
 /// Adds up the patches; the share that sticks is weighted by area.
-TangentialForces sum_of_patches(const Contact& contact) {
+tangential::TangentialForces sum_of_patches(const Contact& contact) {
   // Forces add; moments are about one origin; the adhering area over the whole area [-].
-  TangentialForces sum;
+  tangential::TangentialForces sum;
   double area = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& patch = contact.patch[k];
@@ -253,8 +258,9 @@ TangentialForces sum_of_patches(const Contact& contact) {
 bool differentiates(const Contact& contact) {
   const ModelOptions& options = contact.model->options;
   const Friction& friction = contact.law;
-  return options.tangential_method->gives_derivatives && options.flexibility == FlexibilityForm::separate &&
-         !friction.law.falls() && !friction.slope.falls();
+  return options.tangential_method->gives_derivatives &&
+         options.flexibility == tangential::FlexibilityForm::separate && !friction.law.falls() &&
+         !friction.slope.falls();
 }
 
 Friction friction_of(const Contact& contact) {
@@ -266,8 +272,8 @@ Friction friction_of(const Contact& contact) {
   return friction;
 }
 
-Fault solve_tangential(Contact& contact, const Creepage& creepage, const Friction& friction,
-                       const Rolling& rolling, TangentialSensitivities* sensitivities) {
+Fault solve_tangential(Contact& contact, const tangential::Creepage& creepage, const Friction& friction,
+                       const Rolling& rolling, tangential::TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
     return Fault::sequence("patch",
                            "there is no patch: call wrc_planar_normal first, or hand over strips or a patch");
@@ -290,9 +296,9 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   // A model that remembers goes on by a step even where the bodies are apart: memory of patches without
   // contact is lost.
   void* const memory = contact.model->options.non_steady ? array(contact, Array::rolling_memory) : nullptr;
-  if (memory) begin_step(memory);
+  if (memory) tangential::begin_step(memory);
   if (!contact.touching) {
-    if (memory) end_step(memory);
+    if (memory) tangential::end_step(memory);
     contact.rolled = 0.0;
     return Fault::no_contact();
   }
@@ -311,8 +317,8 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   double limit = 0.0, load = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     Patch& patch = contact.patch[k];
-    TangentialSensitivities own;
-    TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
+    tangential::TangentialSensitivities own;
+    tangential::TangentialSensitivities* const wanted = sensitivities ? &own : nullptr;
     keep_worst(fault, rolling.reverse_share > 0.0
                           ? roll_both_directions(contact, patch, friction, wanted)
                           : roll(contact, patch, friction, rolling.direction, wanted));
@@ -325,7 +331,7 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
       for (int c = 0; c < 5; ++c) sensitivities->d[r][c] += own.d[r][c] * (c == 3 ? share : 1.0);
     }
   }
-  if (memory) end_step(memory);
+  if (memory) tangential::end_step(memory);
   contact.rolled = 0.0;
   contact.friction = load > 0.0 ? limit / load : 0.0;
   contact.forces = sum_of_patches(contact);
@@ -335,4 +341,4 @@ Fault solve_tangential(Contact& contact, const Creepage& creepage, const Frictio
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

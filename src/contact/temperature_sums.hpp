@@ -4,19 +4,21 @@
 #include "contact/assessments.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 class TemperatureSums {
  public:
   /// speed: of rolling [m/s]
-  TemperatureSums(const Effusivities& bodies, const BulkTemperatures& bulk, std::int32_t cells, double speed)
+  TemperatureSums(const tangential::Effusivities& bodies, const tangential::BulkTemperatures& bulk,
+                  std::int32_t cells, double speed)
       : bodies_(bodies), cells_(cells), speed_(speed), difference_(bulk.rail - bulk.wheel), weights_(cells) {
     numbers_.at_entry = bulk.at_entry(bodies);
   }
 
   /// Fills `rise`, which may be one of the slips, and adds a patch: x_of(cell, strip) where its cells lie.
   template <class Place>
-  void add(const Strips& region, const TangentialFields& fields, double* rise, Place&& x_of) {
+  void add(const patch::Strips& region, const tangential::TangentialFields& fields, double* rise,
+           Place&& x_of) {
     const auto area_of = [&](std::int32_t j) {
       return 2.0 * region.half_length[j] / cells_ * region.width[j];
     };
@@ -29,7 +31,7 @@ class TemperatureSums {
       }
     // Rise of the surface temperature in each cell [K]: its mean over the area, and the largest with its
     // place.
-    flash_rise(region, fields, cells_, speed_, bodies_, weights_, rise);
+    tangential::flash_rise(region, fields, cells_, speed_, bodies_, weights_, rise);
     for (std::int32_t j = 0; j < region.count; ++j) {
       for (std::int32_t i = 0; i < cells_; ++i) {
         const std::int32_t at = i * region.count + j;
@@ -41,8 +43,8 @@ class TemperatureSums {
         numbers_.y = region.y[j];
       }
       // Heat from the rail into the wheel because one is warmer, without friction [W].
-      into_wheel_ +=
-          region.width[j] * heat_by_touching(bodies_, difference_, speed_, 2.0 * region.half_length[j]);
+      into_wheel_ += region.width[j] *
+                     tangential::heat_by_touching(bodies_, difference_, speed_, 2.0 * region.half_length[j]);
     }
   }
 
@@ -56,12 +58,12 @@ class TemperatureSums {
   }
 
  private:
-  const Effusivities& bodies_;
+  const tangential::Effusivities& bodies_;
   std::int32_t cells_;
   double speed_, difference_;
-  FlashWeights weights_;
+  tangential::FlashWeights weights_;
   TemperatureNumbers numbers_;
   double power_ = 0.0, into_wheel_ = 0.0, warmth_ = 0.0, area_ = 0.0;
 };
 
-}  // namespace wrc
+}  // namespace wrc::contact

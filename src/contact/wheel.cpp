@@ -9,14 +9,14 @@
 #include "contact/wheel_placement.hpp"
 #include "surface/geometry/rail_direction.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
-void mirror_wrench(Wrench& wrench) {
+void mirror_wrench(surface::Wrench& wrench) {
   mirror_vector(wrench.force);
   mirror_rotation(wrench.moment);
   for (std::int32_t i = 0; i < wrench.regions; ++i) {
-    SurfaceRegion& region = wrench.region[i];
+    surface::SurfaceRegion& region = wrench.region[i];
     mirror_vector(region.point);
     mirror_vector(region.force);
     mirror_rotation(region.moment);
@@ -28,9 +28,10 @@ void mirror_wrench(Wrench& wrench) {
 
 /// Place of a region's point on the profiles of both bodies, of right-hand bodies with the wheel at this
 /// height.
-RegionPlace place_of(const Model& model, const WheelOnRail& problem, double height, const double* point) {
+RegionPlace place_of(const Model& model, const surface::WheelOnRail& problem, double height,
+                     const double* point) {
   // in the wheel's axes: y on its profile, and the radius less the nominal one
-  const WheelMotion& wheel = problem.wheel;
+  const surface::WheelMotion& wheel = problem.wheel;
   const double position[3] = {wheel.position[0], wheel.position[1], height};
   double from_wheel[3] = {};
   for (int k = 0; k < 3; ++k) {
@@ -38,12 +39,12 @@ RegionPlace place_of(const Model& model, const WheelOnRail& problem, double heig
   }
 
   // in the rail's axes, back to the section where the rail is not bent down: x^2 / (2 radius) of a roller
-  const RailMotion& rail = problem.rail;
+  const surface::RailMotion& rail = problem.rail;
   const auto [sine, cosine] = sine_cosine(rail.roll);
   double from_rail[3] = {point[0], point[1] - right_bodies(model).rail.origin_y - rail.y,
                          point[2] - right_bodies(model).rail.origin_z - rail.z};
   if (rail.slope_y != 0.0 || rail.slope_z != 0.0)
-    turn_along_rail(direction_of(rail.slope_y, rail.slope_z), from_rail);
+    surface::turn_along_rail(surface::direction_of(rail.slope_y, rail.slope_z), from_rail);
   const double y = from_rail[1];
   double z = from_rail[2];
   const double from_axle = point[0] - wheel.position[0] + problem.distance;
@@ -61,18 +62,18 @@ namespace {
 
 /// Does anything change with the distance along the track?
 bool reads_distance(const Model& model) {
-  const SurfaceModel& surface = *model.surface;
+  const surface::SurfaceModel& surface = *model.surface;
   return (surface.varying.faces > 0 && !model.options.check_rail) || surface.roller_curvature != 0.0;
 }
 
 /// Refuses inputs that the model does not read, which would otherwise be lost in silence.
 Fault check_read(const Model& model, const HostWheel& hosted) {
-  const SurfaceModel& surface = *model.surface;
+  const surface::SurfaceModel& surface = *model.surface;
   const bool roller = surface.roller_curvature != 0.0;
   if (hosted.rail.turning != 0.0 && !roller)
     return Fault::unsupported("input.roller_rate", {hosted.rail.turning, "rad/s"},
                               "the rail is no roller: give config.roller_curvature, or leave it 0");
-  const RailMotion& rail = hosted.rail;
+  const surface::RailMotion& rail = hosted.rail;
   if (roller && (rail.slope_y != 0.0 || rail.slope_z != 0.0))
     return Fault::unsupported(
         rail.slope_y != 0.0 ? "input.rail.y_slope" : "input.rail.z_slope",
@@ -106,7 +107,7 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
 
   // bodies in the axes of the host, then those of the right-hand side
   placed = {};
-  placed.left = contact.side == Side::left;
+  placed.left = contact.side == geometry::Side::left;
   const double outward = placed.left ? -1.0 : 1.0;
   PlacedMotion<double> motion = place_motion(right_bodies(model), hosted, placed.left, host_motion(hosted));
   placed.rail[0] = outward * right_bodies(model).rail.origin_y + hosted.rail.y;
@@ -115,14 +116,14 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
   std::copy_n(motion.reference, 3, placed.reference);
   if (placed.left) mirror_motion(motion);
 
-  WheelOnRail& problem = placed.problem;
+  surface::WheelOnRail& problem = placed.problem;
   problem.wheel = motion.wheel;
   problem.rail = motion.rail;
   problem.load_prescribed = hosted.load_prescribed;
   problem.vertical_load = hosted.vertical_load;
 
   // zones have coefficients of their own: then the one number only says that there is friction
-  const FrictionLaw& law = hosted.friction.law;
+  const tangential::FrictionLaw& law = hosted.friction.law;
   problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
   if (!law.is_one_number()) problem.law = &law;
   problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
@@ -135,7 +136,7 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
 }
 
 void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench& result) {
-  Wrench& wrench = result.wrench;
+  surface::Wrench& wrench = result.wrench;
   if (placed.left) mirror_wrench(wrench);
   // from the wheel's reference point to the host's: M + arm x F
   add_cross(wrench.moment, placed.arm, wrench.force);
@@ -172,13 +173,14 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   }
 
   // solved as right-hand bodies, from the last solution unless told otherwise
-  auto& state = *reinterpret_cast<SurfaceState*>(array(contact, Array::surface_state));
+  auto& state = *reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state));
   HostWrench& result = contact.wheel;
-  Wrench& wrench = result.wrench;
-  const WheelOnRail& problem = placed.problem;
-  RailFrameJacobian found, by_track;
-  fault = solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
-                              wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
+  surface::Wrench& wrench = result.wrench;
+  const surface::WheelOnRail& problem = placed.problem;
+  surface::RailFrameJacobian found, by_track;
+  fault =
+      surface::solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
+                                   wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
 
   // a load that no height carries is an error, but for that of the climbing flag, which says where the wheel
   // is
@@ -200,4 +202,4 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

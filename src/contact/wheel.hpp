@@ -6,7 +6,7 @@
 
 #include "contact/state.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// A wheel on a rail as a host has them, track axes; displacements count from the places that wrc.h names.
 struct HostWheel {
@@ -21,7 +21,7 @@ struct HostWheel {
   double turning_with_body[3] = {};  ///< its part along columns that turn with roll and yaw [rad/s]
   double frame_speed = 0.0;      ///< speed of the frame that velocities are given in, along its own x [m/s]
   double frame_turning[3] = {};  ///< its angular velocity about its own axes [rad/s]
-  RailMotion rail;
+  surface::RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
   bool from_scratch = false;   ///< do not start from the last solution
@@ -64,7 +64,7 @@ struct HostJacobian {
 
 /// A hosted wheel as the right-hand one of src/surface, with the numbers that lead back.
 struct PlacedWheel {
-  WheelOnRail problem;
+  surface::WheelOnRail problem;
   bool left = false;         ///< `problem` is its mirror image
   double arm[3] = {};        ///< from the reference point to that of the wheel, host's track axes [m]
   double reference[3] = {};  ///< the reference point, its height as given [m]
@@ -81,10 +81,10 @@ void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench&
 /// Takes derivatives by motions in the rail's frame to those by the host's inputs (wheel_jacobian.cpp).
 /// `height`: of the right-hand wheel in the solution [m].
 void hand_back_jacobian(const Model& model, const HostWheel& hosted, const PlacedWheel& placed, double height,
-                        const RailFrameJacobian& found, const RailFrameJacobian& by_track,
+                        const surface::RailFrameJacobian& found, const surface::RailFrameJacobian& by_track,
                         HostJacobian& jacobian);
 
 /// Solves for the wrench, kept in the contact. `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes = nullptr);
 
-}  // namespace wrc
+}  // namespace wrc::contact

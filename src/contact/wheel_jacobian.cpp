@@ -4,7 +4,7 @@
 #include "base/elementary.hpp"
 #include "contact/wheel_placement.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 /// Inputs whose derivatives are carried from the host to the rail frame: those before the load, and these.
@@ -49,7 +49,7 @@ HostMotion<Number> differentiated_motion(const HostWheel& hosted) {
   turn(m.angular_velocity, by_roll, roll_axis, hosted.turning_with_body);
   turn(m.angular_velocity, by_yaw, yaw_axis, hosted.turning_with_body);
 
-  const RailMotion& rail = hosted.rail;
+  const surface::RailMotion& rail = hosted.rail;
   m.rail.y = input(rail.y, by_rail_y);
   m.rail.z = input(rail.z, by_rail_z);
   m.rail.roll = input(rail.roll, by_rail_roll);
@@ -63,28 +63,29 @@ HostMotion<Number> differentiated_motion(const HostWheel& hosted) {
 }
 
 /// Derivatives of the inputs of the rail frame: values do not count.
-void differentiate_inputs(const RelativeMotionOf<Number>& m, Number (&inputs)[frame_inputs]) {
+void differentiate_inputs(const surface::RelativeMotionOf<Number>& m,
+                          Number (&inputs)[surface::frame_inputs]) {
   // place and attitude, then velocities, which are inputs as they are
-  inputs[place_y] = m.pose.y;
-  inputs[place_z] = m.pose.z;
+  inputs[surface::place_y] = m.pose.y;
+  inputs[surface::place_z] = m.pose.z;
   // the turning that has no part about rail y and moves the axle e like that: d e = d theta x e, so that
   // d theta_x = d e_z / e_y and d theta_z = -d e_x / e_y
   const auto& R = m.pose.rotation;
   const double per_axle = 1.0 / R[1][1].value;
-  inputs[turn_x] = R[2][1].chain(0.0, per_axle);
-  inputs[turn_z] = R[0][1].chain(0.0, -per_axle);
+  inputs[surface::turn_x] = R[2][1].chain(0.0, per_axle);
+  inputs[surface::turn_z] = R[0][1].chain(0.0, -per_axle);
   for (int i = 0; i < 3; ++i) {
-    inputs[frame_velocity + i] = m.velocity.linear[i];
-    inputs[frame_turning + i] = m.velocity.angular[i];
+    inputs[surface::frame_velocity + i] = m.velocity.linear[i];
+    inputs[surface::frame_turning + i] = m.velocity.angular[i];
   }
-  inputs[frame_roller] = m.velocity.roller;
-  inputs[frame_friction] = Number::input(1.0, friction);
+  inputs[surface::frame_roller] = m.velocity.roller;
+  inputs[surface::frame_friction] = Number::input(1.0, friction);
 }
 
 /// Adds the columns of the distance along the track and of the wheel's angle; turning moves the wheel along
 /// it.
-void add_track(const RelativeMotion& motion, const Number (&arm)[3], bool left,
-               const RailFrameJacobian& found, HostJacobian& jacobian) {
+void add_track(const surface::RelativeMotion& motion, const Number (&arm)[3], bool left,
+               const surface::RailFrameJacobian& found, HostJacobian& jacobian) {
   const std::size_t columns[] = {by_distance, by_angle};
   for (std::size_t c = 0; c < 2; ++c) {
     double force[3], moment[3];
@@ -93,8 +94,8 @@ void add_track(const RelativeMotion& motion, const Number (&arm)[3], bool left,
       moment[i] = found.moment[i].d[c];
     }
     // neither axes nor arm depend on these inputs: plain vectors
-    into_track(motion, force);
-    into_track(motion, moment);
+    surface::into_track(motion, force);
+    surface::into_track(motion, moment);
     if (left) {
       mirror_vector(force);
       mirror_rotation(moment);
@@ -130,26 +131,26 @@ void follow_load(HostJacobian& jacobian) {
 }  // namespace
 
 void hand_back_jacobian(const Model& model, const HostWheel& hosted, const PlacedWheel& placed, double height,
-                        const RailFrameJacobian& found, const RailFrameJacobian& by_track,
+                        const surface::RailFrameJacobian& found, const surface::RailFrameJacobian& by_track,
                         HostJacobian& jacobian) {
-  const SurfaceModel& surface = *model.surface;
-  const WheelOnRail& problem = placed.problem;
+  const surface::SurfaceModel& surface = *model.surface;
+  const surface::WheelOnRail& problem = placed.problem;
   // the motion in the rail frame by the host's inputs, at the height that was solved
   PlacedMotion<Number> motion =
       place_motion(right_bodies(model), hosted, placed.left, differentiated_motion(hosted));
   if (placed.left) mirror_motion(motion);
   motion.wheel.position[2].value = height;
-  const RelativeMotionOf<Number> relative =
-      relative_motion(surface, motion.wheel, motion.rail, problem.distance);
-  Number inputs[frame_inputs];
+  const surface::RelativeMotionOf<Number> relative =
+      surface::relative_motion(surface, motion.wheel, motion.rail, problem.distance);
+  Number inputs[surface::frame_inputs];
   differentiate_inputs(relative, inputs);
 
   // chain rule in the rail's axes; then the axes, the mirror and the reference point move with the inputs as
   // well
   Number force[3], moment[3];
-  const auto chained = [&inputs](const RailFrameDual& in_rail) {
+  const auto chained = [&inputs](const surface::RailFrameDual& in_rail) {
     Number n = in_rail.value;
-    for (std::size_t j = 0; j < frame_inputs; ++j)
+    for (std::size_t j = 0; j < surface::frame_inputs; ++j)
       for (std::size_t k = 0; k < carried; ++k) n.d[k] += in_rail.d[j] * inputs[j].d[k];
     return n;
   };
@@ -157,8 +158,8 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
     force[i] = chained(found.force[i]);
     moment[i] = chained(found.moment[i]);
   }
-  into_track(relative, force);
-  into_track(relative, moment);
+  surface::into_track(relative, force);
+  surface::into_track(relative, moment);
   if (placed.left) {
     mirror_vector(force);
     mirror_rotation(moment);
@@ -172,12 +173,12 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
       jacobian.wrench[row][column_of(k)] = force[row].d[k];
       jacobian.wrench[3 + row][column_of(k)] = moment[row].d[k];
     }
-  WheelMotion wheel = problem.wheel;
+  surface::WheelMotion wheel = problem.wheel;
   wheel.position[2] = height;
-  add_track(relative_motion(surface, wheel, problem.rail, problem.distance), motion.arm, placed.left,
+  add_track(surface::relative_motion(surface, wheel, problem.rail, problem.distance), motion.arm, placed.left,
             by_track, jacobian);
   jacobian.z[by_z] = 1.0;
   if (problem.load_prescribed) follow_load(jacobian);
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

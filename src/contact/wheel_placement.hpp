@@ -12,17 +12,19 @@
 #include "contact/model.hpp"
 #include "contact/wheel.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 
 /// The bodies of src/surface are right-hand ones.
-inline const Bodies& right_bodies(const Model& model) { return model.bodies[static_cast<int>(Side::right)]; }
+inline const Bodies& right_bodies(const Model& model) {
+  return model.bodies[static_cast<int>(geometry::Side::right)];
+}
 
 /// Place and motion by the host: the members of HostWheel with these names.
 template <class Number>
 struct HostMotion {
   Number y, z;
   Number rotation[3][3], velocity[3], angular_velocity[3];
-  RailMotionOf<Number> rail;
+  surface::RailMotionOf<Number> rail;
 };
 
 inline HostMotion<double> host_motion(const HostWheel& hosted) {
@@ -40,8 +42,8 @@ template <class Number>
 struct PlacedMotion {
   Number reference[3] = {};  ///< the host's reference point [m]
   Number arm[3] = {};        ///< from there to that of the wheel [m]
-  WheelMotionOf<Number> wheel;
-  RailMotionOf<Number> rail;
+  surface::WheelMotionOf<Number> wheel;
+  surface::RailMotionOf<Number> rail;
 };
 
 /// Not mirrored yet: in the axes of the host.
@@ -56,7 +58,7 @@ PlacedMotion<Number> place_motion(const Bodies& right, const HostWheel& hosted, 
   }
   placed.reference[1] = m.y + (hosted.of_wheelset ? 0.0 : half_base);
   placed.reference[2] = m.z - right.wheel.nominal_radius;
-  WheelMotionOf<Number>& wheel = placed.wheel;
+  surface::WheelMotionOf<Number>& wheel = placed.wheel;
   for (int i = 0; i < 3; ++i) {
     wheel.position[i] = placed.reference[i] + placed.arm[i];
     wheel.velocity[i] = m.velocity[i];
@@ -94,7 +96,7 @@ void mirror_rotation(Number (&w)[3]) {
 /// A left-hand wheel and rail as their mirror image. The arm and the host's reference point stay.
 template <class Number>
 void mirror_motion(PlacedMotion<Number>& placed) {
-  WheelMotionOf<Number>& wheel = placed.wheel;
+  surface::WheelMotionOf<Number>& wheel = placed.wheel;
   mirror_vector(wheel.position);
   mirror_vector(wheel.velocity);
   mirror_rotation(wheel.angular_velocity);
@@ -103,9 +105,9 @@ void mirror_motion(PlacedMotion<Number>& placed) {
       if ((i == 1) != (k == 1)) wheel.rotation[i][k] = -wheel.rotation[i][k];
     }
   }
-  RailMotionOf<Number>& rail = placed.rail;
+  surface::RailMotionOf<Number>& rail = placed.rail;
   for (Number* const n : {&rail.y, &rail.velocity_y, &rail.roll, &rail.slope_y, &rail.velocity_roll})
     *n = -*n;
 }
 
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 /// Share of an interval, and the index of the bin it lies on; -1: beside all.
@@ -148,4 +148,4 @@ bool merge(const DamageBins& into, const DamageBins& from) {
   return in_range;
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

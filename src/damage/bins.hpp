@@ -8,7 +8,7 @@
 #include "damage/fatigue.hpp"
 #include "damage/wear.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Quantities that bins collect as sums: enum wrc_damage_quantity.
 enum DamageSum : std::int32_t {
@@ -122,4 +122,4 @@ class BinAdder {
 /// Adds bins of the same axes. False: a range was passed.
 bool merge(const DamageBins& into, const DamageBins& from);
 
-}  // namespace wrc
+}  // namespace wrc::damage

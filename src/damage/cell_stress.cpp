@@ -3,7 +3,7 @@
 #include "base/elementary.hpp"
 #include "damage/load_stress.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 Stress plain(const StressOf<double>& s) { return {s.xx, s.yy, s.zz, s.xy, s.yz, s.zx}; }
@@ -46,4 +46,4 @@ Stress point_force_stress(double poisson, double x, double y, double z, double n
   return plain(point_force_stress_of(poisson, x, y, z, normal, along, across));
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -15,7 +15,7 @@
 
 #include "damage/stress.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Stresses per unit load of a cell: a pressure into the body, tractions along x and y on the body.
 struct CellStress {
@@ -37,4 +37,4 @@ Stress point_force_stress(double poisson, double x, double y, double z, double n
 void add(const Stress& from, double factor, Stress& to);
 void add(const CellStress& from, double factor, CellStress& to);
 
-}  // namespace wrc
+}  // namespace wrc::damage

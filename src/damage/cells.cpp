@@ -1,6 +1,6 @@
 #include "damage/cells.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 CellDamage assess_cells(const simd::CellTask& task, const Kernels& kernels) {
   simd::CellExtremes extremes;
@@ -10,4 +10,4 @@ CellDamage assess_cells(const simd::CellTask& task, const Kernels& kernels) {
   return {power, extremes.power_density, extremes.fatigue_index};
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -12,7 +12,7 @@
 #include "damage/simd/tasks.hpp"
 #include "kernels/kernels.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// The cells of a patch together.
 struct CellDamage {
@@ -24,4 +24,4 @@ struct CellDamage {
 /// Fills the task's arrays and adds up; work proportional to strips times cells.
 CellDamage assess_cells(const simd::CellTask& task, const Kernels& kernels);
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::damage {
 
 /// A whole number of 128 bits in two's complement, in units of 2^-62: -2^63 .. 2^63, to 2e-19.
 struct WholeNumber {
@@ -45,4 +45,4 @@ inline double number(const WholeNumber& a) {
   return static_cast<double>(a.high) + static_cast<double>(a.low) * 0x1p-64;
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::damage {
 
-ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_force, double peak_pressure,
-                               double shear_yield) {
+ShakedownPoint shakedown_point(const tangential::TangentialForces& forces, double normal_force,
+                               double peak_pressure, double shear_yield) {
   if (!(normal_force > 0.0)) return {};
   return {std::sqrt(forces.fx * forces.fx + forces.fy * forces.fy) / normal_force,
           peak_pressure / shear_yield};
@@ -36,4 +36,4 @@ double whole_life_damage(const WholeLifeLaw& law, double t_gamma) {
                                : law.peak * (law.end - t_gamma) / (law.end - law.peak_at);
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

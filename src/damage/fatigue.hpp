@@ -7,7 +7,7 @@
 
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Index where next to nothing presses, or where there are no tractions: finite, and below any
 /// index of a contact.
@@ -19,8 +19,8 @@ struct ShakedownPoint {
 };
 
 /// Both zero without load.
-ShakedownPoint shakedown_point(const TangentialForces& forces, double normal_force, double peak_pressure,
-                               double shear_yield);
+ShakedownPoint shakedown_point(const tangential::TangentialForces& forces, double normal_force,
+                               double peak_pressure, double shear_yield);
 
 /// FI = mu_a - k / p0 (Ekberg, Kabo, Andersson 2002; Liu, Bruni 2024, eq. 11); positive: fatigue is
 /// predicted. no_fatigue_index for an unloaded contact.
@@ -52,4 +52,4 @@ struct WholeLifeLaw {
 /// t_gamma [N], finite.
 double whole_life_damage(const WholeLifeLaw& law, double t_gamma);
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -2,10 +2,11 @@
 
 #include <cmath>
 
-namespace wrc {
+namespace wrc::damage {
 
-double t_gamma_without_spin(const TangentialForces& forces, const Creepage& creepage) {
+double t_gamma_without_spin(const tangential::TangentialForces& forces,
+                            const tangential::Creepage& creepage) {
   return std::fabs(forces.fx * creepage.longitudinal + forces.fy * creepage.lateral);
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

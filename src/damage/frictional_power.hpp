@@ -3,13 +3,13 @@
 
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// T-gamma [N]: the energy dissipated per metre rolled, total frictional power / rolling speed. It includes
 /// the work of spin.
-inline double t_gamma(const TangentialForces& forces) { return forces.power_per_speed; }
+inline double t_gamma(const tangential::TangentialForces& forces) { return forces.power_per_speed; }
 
 /// T-gamma without spin [N], |Fx nu_x + Fy nu_y|: the form track engineering tabulates; it leaves out Mz phi.
-double t_gamma_without_spin(const TangentialForces& forces, const Creepage& creepage);
+double t_gamma_without_spin(const tangential::TangentialForces& forces, const tangential::Creepage& creepage);
 
-}  // namespace wrc
+}  // namespace wrc::damage

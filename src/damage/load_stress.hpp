@@ -5,7 +5,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Components along x, y and the depth [Pa].
 template <class Number>
@@ -95,4 +95,4 @@ inline StressOf<Number> point_force_stress_of(double nu, Number x, Number y, Num
       scale * radial * x * z};
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

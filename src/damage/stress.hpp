@@ -6,7 +6,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Components along x, y and the depth z [Pa]; tension is positive.
 struct Stress {
@@ -79,4 +79,4 @@ struct StressPeaks {
   }
 };
 
-}  // namespace wrc
+}  // namespace wrc::damage

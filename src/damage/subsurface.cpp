@@ -7,7 +7,7 @@
 #include "base/golden_section.hpp"
 #include "damage/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 /// So many sizes of a cell away points stand for cells; so many distances of theirs away, few points serve.
@@ -50,8 +50,8 @@ struct LoadLanes::Shares {
   double bound = 0.0;     ///< share where it slips: that of the second cell behind the last
   double lacks = 0.0;     ///< 1 - share / bound in the last cell
 
-  Shares(const Strips& region, const double* pressure_, const TangentialFields& fields, std::int32_t cells_,
-         std::int32_t strip, double sign_)
+  Shares(const patch::Strips& region, const double* pressure_, const tangential::TangentialFields& fields,
+         std::int32_t cells_, std::int32_t strip, double sign_)
       : pressure(pressure_),
         peak(region.peak[strip]),
         traction_x(fields.traction_x + strip),
@@ -174,8 +174,9 @@ void LoadLanes::move_border(Lane& lane, double place) const {
   lane.mean_behind = mean(border_[k + 1], place);
 }
 
-void LoadLanes::add_patch(const Strips& region, const double* pressure, const TangentialFields& fields,
-                          std::int32_t own_cells, std::int32_t strips_of_all, double way, double sign) {
+void LoadLanes::add_patch(const patch::Strips& region, const double* pressure,
+                          const tangential::TangentialFields& fields, std::int32_t own_cells,
+                          std::int32_t strips_of_all, double way, double sign) {
   const std::int32_t strips = region.count;
   const std::int32_t together = (strips_of_all + wanted_lanes - 1) / wanted_lanes;
   for (std::int32_t first = 0; first < strips && lanes_ < most_lanes; first += together) {
@@ -373,4 +374,4 @@ void LoadLanes::refine(const StressPeak& from, StressPeak StressPeaks::*which, d
   narrow_to_largest(low, high, 6, value_at);
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

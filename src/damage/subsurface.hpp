@@ -19,7 +19,7 @@
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Loads on the body, from all patches of a contact.
 class LoadLanes {
@@ -36,8 +36,9 @@ class LoadLanes {
   /// One patch. pressure: of `own_cells` cells, over the strip's peak; tractions of cell i of strip j at
   /// i * region.count + j, cell 0 at the leading edge, which is at +x for way 1 and at -x for -1;
   /// strips_of_all: of all patches; sign: 1 where tractions are those on the body, -1 where on the other.
-  void add_patch(const Strips& region, const double* pressure, const TangentialFields& fields,
-                 std::int32_t own_cells, std::int32_t strips_of_all, double way, double sign);
+  void add_patch(const patch::Strips& region, const double* pressure,
+                 const tangential::TangentialFields& fields, std::int32_t own_cells,
+                 std::int32_t strips_of_all, double way, double sign);
 
   /// The largest numbers at one depth [m].
   StressPeaks peaks(double z) const;
@@ -92,4 +93,4 @@ class LoadLanes {
   double deep_along_[most_lanes][deep], deep_across_[most_lanes][deep];
 };
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -2,7 +2,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 
 double worn_area_rate(const TGammaWearLaw& law, double t_gamma, double wheel_diameter) {
   const double mm3_per_km = t_gamma < law.t1    ? law.slope_mild * t_gamma
@@ -42,4 +42,4 @@ double wear_depth_velocity(const PowerWearLaw& law, double power_density) {
   return proportional * natural_exp((law.exponent - 1.0) * natural_log(ratio));
 }
 
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -3,7 +3,7 @@
 /// The published constants are the defaults of wrc_wear_laws; all depend on the pair of steels.
 #pragma once
 
-namespace wrc {
+namespace wrc::damage {
 
 /// Wear rate of the wheel from T-gamma alone (Pearce, Sherratt, Wear 144 (1991) 343; values unconfirmed):
 /// area lost from the cross-section per distance rolled.
@@ -76,4 +76,4 @@ struct WearLaws {
   PowerWearLaw power;
 };
 
-}  // namespace wrc
+}  // namespace wrc::damage

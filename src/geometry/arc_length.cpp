@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 /// Length of piece i from its node to `u` behind it: Gauss's rule with three points, to 1e-9 of a piece.
@@ -57,4 +57,4 @@ double place_at(const MeasuredProfile& measured, double arc) {
   return profile.y[i] + u;
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

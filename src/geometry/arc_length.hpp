@@ -3,7 +3,7 @@
 
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// A profile with the arc lengths of its nodes.
 struct MeasuredProfile {
@@ -20,4 +20,4 @@ double arc_at(const MeasuredProfile& measured, double y, std::int32_t& piece);
 /// y at an arc length; beyond an end that end.
 double place_at(const MeasuredProfile& measured, double arc);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

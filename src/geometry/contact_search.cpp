@@ -6,7 +6,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr std::int32_t scan_cap = 2048;     ///< points of a scan; a profile is at most 0.5 m wide
@@ -154,4 +154,4 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -8,7 +8,7 @@
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// A point of closest vertical approach: common tangent of wheel outline and rail.
 struct ContactPoint {
@@ -40,4 +40,4 @@ Fault find_contact(const Rail& rail, const PosedWheel& wheel, std::int32_t capac
 /// beyond it.
 inline constexpr double scan_spacing = 1e-3;
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::geometry {
 
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion) {
   const auto& r = wheel.attitude.r;
@@ -42,4 +42,4 @@ RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, con
   return result;
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

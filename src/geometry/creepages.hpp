@@ -5,7 +5,7 @@
 #include "geometry/contact_search.hpp"
 #include "geometry/silhouette.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Velocity of the wheelset relative to the track.
 struct WheelsetMotion {
@@ -77,4 +77,4 @@ RollingReferenceOf<Number> rolling_reference(const Number& rolling_speed) {
 /// that the slip keeps its direction. Divisor times creepage is the velocity always.
 RigidCreepage creepage(const PosedWheel& wheel, const ContactPoint& contact, const WheelsetMotion& motion);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

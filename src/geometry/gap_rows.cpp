@@ -5,7 +5,7 @@
 
 #include "geometry/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double least_cosine = 0.17364818;  ///< cos 80 degrees: steepest inclination to the contact plane
@@ -160,7 +160,7 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
                     const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
-                    const Kernels& kernels, GapRows& rows) {
+                    const Kernels& kernels, patch::GapRows& rows) {
   rows = {};
   if (count < 4 || count > memory.capacity) {
     return Fault::buffer("gap rows", {count, "rows", 4.0, memory.capacity});
@@ -187,4 +187,4 @@ Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoin
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

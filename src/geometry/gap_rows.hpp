@@ -15,7 +15,7 @@
 #include "kernels/kernels.hpp"
 #include "patch/gap.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Memory of the rows, owned by the caller.
 struct GapRowMemory {
@@ -57,6 +57,6 @@ GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoi
 /// Newton iteration did not reach its tolerance; WRC_ERROR_GAP if the window is empty.
 Fault fill_gap_rows(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
                     const GapWindow& window, std::int32_t count, const GapRowMemory& memory,
-                    const Kernels& kernels, GapRows& rows);
+                    const Kernels& kernels, patch::GapRows& rows);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

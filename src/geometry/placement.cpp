@@ -5,7 +5,7 @@
 
 #include "geometry/profile_points.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 /// Steepest tangent kept at the ends of a rotated profile: 89.4 degrees, beyond any contact.
@@ -127,4 +127,4 @@ Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Si
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

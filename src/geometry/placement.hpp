@@ -11,7 +11,7 @@
 
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 enum class Side : std::int32_t { right, left };
 
@@ -69,4 +69,4 @@ Fault place_rail(const Profile& profile, const TrackDimensions& track, Side side
 Fault place_wheel(const Profile& profile, const WheelsetDimensions& wheelset, Side side,
                   const ProfileMemory& memory, Wheel& wheel);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

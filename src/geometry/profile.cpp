@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace wrc {
+namespace wrc::geometry {
 
 Profile profile_in(const ProfileMemory& memory, std::int32_t count) {
   for (std::int32_t i = 0; i + 1 < count; ++i) {
@@ -43,4 +43,4 @@ ProfileTop highest_point(const Profile& profile) {
   return {y, evaluate(profile, y).z};
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

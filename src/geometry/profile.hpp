@@ -11,7 +11,7 @@
 
 #include "base/fault.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// View of the nodes; y strictly increasing; memory is the owner's (the model). From node i to the next
 ///     z = z[i] + u (slope[i] + u (square[i] + u cube[i])),   u = y - y[i].
@@ -99,4 +99,4 @@ struct ProfileTop {
 };
 ProfileTop highest_point(const Profile& profile);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

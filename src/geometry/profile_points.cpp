@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 struct Names {
@@ -189,4 +189,4 @@ Fault spline_through(ProfileBody body, std::int32_t count, const double* y, cons
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -6,7 +6,7 @@
 #include "base/fault.hpp"
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Which body the points describe; the orientation checks differ.
 enum class ProfileBody { rail, wheel };
@@ -35,4 +35,4 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
 Fault spline_through(ProfileBody body, std::int32_t count, const double* y, const double* z, double* scratch,
                      const ProfileMemory& memory, Profile& profile);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -4,7 +4,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 Attitude attitude(const Pose& pose) {
   const auto [sy, cy] = sine_cosine(pose.yaw);
@@ -26,4 +26,4 @@ OutlinePoint outline(const PosedWheel& posed_wheel, double s, std::int32_t& piec
   return outline_at(posed_wheel, s, evaluate(posed_wheel.wheel->profile, s, piece));
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

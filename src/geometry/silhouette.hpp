@@ -25,7 +25,7 @@
 #include "geometry/placement.hpp"
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Position of the wheelset in the track frame. Only the position relative to the rail counts: an
 /// irregularity of one rail is entered by subtracting its displacement from `lateral` and `vertical` for that
@@ -120,4 +120,4 @@ Number longitudinal_curvature(const PosedWheel& posed_wheel, const OutlinePointO
   return (cos2 / point.radius - (1.0 - cos2) * point.second / (1.0 + point.slope * point.slope)) / normal;
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

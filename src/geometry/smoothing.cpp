@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 /// The smoothing of one coordinate over fixed positions s: its equations, factored.
@@ -118,4 +118,4 @@ SmoothedPoints smooth_points(std::int32_t count, const double* y, const double* 
   return result;
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Doubles of scratch per point.
 inline constexpr std::int32_t smoothing_scratch = 7;
@@ -28,4 +28,4 @@ struct SmoothedPoints {
 SmoothedPoints smooth_points(std::int32_t count, const double* y, const double* z, double wavelength,
                              double* scratch);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

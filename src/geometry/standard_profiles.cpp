@@ -8,7 +8,7 @@
 #include "base/elementary.hpp"
 #include "geometry/placement.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -225,4 +225,4 @@ Fault sample_uic60_benchmark(const ProfileMemory& memory, Profile& profile) {
       memory, profile);
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

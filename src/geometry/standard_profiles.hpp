@@ -9,7 +9,7 @@
 
 #include "geometry/profile.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Where the flange-back arc of the S1002 is cut: its tangent becomes vertical 1 mm further out, and no
 /// rail touches a wheel there.
@@ -70,4 +70,4 @@ Fault sample_rail_head(const RailHead& head, const ProfileMemory& memory, Profil
 /// The UIC60 of the Manchester benchmarks, already canted 1:40 (place it with inclination 0).
 Fault sample_uic60_benchmark(const ProfileMemory& memory, Profile& profile);
 
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 /// A point of a plane section and its derivatives by the curve's own parameter.
@@ -78,4 +78,4 @@ double SurfaceGap::at(double x, double y) const {
          0.25 * std::abs(x - inside);
 }
 
-}  // namespace wrc
+}  // namespace wrc::geometry

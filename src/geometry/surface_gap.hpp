@@ -20,7 +20,7 @@
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 /// Wheel and rail as seen from a contact point.
 struct SurfaceGap {
@@ -34,4 +34,4 @@ struct SurfaceGap {
   double at(double x, double y) const;
 };
 
-}  // namespace wrc
+}  // namespace wrc::geometry

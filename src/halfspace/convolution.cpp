@@ -6,7 +6,7 @@
 #include "tangential/exact/cell_influence.hpp"
 
 namespace wrc::halfspace {
-Convolution::Convolution(const Grid& grid, const Material& material, Kernel kernel, double coupling)
+Convolution::Convolution(const Grid& grid, const patch::Material& material, Kernel kernel, double coupling)
     : nx_(grid.nx),
       ny_(grid.ny),
       padded_x_(Fft::good_length(2 * grid.nx - 1)),
@@ -32,19 +32,21 @@ Convolution::Convolution(const Grid& grid, const Material& material, Kernel kern
   for (int my = 1 - ny_; my < ny_; ++my) {
     // Coefficients of a row of offsets from left to right: each one's upstream neighbour, one cell ahead, is
     // the next one's own. Where couples, p_x and p_y act through x / r^2 and y / r^2 instead.
-    CellInfluence here = cell_influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+    tangential::CellInfluence here =
+        tangential::cell_influence(material, (1 - nx_) * grid.dx, my * grid.dy, grid.dx, grid.dy);
     for (int mx = 1 - nx_; couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
-      const CouplingInfluence at = coupling_influence(mx * grid.dx, my * grid.dy, grid.dx, grid.dy);
-      const CouplingInfluence upstream =
-          coupling_influence((mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      const tangential::CouplingInfluence at =
+          tangential::coupling_influence(mx * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      const tangential::CouplingInfluence upstream =
+          tangential::coupling_influence((mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
       kxy_[k] = factor * coefficient(at.x, upstream.x);
       kyy_[k] = factor * coefficient(at.y, upstream.y);
     }
     for (int mx = 1 - nx_; !couples && mx < nx_; ++mx) {
       const std::size_t k = offset(mx, my);
-      const CellInfluence upstream =
-          cell_influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
+      const tangential::CellInfluence upstream =
+          tangential::cell_influence(material, (mx + 1) * grid.dx, my * grid.dy, grid.dx, grid.dy);
       kxx_[k] = shear ? coefficient(here.xx, upstream.xx) : coefficient(here.zz, upstream.zz);
       kyy_[k] = shear ? coefficient(here.yy, upstream.yy) : kxx_[k];
       kxy_[k] = shear ? coefficient(here.xy, upstream.xy) : 0.0;

@@ -30,7 +30,7 @@ class Convolution {
   };
 
   /// `coupling`: Kalker's K, of the kernels that have it.
-  Convolution(const Grid& grid, const Material& material, Kernel kernel, double coupling = 0.0);
+  Convolution(const Grid& grid, const patch::Material& material, Kernel kernel, double coupling = 0.0);
 
   /// Both inputs and outputs are fields of the grid; outputs may be the inputs.
   void apply(const double* px, const double* py, double* out_x, double* out_y);

@@ -13,12 +13,12 @@ namespace {
 
 // The knots of a curve of the real-time side, as the exact solver's own curve; z from that of the profile's
 // origin, which is the nominal radius in the wheel's curve.
-SectionCurve section_of(const Curve& curve, double z_of_origin) {
+SectionCurve section_of(const surface::Curve& curve, double z_of_origin) {
   // knots are the pieces' beginnings and the last piece's end
   std::vector<double> y, z;
   for (std::int32_t k = 0; k <= curve.pieces; ++k) {
     const std::int32_t piece = std::min(k, curve.pieces - 1);
-    const CurvePoint point = evaluate(curve, piece, curve.s[k] - curve.s[piece]);
+    const surface::CurvePoint point = surface::evaluate(curve, piece, curve.s[k] - curve.s[piece]);
     y.push_back(point.y);
     z.push_back(point.z - z_of_origin);
   }
@@ -26,7 +26,8 @@ SectionCurve section_of(const Curve& curve, double z_of_origin) {
 }
 
 // The rail where the wheel is: its strips' middles, of each face that is there. Flagged beyond the sections.
-Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem, std::vector<RailSurface>& faces) {
+Fault find_faces(const surface::SurfaceModel& surface, const surface::WheelOnRail& problem,
+                 std::vector<RailSurface>& faces) {
   // the same section everywhere: the whole profile
   if (surface.varying.faces == 0) {
     faces.push_back({.section = section_of(surface.rail_curve, 0.0)});
@@ -34,17 +35,18 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem, std::v
   }
   // otherwise sections through the strips' middles, cut off where the real-time side cuts them
   Arena count;
-  cut_strips(count, most_strips_of_a_rail);
+  surface::cut_strips(count, surface::most_strips_of_a_rail);
   std::vector<double> memory(static_cast<std::size_t>(count.doubles()));
   Arena arena(memory.data());
-  PlacedRail rail;
-  const Fault outside = place_rail(surface, problem.distance, cut_strips(arena, most_strips_of_a_rail), rail);
-  const RailStrips strips =
-      strips_before(surface, motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
+  surface::PlacedRail rail;
+  const Fault outside = surface::place_rail(surface, problem.distance,
+                                            surface::cut_strips(arena, surface::most_strips_of_a_rail), rail);
+  const surface::RailStrips strips = surface::strips_before(
+      surface, surface::motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
   // a check rail stands beside a rail that does not vary: its faces are straight
-  const bool same_everywhere = has_check_rail(surface.varying);
+  const bool same_everywhere = surface::has_check_rail(surface.varying);
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
-    const FaceStrips& range = strips.range[r];
+    const surface::FaceStrips& range = strips.range[r];
     constexpr std::int32_t fewest = 4;  // a spline has
     if (range.count < fewest) continue;
     const auto part = [&](const double* of) {
@@ -62,7 +64,7 @@ Fault find_faces(const SurfaceModel& surface, const WheelOnRail& problem, std::v
 // forces, of rows that turn less.
 struct Resultant {
   double along = 0.0, across = 0.0;  // components of the sum of normal forces [N]
-  void close(Wrench& wrench) {
+  void close(surface::Wrench& wrench) {
     wrench.normal_force += std::sqrt(along * along + across * across);
     along = across = 0.0;
   }
@@ -70,7 +72,7 @@ struct Resultant {
 
 // Regions are runs of rows in contact on one face; the normal force is the sum of their resultants. Returns
 // how many there are.
-std::int32_t add_regions(const std::vector<RowForces>& rows, double cell_s, Wrench& wrench) {
+std::int32_t add_regions(const std::vector<RowForces>& rows, double cell_s, surface::Wrench& wrench) {
   std::int32_t regions = 0, face = 0;
   Resultant resultant;
   double end = -1.0;  // arc length up to which a row continues the region [m]
@@ -94,14 +96,15 @@ std::int32_t add_regions(const std::vector<RowForces>& rows, double cell_s, Wren
 
 }  // namespace
 
-Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const SurfaceOptions& options,
-                        const ProgressCallback& progress, HostWrench& result, std::int32_t& regions) {
-  PlacedWheel placed;
-  Fault fault = place_wheel(contact, hosted, placed);
+Fault solve_exact_wheel(const contact::Contact& contact, const contact::HostWheel& hosted,
+                        const SurfaceOptions& options, const ProgressCallback& progress,
+                        contact::HostWrench& result, std::int32_t& regions) {
+  contact::PlacedWheel placed;
+  Fault fault = contact::place_wheel(contact, hosted, placed);
   if (fault.failed()) return fault;
   // The bodies of the model: sections by arc length from their profiles' origins.
-  const Model& model = *contact.model;
-  const SurfaceModel& surface = *model.surface;
+  const contact::Model& model = *contact.model;
+  const surface::SurfaceModel& surface = *model.surface;
   const double radius = model.options.wheelset.nominal_radius;
   WheelAndRail bodies{.wheel = section_of(surface.wheel.curve, radius),
                       .rail = {},
@@ -121,7 +124,7 @@ Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const S
 
   // Its wrench about the wheel's reference point, then back to the host's side and point. Regions have no
   // points that could be turned: hand_back_wrench() is told of none.
-  Wrench& wrench = result.wrench;
+  surface::Wrench& wrench = result.wrench;
   for (int k = 0; k < 3; ++k) {
     wrench.force[k] = found.force[k];
     wrench.moment[k] = found.moment[k];
@@ -132,7 +135,7 @@ Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const S
   wrench.power = found.power;
   wrench.iterations = found.turns + found.heights;
   regions = add_regions(found.row_forces, options.cell_s, wrench);
-  hand_back_wrench(model, placed, result);
+  contact::hand_back_wrench(model, placed, result);
   return fault;
 }
 

@@ -9,7 +9,8 @@ namespace wrc::halfspace {
 
 /// Solves `hosted`; `regions` becomes the number of regions in contact, whose places `result` does not have.
 /// Friction must not fall with the temperature.
-Fault solve_exact_wheel(const Contact& contact, const HostWheel& hosted, const SurfaceOptions& options,
-                        const ProgressCallback& progress, HostWrench& result, std::int32_t& regions);
+Fault solve_exact_wheel(const contact::Contact& contact, const contact::HostWheel& hosted,
+                        const SurfaceOptions& options, const ProgressCallback& progress,
+                        contact::HostWrench& result, std::int32_t& regions);
 
 }  // namespace wrc::halfspace

@@ -77,7 +77,7 @@ double damp(const RollingSurfaces& surfaces, const SurfaceCells& cells, double d
     // one factor for all of the row, as a strip of the real-time side has it
     const int middle = std::clamp(nearest_integer((x - g.x0) / g.dx), 0, g.nx - 1);
     const SurfacePoint at = surfaces.point(cells.rows[j], x, cells.points[g.index(middle, j)].wheel_s);
-    const double factor = damping_factor(surfaces.approach(cells.rows[j], x, at), damping);
+    const double factor = normal::damping_factor(surfaces.approach(cells.rows[j], x, at), damping);
     for (int i = 0; i < g.nx; ++i) pressure[g.index(i, j)] *= factor;
     sum += factor * row;
   }
@@ -86,7 +86,7 @@ double damp(const RollingSurfaces& surfaces, const SurfaceCells& cells, double d
 
 // V = mean over the pressure of the speeds at which wheel and rail material pass through the contact [m/s]:
 // half the sum of both, where the wheel's is the rail's less the sliding velocity.
-double rolling_speed(const WheelOnRail& state, const SurfaceCells& cells, const Field& pressure,
+double rolling_speed(const surface::WheelOnRail& state, const SurfaceCells& cells, const Field& pressure,
                      const Direction (&directions)[2]) {
   double passing = 0.0, load = 0.0;
   const Grid& g = cells.grid;
@@ -107,9 +107,9 @@ double rolling_speed(const WheelOnRail& state, const SurfaceCells& cells, const 
 Field friction_of_rows(const FaceProblem& in, const SurfaceCells& cells, const Field& pressure,
                        const Direction& direction) {
   const Grid& g = cells.grid;
-  const WheelOnRail& state = in.state;
+  const surface::WheelOnRail& state = in.state;
   if (state.law == nullptr) return {state.friction};
-  const FrictionLaw& law = *state.law;
+  const tangential::FrictionLaw& law = *state.law;
   Field friction(g.cells(), 0.0);
   for (int j = 0; j < g.ny; ++j) {
     // sums over the row's cells in contact: squared sliding velocity, places on the wheel's profile
@@ -129,9 +129,9 @@ Field friction_of_rows(const FaceProblem& in, const SurfaceCells& cells, const F
       const SectionCurve::Point p =
           state.zones_on_wheel ? in.bodies.wheel.at(on_wheel / count) : in.face.section.at(g.y(j));
       const double half = 0.5 * g.dy * std::abs(p.dy) + 1e-9;
-      at_rest = mean_friction(law.zones, p.y - half, p.y + half);
+      at_rest = tangential::mean_friction(law.zones, p.y - half, p.y + half);
     }
-    const double coefficient = at_rest * speed_factor(law, std::sqrt(squares / count));
+    const double coefficient = at_rest * tangential::speed_factor(law, std::sqrt(squares / count));
     for (int i = 0; i < g.nx; ++i) friction[g.index(i, j)] = coefficient;
   }
   return friction;
@@ -170,8 +170,8 @@ Fault at_edge(const FaceProblem& in, const SurfaceCells& cells, const Field& pre
 
 // Adds the force of cell (i, j) and its moment about the wheel's reference point to those of the wheel.
 // `turned`: by the row's angle; `lag`: moment of the lateral traction about the cell's centre [Pa m].
-void add_cell(const WheelOnRail& state, const SurfaceCells& cells, const SineCosine& turned, int i, int j,
-              double lag, SurfaceSolution& s) {
+void add_cell(const surface::WheelOnRail& state, const SurfaceCells& cells, const SineCosine& turned, int i,
+              int j, double lag, SurfaceSolution& s) {
   const Grid& g = s.grid;
   const std::size_t at = g.index(i, j);
   const SurfaceRow& place = s.rows[j];
@@ -249,7 +249,7 @@ class RollingFace {
  private:
   void lift_gaps(GapProblem& gap);
   double press(NormalSolver& normal, const GapProblem& gap);
-  bool roll(const RollingReference& reference, const ProgressCallback& progress);
+  bool roll(const geometry::RollingReference& reference, const ProgressCallback& progress);
   RollingSolution start_of(Direction& direction, bool both_directions);
   bool at_rest(const double (&force_before)[3]);
 
@@ -268,8 +268,8 @@ class RollingFace {
 
 // A layer between the bodies (slope_reduction) makes the surfaces move further along each other under
 // tractions: as if the shear modulus were lower. Gaps are those of the bodies alone.
-Material softened(const Material& material, double slope_reduction) {
-  Material softer = material;
+patch::Material softened(const patch::Material& material, double slope_reduction) {
+  patch::Material softer = material;
   softer.shear_modulus *= slope_reduction;
   return softer;
 }
@@ -335,7 +335,7 @@ RollingSolution RollingFace::start_of(Direction& direction, bool both_directions
 }
 
 // Tractions under the pressure: the sum of both directions' by their shares. False: failed.
-bool RollingFace::roll(const RollingReference& reference, const ProgressCallback& progress) {
+bool RollingFace::roll(const geometry::RollingReference& reference, const ProgressCallback& progress) {
   const Grid& g = s_.grid;
   const std::size_t n = g.cells();
   first_x_ = std::exchange(s_.traction_x, Field(n, 0.0));
@@ -410,7 +410,7 @@ void RollingFace::solve(NormalSolver& normal, GapProblem& gap) {
     }
     // Rolling at V; below a small V both directions by shares, as in real time (rolling_reference).
     const double speed = rolling_speed(in_.state, cells_, s_.pressure, directions_);
-    const RollingReference reference = rolling_reference(speed);
+    const geometry::RollingReference reference = geometry::rolling_reference(speed);
     directions_[speed < 0.0 ? 1 : 0].share = 1.0 - reference.reverse_share;
     directions_[speed < 0.0 ? 0 : 1].share = reference.reverse_share;
     PartOfProgress rolling(in_.progress, 1.0 - 0.9 * ahead, 1.0 - 0.5 * ahead);
@@ -465,7 +465,7 @@ void solve_face(const FaceProblem& in, SurfaceSolution& s) {
   NormalSolver normal(s.grid, in.bodies.material, angles);
   GapProblem gap;
   gap.gap = s.gap;
-  gap.prescribed = Prescribed::approach;
+  gap.prescribed = normal::Prescribed::approach;
   gap.tolerance = in.options.normal_tolerance;
   gap.progress = in.progress;
   if (in.with_friction) {

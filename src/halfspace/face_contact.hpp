@@ -15,7 +15,7 @@ namespace wrc::halfspace {
 struct FaceProblem {
   const WheelAndRail& bodies;
   const RailSurface& face;
-  const WheelOnRail& state;  ///< at the height and above the axle of a roller
+  const surface::WheelOnRail& state;  ///< at the height and above the axle of a roller
   const SurfaceOptions& options;
   bool with_friction = false;
   const SurfaceSolution* start = nullptr;  ///< solution near this one, for its tractions; nullptr: none

@@ -45,11 +45,11 @@ Fault check(const Grid& grid, const GapProblem& problem) {
     if (!std::isfinite(h)) return Fault::not_finite("halfspace.gap", {h});
   }
   // the load or the approach, whichever is prescribed; a load must press
-  if (problem.prescribed == Prescribed::load &&
+  if (problem.prescribed == normal::Prescribed::load &&
       !(problem.normal_force > 0.0 && std::isfinite(problem.normal_force))) {
     return Fault::load("load.normal_force", {problem.normal_force, "N"});
   }
-  if (problem.prescribed == Prescribed::approach && !std::isfinite(problem.approach)) {
+  if (problem.prescribed == normal::Prescribed::approach && !std::isfinite(problem.approach)) {
     return Fault::not_finite("load.approach", {problem.approach, "m"});
   }
   return {};
@@ -80,7 +80,7 @@ class BoundedGradients {
   BoundedGradients(const GapProblem& problem, double pressure_sum, TurnedConvolution& convolution,
                    GapSolution& solution)
       : problem_(problem),
-        by_load_(problem.prescribed == Prescribed::load),
+        by_load_(problem.prescribed == normal::Prescribed::load),
         pressure_sum_(pressure_sum),
         own_influence_(convolution.planar().xx(0, 0)),
         lowest_(*std::min_element(problem.gap.begin(), problem.gap.end())),
@@ -184,7 +184,7 @@ void BoundedGradients::step() {
 
 }  // namespace
 
-NormalSolver::NormalSolver(const Grid& grid, const Material& material, const Field& angles)
+NormalSolver::NormalSolver(const Grid& grid, const patch::Material& material, const Field& angles)
     : grid_(grid), convolution_(grid, material, Convolution::Kernel::normal, angles) {}
 
 GapSolution NormalSolver::solve(const GapProblem& problem) {

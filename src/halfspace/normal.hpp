@@ -20,7 +20,7 @@ namespace wrc::halfspace {
 
 struct GapProblem {
   Field gap;  ///< h at the cell centres [m]; its zero is where approaches count from
-  Prescribed prescribed = Prescribed::load;
+  normal::Prescribed prescribed = normal::Prescribed::load;
   double normal_force = 0.0;  ///< [N], prescribed == load
   double approach = 0.0;      ///< delta [m], prescribed == approach
   /// Stops when sum p |e| <= tolerance * scale * sum p over the contact and no overlap -e elsewhere exceeds
@@ -46,7 +46,7 @@ struct GapSolution {
 /// doubles per cell.
 class NormalSolver {
  public:
-  NormalSolver(const Grid& grid, const Material& material, const Field& angles = {});
+  NormalSolver(const Grid& grid, const patch::Material& material, const Field& angles = {});
   GapSolution solve(const GapProblem& problem);
 
  private:

@@ -14,13 +14,13 @@ namespace wrc::halfspace {
 namespace {
 
 // Friction at y in the contact frame: that of the nearest strip.
-double friction_at(Contact& contact, double y) {
+double friction_at(contact::Contact& contact, double y) {
   double nearest = std::numeric_limits<double>::infinity(), friction = 0.0;
   for (std::int32_t k = 0; k < contact.patches; ++k) {
-    const Patch& patch = contact.patch[k];
+    const contact::Patch& patch = contact.patch[k];
     // regions share no strips: the nearest of all counts
-    const Strips region = region_strips(contact, patch);
-    const double* each = array(contact, Array::strip_friction) + patch.region_first;
+    const patch::Strips region = contact::region_strips(contact, patch);
+    const double* each = contact::array(contact, contact::Array::strip_friction) + patch.region_first;
     for (std::int32_t j = 0; j < region.count; ++j) {
       const double distance = std::fabs(region.y[j] - y);
       if (distance >= nearest) continue;
@@ -33,33 +33,33 @@ double friction_at(Contact& contact, double y) {
 
 }  // namespace
 
-void sample_gap(const Contact& contact, const Grid& grid, double* gap) {
-  const GapRows rows = gap_rows(contact);
-  std::optional<SurfaceGap> surfaces;
-  if (contact.posed) surfaces = surface_gap(contact);
+void sample_gap(const contact::Contact& contact, const Grid& grid, double* gap) {
+  const patch::GapRows rows = contact::gap_rows(contact);
+  std::optional<geometry::SurfaceGap> surfaces;
+  if (contact.posed) surfaces = contact::surface_gap(contact);
   // h(x, y): the surfaces' separation, or the row's parabola h + kappa / 2 (x - c)^2
-  const auto height_at = [&](const GapRow& row, double x, double y) {
+  const auto height_at = [&](const patch::GapRow& row, double x, double y) {
     if (surfaces) return surfaces->at(x, y);
     return row.height + 0.5 * row.curvature * (x - row.centre) * (x - row.centre);
   };
   // Zero at the minimum of the rows, where the real-time methods count approaches from.
-  const double lowest_y = minimum(rows).y;
-  const GapRow lowest_row = interpolate(rows, lowest_y);
+  const double lowest_y = patch::minimum(rows).y;
+  const patch::GapRow lowest_row = patch::interpolate(rows, lowest_y);
   const double lowest = height_at(lowest_row, lowest_row.centre, lowest_y);
   for (int j = 0; j < grid.ny; ++j) {
     const double y = grid.y(j), inside = std::clamp(y, rows.y[0], rows.y[rows.count - 1]);
-    const GapRow row = interpolate(rows, inside);
+    const patch::GapRow row = patch::interpolate(rows, inside);
     for (int i = 0; i < grid.nx; ++i) {
       gap[grid.index(i, j)] = height_at(row, grid.x(i), inside) + row.slope * (y - inside) - lowest;
     }
   }
 }
 
-Fault check_planar_contact(Contact& contact, int nx, int ny, const ProgressCallback& progress,
+Fault check_planar_contact(contact::Contact& contact, int nx, int ny, const ProgressCallback& progress,
                            PlanarCheck& result) {
-  const Rolling& rolling = contact.rolling;
+  const contact::Rolling& rolling = contact.rolling;
   // The solver rolls along x: rolling backwards is the mirror image, x -> -x.
-  Strips strips = all_strips(contact);
+  patch::Strips strips = contact::all_strips(contact);
   std::vector<double> centre(strips.centre, strips.centre + strips.count);
   for (double& x : centre) x *= rolling.direction;
   strips.centre = centre.data();
@@ -76,8 +76,8 @@ Fault check_planar_contact(Contact& contact, int nx, int ny, const ProgressCallb
   problem.creepage.spin *= rolling.direction;
   problem.progress = progress;
   // A layer between the bodies lets them move further along each other, as a lower shear modulus would.
-  Material material = contact.model->options.material;
-  const double layer = friction_of(contact).slope_reduction;
+  patch::Material material = contact.model->options.material;
+  const double layer = contact::friction_of(contact).slope_reduction;
   material.shear_modulus *= layer;
   const RollingSolution exact =
       RollingSolver(grid, material, {}, contact.model->options.coupling * layer).solve(problem);

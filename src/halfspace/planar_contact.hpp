@@ -10,7 +10,7 @@ namespace wrc::halfspace {
 
 /// Gap at the centres of the grid's cells, its minimum at zero [m]: of a pose the true surfaces', of the
 /// caller that of the rows' parabolas; beyond the rows the end row's slope continues.
-void sample_gap(const Contact& contact, const Grid& grid, double* gap);
+void sample_gap(const contact::Contact& contact, const Grid& grid, double* gap);
 
 /// Exact forces under a contact's own pressure, and the errors of its method.
 struct PlanarCheck {
@@ -23,7 +23,7 @@ struct PlanarCheck {
 };
 
 /// Solves the rolling problem of a contact, whose tractions are there, on nx x ny cells over all its strips.
-Fault check_planar_contact(Contact& contact, int nx, int ny, const ProgressCallback& progress,
+Fault check_planar_contact(contact::Contact& contact, int nx, int ny, const ProgressCallback& progress,
                            PlanarCheck& result);
 
 }  // namespace wrc::halfspace

@@ -28,7 +28,7 @@ void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, doubl
   }
 }
 
-Field strip_pressure(const Strips& strips, const Grid& grid) {
+Field strip_pressure(const patch::Strips& strips, const Grid& grid) {
   Field field(grid.cells(), 0.0);
   for (int j = 0; j < grid.ny; ++j) {
     // strips count in a row by their common width
@@ -44,7 +44,7 @@ Field strip_pressure(const Strips& strips, const Grid& grid) {
   return field;
 }
 
-Grid grid_over(const Strips& strips, int nx, int ny) {
+Grid grid_over(const patch::Strips& strips, int nx, int ny) {
   // from the trailing end of any strip to the leading end of any
   double trail = 0.0, lead = 0.0;
   for (std::int32_t k = 0; k < strips.count; ++k) {
@@ -53,7 +53,7 @@ Grid grid_over(const Strips& strips, int nx, int ny) {
     trail = k == 0 ? from : std::min(trail, from);
     lead = k == 0 ? to : std::max(lead, to);
   }
-  const StripTotals sum = totals(strips);
+  const patch::StripTotals sum = patch::totals(strips);
   return grid_over_box(trail, lead, sum.y_min, sum.y_max, nx, ny);
 }
 

@@ -12,9 +12,9 @@ void add_semi_ellipse(const Grid& grid, int j, double peak, double centre, doubl
 
 /// Cell means of the pressure of a strip patch: strips keep their width and place, so the load is that of the
 /// strips inside the grid.
-Field strip_pressure(const Strips& strips, const Grid& grid);
+Field strip_pressure(const patch::Strips& strips, const Grid& grid);
 
 /// nx x ny cells over the bounding box of the strips.
-Grid grid_over(const Strips& strips, int nx, int ny);
+Grid grid_over(const patch::Strips& strips, int nx, int ny);
 
 }  // namespace wrc::halfspace

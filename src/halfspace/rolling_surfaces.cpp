@@ -32,10 +32,10 @@ Vector3 normal_of(const SurfaceRow& row) {
 
 // In the plane across the axle, the wheel's place is (distance, -height) along x and the rail's z; turned, it
 // is (0, -root of the squares).
-TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state) {
+TurnedAboveAxle::TurnedAboveAxle(const WheelAndRail& bodies, surface::WheelOnRail& state) {
   if (bodies.roller_curvature == 0.0 || state.distance == 0.0) return;
-  WheelMotion& wheel = state.wheel;
-  RailMotion& rail = state.rail;
+  surface::WheelMotion& wheel = state.wheel;
+  surface::RailMotion& rail = state.rail;
   const SineCosine rolled = sine_cosine(rail.roll);
   down_y_ = -rolled.sine;
   down_z_ = rolled.cosine;
@@ -76,12 +76,12 @@ void TurnedAboveAxle::turn(double sine, double (&v)[3]) const {
 
 void TurnedAboveAxle::turn_back(double (&v)[3]) const { turn(-sine_, v); }
 
-SeenAlongRail::SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state) {
-  WheelMotion& wheel = state.wheel;
-  RailMotion& rail = state.rail;
+SeenAlongRail::SeenAlongRail(const WheelAndRail& bodies, surface::WheelOnRail& state) {
+  surface::WheelMotion& wheel = state.wheel;
+  surface::RailMotion& rail = state.rail;
   aslant_ = rail.slope_y != 0.0 || rail.slope_z != 0.0;
   if (!aslant_) return;
-  direction_ = direction_of(rail.slope_y, rail.slope_z);
+  direction_ = surface::direction_of(rail.slope_y, rail.slope_z);
   rail.slope_y = rail.slope_z = 0.0;
   // place about the displaced origin of the rail's profile; vectors as they are
   const double origin[3] = {0.0, bodies.rail_y + rail.y, bodies.rail_z + rail.z};
@@ -91,21 +91,21 @@ SeenAlongRail::SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state) {
   rail.velocity_y = rail.velocity_z = 0.0;
   for (int i = 0; i < 3; ++i) wheel.position[i] -= origin[i];
   for (double* const v : {wheel.position, wheel.velocity, wheel.angular_velocity})
-    turn_along_rail(direction_, v);
+    surface::turn_along_rail(direction_, v);
   for (int i = 0; i < 3; ++i) wheel.position[i] += origin[i];
   for (int k = 0; k < 3; ++k) {
     double axis[3] = {wheel.rotation[0][k], wheel.rotation[1][k], wheel.rotation[2][k]};
-    turn_along_rail(direction_, axis);
+    surface::turn_along_rail(direction_, axis);
     for (int i = 0; i < 3; ++i) wheel.rotation[i][k] = axis[i];
   }
 }
 
 void SeenAlongRail::turn_back(double (&v)[3]) const {
-  if (aslant_) turn_into_track(direction_, v);
+  if (aslant_) surface::turn_into_track(direction_, v);
 }
 
 RollingSurfaces::RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface,
-                                 const WheelOnRail& state)
+                                 const surface::WheelOnRail& state)
     : bodies_(bodies),
       surface_(surface),
       wheel_(state.wheel),
@@ -122,16 +122,17 @@ RailFall RollingSurfaces::fall(const SurfaceRow& row, double x) const {
     return {-roll_.sine * down, roll_.cosine * down, -roll_.sine * slope, roll_.cosine * slope};
   }
   if (surface_.varying == nullptr) return {};
-  const VaryingRail& varying = *surface_.varying;
-  const RailFace& face = varying.face[face_of(varying, row.strip)];
+  const surface::VaryingRail& varying = *surface_.varying;
+  const surface::RailFace& face = varying.face[surface::face_of(varying, row.strip)];
   // a rail that varies: displacement of the four strips beside the row from the wheel's section to that at
   // x, by the row's weights, turned by the rail's roll
   const double from = surface_.distance, to = from + x;
-  const SectionBlend at_from = blend_at(varying, face, from), at_to = blend_at(varying, face, to, at_from);
+  const surface::SectionBlend at_from = surface::blend_at(varying, face, from),
+                              at_to = surface::blend_at(varying, face, to, at_from);
   double y = 0.0, z = 0.0, slope_y = 0.0, slope_z = 0.0;
   for (std::int32_t k = 0; k < 4; ++k) {
-    const auto here = strip_at(varying, at_from, row.strip + k, from);
-    const auto there = strip_at(varying, at_to, row.strip + k, to);
+    const auto here = surface::strip_at(varying, at_from, row.strip + k, from);
+    const auto there = surface::strip_at(varying, at_to, row.strip + k, to);
     y += row.weight[k] * (there.y - here.y);
     z += row.weight[k] * (there.z - here.z);
     slope_y += row.weight[k] * there.slope_y;
@@ -146,14 +147,15 @@ double RollingSurfaces::rail_angle(const SurfaceRow& row, double s, double x) co
     const SectionCurve::Point p = surface_.section.at(s);
     return arctangent2(p.dz, p.dy) + rail_.roll;
   }
-  const VaryingRail& varying = *surface_.varying;
+  const surface::VaryingRail& varying = *surface_.varying;
   // mean tangent of the four strips beside the row
   const double distance = surface_.distance + x;
-  const SectionBlend blend = blend_at(varying, varying.face[face_of(varying, row.strip)], distance);
+  const surface::SectionBlend blend =
+      surface::blend_at(varying, varying.face[surface::face_of(varying, row.strip)], distance);
   double along_y = 0.0, along_z = 0.0;
   for (std::int32_t k = 0; k < 4; ++k) {
     double ty, tz;
-    tangent_at(varying, blend, row.strip + k, distance, ty, tz);
+    surface::tangent_at(varying, blend, row.strip + k, distance, ty, tz);
     along_y += row.weight[k] * ty;
     along_z += row.weight[k] * tz;
   }

@@ -25,10 +25,10 @@ namespace wrc::halfspace {
 
 /// A face of the rail: its cross section below the wheel, and how it goes on along the track.
 struct RailSurface {
-  SectionCurve section;                  ///< y to the field side, z down, from the origin of the profile
-  const VaryingRail* varying = nullptr;  ///< nullptr: the same everywhere
-  std::int32_t first = 0;                ///< first of its strips, through whose middles the section runs
-  double distance = 0.0;                 ///< place of the wheel along the track [m]
+  SectionCurve section;  ///< y to the field side, z down, from the origin of the profile
+  const surface::VaryingRail* varying = nullptr;  ///< nullptr: the same everywhere
+  std::int32_t first = 0;  ///< first of its strips, through whose middles the section runs
+  double distance = 0.0;   ///< place of the wheel along the track [m]
 };
 
 struct WheelAndRail {
@@ -36,10 +36,10 @@ struct WheelAndRail {
   std::vector<RailSurface> rail;      ///< one, or faces that do not press on each other
   double nominal_radius = 0.0;        ///< radius of the tape circle [m]
   double rail_y = 0.0, rail_z = 0.0;  ///< place of the rail profile's origin in the track [m]
-  Material material;
+  patch::Material material;
   double coupling = 0.0;          ///< Kalker's K of unlike bodies [-]
   double roller_curvature = 0.0;  ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
-  const OutOfRound* out_of_round = nullptr;  ///< nullptr: the wheel is round
+  const surface::OutOfRound* out_of_round = nullptr;  ///< nullptr: the wheel is round
 };
 
 /// Direction of the normals of the rows.
@@ -77,7 +77,7 @@ class TurnedAboveAxle {
  public:
   /// Turns the wheel of `state`, with `distance` 0 after that, and gives it the rail's velocities to carry.
   /// Nothing at all without a roller.
-  TurnedAboveAxle(const WheelAndRail& bodies, WheelOnRail& state);
+  TurnedAboveAxle(const WheelAndRail& bodies, surface::WheelOnRail& state);
   /// From the turned axes to those of the track.
   void turn_back(double (&v)[3]) const;
 
@@ -93,13 +93,13 @@ class SeenAlongRail {
  public:
   /// Turns the wheel of `state` about the displaced origin of the rail's profile, and leaves it no slopes.
   /// Nothing at all without them.
-  SeenAlongRail(const WheelAndRail& bodies, WheelOnRail& state);
+  SeenAlongRail(const WheelAndRail& bodies, surface::WheelOnRail& state);
   /// From axes along the rail to those of the track.
   void turn_back(double (&v)[3]) const;
 
  private:
   bool aslant_ = false;
-  RailDirection<double> direction_;
+  surface::RailDirection<double> direction_;
 };
 
 /// A wheel over one face of a rail, or above the axle of a roller. Axes: x from the wheel's reference point,
@@ -107,7 +107,7 @@ class SeenAlongRail {
 class RollingSurfaces {
  public:
   /// All three outlive it.
-  RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface, const WheelOnRail& state);
+  RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface, const surface::WheelOnRail& state);
 
   /// Row at arc length s from the rail's first point; `found` tells whether the wheel faces it.
   SurfaceRow row(double s, RowNormals normals, bool& found) const;
@@ -145,8 +145,8 @@ class RollingSurfaces {
 
   const WheelAndRail& bodies_;
   const RailSurface& surface_;
-  const WheelMotion& wheel_;
-  const RailMotion& rail_;
+  const surface::WheelMotion& wheel_;
+  const surface::RailMotion& rail_;
   SineCosine roll_;  // the rail's
   std::optional<WheelDeviation> deviation_;
 };

@@ -25,18 +25,19 @@ Grid with_margin(const Grid& grid) {
 
 }  // namespace
 
-Stress stress_at(const BodyLoads& loads, double x, double y, double z) {
-  Stress sum;
+damage::Stress stress_at(const BodyLoads& loads, double x, double y, double z) {
+  damage::Stress sum;
   const Grid& grid = loads.grid;
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
       // closed forms of a uniformly loaded rectangle, times the cell's three loads
       const std::size_t k = grid.index(i, j);
       if (loads.pressure[k] == 0.0 && loads.traction_x[k] == 0.0 && loads.traction_y[k] == 0.0) continue;
-      const CellStress unit = cell_stress(loads.poisson, x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
-      add(unit.of_pressure, loads.pressure[k], sum);
-      add(unit.of_traction_x, loads.traction_x[k], sum);
-      add(unit.of_traction_y, loads.traction_y[k], sum);
+      const damage::CellStress unit =
+          damage::cell_stress(loads.poisson, x - grid.x(i), y - grid.y(j), z, grid.dx, grid.dy);
+      damage::add(unit.of_pressure, loads.pressure[k], sum);
+      damage::add(unit.of_traction_x, loads.traction_x[k], sum);
+      damage::add(unit.of_traction_y, loads.traction_y[k], sum);
     }
   }
   return sum;
@@ -89,35 +90,37 @@ void StressField::evaluate(double z) {
   const auto ny = static_cast<std::size_t>(padded_y_);
   const int corners_y = 2 * reach_y + 2;
   // Cells by their corners, two rows of them at a time: f(x1, y1) - f(x1, y0) - f(x0, y1) + f(x0, y0).
-  std::vector<CellStress> cells(static_cast<std::size_t>(2 * reach_x + 1) *
-                                static_cast<std::size_t>(2 * reach_y + 1));
-  std::vector<CellStress> before(static_cast<std::size_t>(corners_y)), here(before.size());
+  std::vector<damage::CellStress> cells(static_cast<std::size_t>(2 * reach_x + 1) *
+                                        static_cast<std::size_t>(2 * reach_y + 1));
+  std::vector<damage::CellStress> before(static_cast<std::size_t>(corners_y)), here(before.size());
   for (int mx = -reach_x; mx <= reach_x + 1; ++mx) {
     for (int c = 0; c < corners_y; ++c)
       here[static_cast<std::size_t>(c)] =
-          corner_stress(poisson_, (mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z);
+          damage::corner_stress(poisson_, (mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z);
     if (mx > -reach_x) {
       for (int my = -reach_y; my <= reach_y; ++my) {
         const auto c = static_cast<std::size_t>(my + reach_y);
-        CellStress& cell =
+        damage::CellStress& cell =
             cells[static_cast<std::size_t>(mx - 1 + reach_x) * static_cast<std::size_t>(2 * reach_y + 1) + c];
-        add(here[c + 1], 1.0, cell);
-        add(here[c], -1.0, cell);
-        add(before[c + 1], -1.0, cell);
-        add(before[c], 1.0, cell);
+        damage::add(here[c + 1], 1.0, cell);
+        damage::add(here[c], -1.0, cell);
+        damage::add(before[c + 1], -1.0, cell);
+        damage::add(before[c], 1.0, cell);
       }
     }
     std::swap(here, before);
   }
   // two components of stress travel as real and imaginary part of one transform
   struct Pair {
-    double Stress::*real;
-    double Stress::*imaginary;
+    double damage::Stress::*real;
+    double damage::Stress::*imaginary;
   };
-  constexpr Pair pairs[3] = {
-      {&Stress::xx, &Stress::yy}, {&Stress::zz, &Stress::xy}, {&Stress::yz, &Stress::zx}};
-  constexpr Stress CellStress::*units[3] = {&CellStress::of_pressure, &CellStress::of_traction_x,
-                                            &CellStress::of_traction_y};
+  constexpr Pair pairs[3] = {{&damage::Stress::xx, &damage::Stress::yy},
+                             {&damage::Stress::zz, &damage::Stress::xy},
+                             {&damage::Stress::yz, &damage::Stress::zx}};
+  constexpr damage::Stress damage::CellStress::*units[3] = {&damage::CellStress::of_pressure,
+                                                            &damage::CellStress::of_traction_x,
+                                                            &damage::CellStress::of_traction_y};
   for (int pair = 0; pair < 3; ++pair) {
     std::fill(re_[pair].begin(), re_[pair].end(), 0.0);
     std::fill(im_[pair].begin(), im_[pair].end(), 0.0);
@@ -131,7 +134,7 @@ void StressField::evaluate(double z) {
         const auto row = static_cast<std::size_t>((mx + padded_x_) % padded_x_) * ny;
         for (int my = -reach_y; my <= reach_y; ++my, ++cell) {
           const std::size_t k = row + static_cast<std::size_t>((my + padded_y_) % padded_y_);
-          const Stress& unit = cells[cell].*units[f];
+          const damage::Stress& unit = cells[cell].*units[f];
           kernel_re_[k] = unit.*pairs[pair].real;
           kernel_im_[k] = unit.*pairs[pair].imaginary;
         }
@@ -146,20 +149,20 @@ void StressField::evaluate(double z) {
   }
 }
 
-Stress StressField::at(std::size_t cell) const {
+damage::Stress StressField::at(std::size_t cell) const {
   const auto columns = static_cast<std::size_t>(grid_.nx);
   // x slow, as backward_2d() leaves it
   const std::size_t k = cell % columns * static_cast<std::size_t>(padded_y_) + cell / columns;
   return {re_[0][k], im_[0][k], re_[1][k], im_[1][k], re_[2][k], im_[2][k]};
 }
 
-StressPeaks StressField::peaks(double z) {
+damage::StressPeaks StressField::peaks(double z) {
   // numbers that are compared with limits (von Mises, shear, tension) of every cell
   evaluate(z);
-  StressPeaks found;
+  damage::StressPeaks found;
   for (int j = 0; j < grid_.ny; ++j) {
     for (int i = 0; i < grid_.nx; ++i)
-      found.take(numbers_of(at(grid_.index(i, j))), grid_.x(i), grid_.y(j), z);
+      found.take(damage::numbers_of(at(grid_.index(i, j))), grid_.x(i), grid_.y(j), z);
   }
   return found;
 }
@@ -204,14 +207,14 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
   StressField field(loads);
   solution.surface = field.peaks(0.0);
   if (!goes_on()) return solution;
-  StressPeaks at_depth[coarse];
+  damage::StressPeaks at_depth[coarse];
   for (int k = 0; k < coarse; ++k) {
     at_depth[k] = field.peaks(shares[k] * size);
     solution.below.take(at_depth[k]);
     if (!goes_on()) return solution;
   }
-  for (StressPeak StressPeaks::*which :
-       {&StressPeaks::von_mises, &StressPeaks::shear, &StressPeaks::tension}) {
+  for (damage::StressPeak damage::StressPeaks::*which :
+       {&damage::StressPeaks::von_mises, &damage::StressPeaks::shear, &damage::StressPeaks::tension}) {
     // golden sections between the neighbours of the coarse depth with the largest value
     int best = 0;
     for (int k = 1; k < coarse; ++k)
@@ -219,7 +222,7 @@ SubsurfaceSolution search_stresses(const BodyLoads& loads, const std::vector<dou
     double low = best > 0 ? shares[best - 1] * size : 0.0;
     double high = shares[std::min(best + 1, coarse - 1)] * size;
     const auto at = [&](double z) {
-      const StressPeaks found = field.peaks(z);
+      const damage::StressPeaks found = field.peaks(z);
       solution.below.take(found);
       return (found.*which).value;
     };

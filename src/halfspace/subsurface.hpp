@@ -22,7 +22,7 @@ struct BodyLoads {
 };
 
 /// The stress at a point: the sum over the cells.
-Stress stress_at(const BodyLoads& loads, double x, double y, double z);
+damage::Stress stress_at(const BodyLoads& loads, double x, double y, double z);
 
 /// Stresses at the centres of all cells, and of some beyond the grid's border, at one depth after the other:
 /// discrete convolutions by FFT with zero padding.
@@ -31,11 +31,11 @@ class StressField {
   explicit StressField(const BodyLoads& loads);
 
   /// The largest numbers at the cells' centres, at the depth z.
-  StressPeaks peaks(double z);
+  damage::StressPeaks peaks(double z);
 
   /// Every number at one depth; element as in `grid()`.
   const Grid& grid() const { return grid_; }
-  Stress at(std::size_t cell) const;
+  damage::Stress at(std::size_t cell) const;
 
  private:
   void evaluate(double z);
@@ -52,8 +52,8 @@ class StressField {
 
 /// Largest stresses in the body.
 struct SubsurfaceSolution {
-  StressPeaks surface, below;       ///< at z = 0; beneath it
-  std::vector<StressPeaks> levels;  ///< at each of the depths asked for
+  damage::StressPeaks surface, below;       ///< at z = 0; beneath it
+  std::vector<damage::StressPeaks> levels;  ///< at each of the depths asked for
   Fault fault;
 };
 

@@ -13,7 +13,7 @@ namespace wrc::halfspace {
 namespace {
 
 // Height of a wheel whose largest radius is level with the top of its rail.
-double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
+double highest_start(const WheelAndRail& bodies, const surface::RailMotion& rail) {
   constexpr double spacing = 1e-3;
   double lowest = 0.0, top = 0.0;
   // largest radius of the wheel over the nominal one [m]
@@ -36,7 +36,7 @@ double highest_start(const WheelAndRail& bodies, const RailMotion& rail) {
 }
 
 Fault check(const SurfaceProblem& problem, const SurfaceOptions& options) {
-  const WheelOnRail& state = problem.state;
+  const surface::WheelOnRail& state = problem.state;
   // one number that is not finite makes the sum so
   double sum = state.vertical_load + state.friction + state.rail.y + state.rail.z + state.rail.roll +
                state.rail.slope_y + state.rail.slope_z + state.rail.velocity_y + state.rail.velocity_z +
@@ -81,12 +81,12 @@ void add_face(SurfaceSolution& one, std::size_t f, SurfaceSolution& s) {
 SurfaceContact::SurfaceContact(WheelAndRail bodies, const SurfaceOptions& options)
     : bodies_(std::move(bodies)), options_(options) {}
 
-SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, bool with_friction,
+SurfaceSolution SurfaceContact::at_height(const surface::WheelOnRail& in, double height, bool with_friction,
                                           const SurfaceSolution* start,
                                           const ProgressCallback& progress) const {
   SurfaceSolution s;
   s.height = height;
-  WheelOnRail state = in;
+  surface::WheelOnRail state = in;
   state.wheel.position[2] = height;
   // axes along the rail and above the axle of a roller, in which a rail is straight and level
   const SeenAlongRail along_rail(bodies_, state);
@@ -126,12 +126,12 @@ SurfaceSolution SurfaceContact::at_height(const WheelOnRail& in, double height, 
 
 // Newton's method with the slope of a wheel that goes straight down: each step is the smallest vertical
 // distance of any row, to a tenth of a micrometre.
-double SurfaceContact::first_touch(const WheelOnRail& in) const {
+double SurfaceContact::first_touch(const surface::WheelOnRail& in) const {
   constexpr int most_steps = 20;
   constexpr double least_down = 0.2;  // cosine of the normal's angle: steeper faces guide, they do not carry
   double height = highest_start(bodies_, in.rail);
   for (int k = 0; k < most_steps; ++k) {
-    WheelOnRail state = in;
+    surface::WheelOnRail state = in;
     state.wheel.position[2] = height;
     const SeenAlongRail along(bodies_, state);
     const TurnedAboveAxle turned(bodies_, state);
@@ -164,9 +164,10 @@ SurfaceSolution SurfaceContact::at_load(const SurfaceProblem& problem) const {
   const double load = problem.state.vertical_load, touch = first_touch(problem.state);
   const bool with_friction = problem.state.friction > 0.0;
   // first touch carries nothing: the lower end of the bracket
-  HeightSearch search(load);
+  surface::HeightSearch search(load);
   search.take(touch, 0.0, 0.0);
-  double height = touch + 6e-5 * straightened(load / 8e4);  // Hertz's approach of a wheel on a rail, about
+  double height =
+      touch + 6e-5 * surface::straightened(load / 8e4);  // Hertz's approach of a wheel on a rail, about
   int heights = 0;
   for (const bool friction : {false, true}) {
     if (friction && !with_friction) break;
@@ -207,7 +208,7 @@ SurfaceSolution SurfaceContact::solve(const SurfaceProblem& problem) const {
   SurfaceSolution s;
   s.fault = check(problem, options_);
   if (s.fault.failed()) return s;
-  const WheelOnRail& state = problem.state;
+  const surface::WheelOnRail& state = problem.state;
   if (state.load_prescribed) return at_load(problem);
   return at_height(state, state.wheel.position[2], state.friction > 0.0, nullptr, problem.progress);
 }

@@ -53,7 +53,7 @@ struct SurfaceOptions {
 };
 
 struct SurfaceProblem {
-  WheelOnRail state;
+  surface::WheelOnRail state;
   ProgressCallback progress = {};  ///< while heights are tried and both problems solved in turn
 };
 
@@ -97,12 +97,12 @@ class SurfaceContact {
   const WheelAndRail& bodies() const { return bodies_; }
 
  private:
-  SurfaceSolution at_height(const WheelOnRail& state, double height, bool with_friction,
+  SurfaceSolution at_height(const surface::WheelOnRail& state, double height, bool with_friction,
                             const SurfaceSolution* start, const ProgressCallback& progress) const;
   /// At the height that carries the load given.
   SurfaceSolution at_load(const SurfaceProblem& problem) const;
   /// Height of first touch on faces that carry [m].
-  double first_touch(const WheelOnRail& state) const;
+  double first_touch(const surface::WheelOnRail& state) const;
 
   WheelAndRail bodies_;
   SurfaceOptions options_;

@@ -22,7 +22,7 @@ Fault capped(double residual, double tolerance) {
 void find_rigid_slip(const Grid& grid, RollingProblem& problem) {
   if (!problem.rigid_slip_x.empty()) return;
   const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
-  const Creepage& c = problem.creepage;
+  const tangential::Creepage& c = problem.creepage;
   // w = (nu_x - phi y, nu_y + phi x), x ahead of the cell's centre
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -51,10 +51,11 @@ struct OnGrid {
   int nx = grid.nx, ny = grid.ny;
   const Field &rigid_x = problem.rigid_slip_x, &rigid_y = problem.rigid_slip_y;
   Field &px = solution.traction_x, &py = solution.traction_y, &sx = solution.slip_x, &sy = solution.slip_y;
-  std::vector<CellState>& state = solution.state;
+  std::vector<tangential::CellState>& state = solution.state;
   Field bound = Field(grid.cells(), 0.0), x = bound, y = bound;
-  std::vector<NewtonCell> cells = std::vector<NewtonCell>(grid.cells());
-  std::vector<NewtonRow> rows = std::vector<NewtonRow>(static_cast<std::size_t>(grid.ny));
+  std::vector<tangential::NewtonCell> cells = std::vector<tangential::NewtonCell>(grid.cells());
+  std::vector<tangential::NewtonRow> rows =
+      std::vector<tangential::NewtonRow>(static_cast<std::size_t>(grid.ny));
   std::unique_ptr<double[]> vectors = {};
   std::unique_ptr<float[]> factors = {};
 
@@ -81,33 +82,33 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
       if (bound[at] > 0.0) ++of_row;
     }
     with_traction += of_row;
-    of_factors += newton_factors(of_row);
+    of_factors += tangential::newton_factors(of_row);
   }
   // Not cleared: pages that are never written take no memory.
-  vectors = std::make_unique_for_overwrite<double[]>(newton_vectors(with_traction, max_products));
+  vectors = std::make_unique_for_overwrite<double[]>(tangential::newton_vectors(with_traction, max_products));
   factors = std::make_unique_for_overwrite<float[]>(of_factors);
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
-  RollingNewton newton(*this, {tolerance, accuracy, problem.max_iterations, max_products});
+  tangential::RollingNewton newton(*this, {tolerance, accuracy, problem.max_iterations, max_products});
   // progress: decades of the residual on its way to the tolerance
-  const NewtonEnd end = newton.solve([&](double residual) {
+  const tangential::NewtonEnd end = newton.solve([&](double residual) {
     const double decades = natural_log(std::max(residual, tolerance)) / natural_log(tolerance);
     return problem.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0));
   });
   solution.iterations = newton.iterations();
   solution.residual = newton.residual();
-  if (end == NewtonEnd::capped) solution.fault = capped(solution.residual, tolerance);
+  if (end == tangential::NewtonEnd::capped) solution.fault = capped(solution.residual, tolerance);
   // no slip where there is no contact; cells in contact without friction slip, whatever Newton's method has
   // not told
   for (std::size_t at = 0; at < bound.size(); ++at) {
     if (problem.pressure[at] <= 0.0) {
       sx[at] = sy[at] = 0.0;
     } else if (bound[at] <= 0.0) {
-      state[at] = CellState::slip;
+      state[at] = tangential::CellState::slip;
     }
   }
-  return end != NewtonEnd::cancelled;
+  return end != tangential::NewtonEnd::cancelled;
 }
 
 // One step of rolling that is not steady. Its slips are the gradient of
@@ -187,13 +188,14 @@ double TransientStep::residual() {
     // p - rho s, before and after it is cut back: outside of its disk, the cell slides
     const double px = s.traction_x[c.at], py = s.traction_y[c.at];
     double x = px - rho_ * s.slip_x[c.at], y = py - rho_ * s.slip_y[c.at];
-    s.state[c.at] = x * x + y * y > c.bound * c.bound ? CellState::slip : CellState::adhesion;
+    s.state[c.at] =
+        x * x + y * y > c.bound * c.bound ? tangential::CellState::slip : tangential::CellState::adhesion;
     into_disk(c.bound, x, y);
     // numerator and denominator of the test, squared
     error += (px - x) * (px - x) + (py - y) * (py - y);
-    norm += asked_squared(c.bound, px, py, rho_ * c.wx, rho_ * c.wy);
+    norm += tangential::asked_squared(c.bound, px, py, rho_ * c.wx, rho_ * c.wy);
   }
-  return relative_residual(error, norm);
+  return tangential::relative_residual(error, norm);
 }
 
 bool TransientStep::run() {
@@ -272,13 +274,13 @@ void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s)
       power -= px * s.slip_x[at] + py * s.slip_y[at];
       if (by_cell) balance -= px * problem.rigid_slip_x[at] + py * problem.rigid_slip_y[at];
       ++contact;
-      if (s.state[at] == CellState::adhesion) ++adhesion;
+      if (s.state[at] == tangential::CellState::adhesion) ++adhesion;
     }
   }
   const double area = grid.cell_area();
   s.forces = {.fx = fx * area, .fy = fy * area, .mz = mz * area, .power_per_speed = power * area};
   if (contact > 0) s.forces.adhesion_fraction = static_cast<double>(adhesion) / static_cast<double>(contact);
-  const Creepage& c = problem.creepage;
+  const tangential::Creepage& c = problem.creepage;
   // by the balance of steady rolling: the rigid slips' work, of creepages -(F_x nu_x + F_y nu_y + M_z phi)
   s.power_by_balance = by_cell
                            ? balance * area
@@ -326,7 +328,7 @@ void prolong(const Grid& coarse, const RollingProblem& coarse_problem, const Rol
 
 void clear(const Grid& grid, RollingSolution& s) {
   for (Field* field : {&s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y}) field->assign(grid.cells(), 0.0);
-  s.state.assign(grid.cells(), CellState::exterior);
+  s.state.assign(grid.cells(), tangential::CellState::exterior);
 }
 
 // The pressure of the cells in contact.
@@ -344,7 +346,7 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
   for (const double p : problem.pressure) {
     if (!std::isfinite(p)) return Fault::not_finite("halfspace.pressure", {p});
   }
-  const Creepage& c = problem.creepage;
+  const tangential::Creepage& c = problem.creepage;
   if (!std::isfinite(c.longitudinal + c.lateral + c.spin)) {
     return Fault::not_finite("creepage");
   }
@@ -375,7 +377,7 @@ Fault check(const Grid& grid, const RollingProblem& problem) {
 
 }  // namespace
 
-RollingSolver::RollingSolver(const Grid& grid, const Material& material, const Field& angles,
+RollingSolver::RollingSolver(const Grid& grid, const patch::Material& material, const Field& angles,
                              double coupling) {
   if (coupling != 0.0)
     pressed_ = std::make_unique<TurnedConvolution>(grid, material, Convolution::Kernel::coupling_slip, angles,
@@ -452,7 +454,7 @@ RollingSolution RollingSolver::solve_uncoupled(const RollingProblem& problem) {
   return solution;
 }
 
-TransientSolver::TransientSolver(const Grid& grid, const Material& material, double coupling)
+TransientSolver::TransientSolver(const Grid& grid, const patch::Material& material, double coupling)
     : grid_(grid),
       displacement_(grid, material, Convolution::Kernel::shear_slip),
       steady_(grid, material, Convolution::Kernel::tangential),

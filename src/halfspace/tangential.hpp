@@ -64,9 +64,9 @@ enum class Adhesion {
 struct RollingSolution;
 
 struct RollingProblem {
-  Field pressure;     ///< p_n of each cell [Pa]; cells with p_n > 0 are the contact area
-  Field friction;     ///< mu of each cell, or a single value for all; unused in full adhesion
-  Creepage creepage;  ///< about the origin of the grid's coordinates
+  Field pressure;                 ///< p_n of each cell [Pa]; cells with p_n > 0 are the contact area
+  Field friction;                 ///< mu of each cell, or a single value for all; unused in full adhesion
+  tangential::Creepage creepage;  ///< about the origin of the grid's coordinates
   /// Rigid slip w of each cell in place of the creepages', taken where `collocation` says; both or none.
   Field rigid_slip_x, rigid_slip_y;
   Adhesion adhesion = Adhesion::coulomb;
@@ -83,8 +83,8 @@ struct RollingProblem {
 struct RollingSolution {
   Field traction_x, traction_y;  ///< on the wheel [Pa]
   Field slip_x, slip_y;          ///< sliding velocity / rolling speed [-]; zero outside the contact
-  std::vector<CellState> state;
-  TangentialForces forces;  ///< mz about the origin; power is the sum of -p . s over the cells
+  std::vector<tangential::CellState> state;
+  tangential::TangentialForces forces;  ///< mz about the origin; power is the sum of -p . s over the cells
   /// -(Fx nu_x + Fy nu_y + Mz phi) [N], the dissipation by the energy balance of steady rolling. The limit of
   /// forces.power_per_speed for fine grids; it has the error of the forces only, where the sum over the cells
   /// also misses the difference quotient's dissipation in steep gradients (first order, up to half where
@@ -102,7 +102,8 @@ struct RollingSolution {
 class RollingSolver {
  public:
   /// `coupling`: Kalker's K.
-  RollingSolver(const Grid& grid, const Material& material, const Field& angles = {}, double coupling = 0.0);
+  RollingSolver(const Grid& grid, const patch::Material& material, const Field& angles = {},
+                double coupling = 0.0);
 
   const Grid& grid() const { return levels_.front().grid; }
 
@@ -126,7 +127,7 @@ class RollingSolver {
 class TransientSolver {
  public:
   /// `coupling`: Kalker's K.
-  TransientSolver(const Grid& grid, const Material& material, double coupling = 0.0);
+  TransientSolver(const Grid& grid, const patch::Material& material, double coupling = 0.0);
 
   const Grid& grid() const { return grid_; }
 

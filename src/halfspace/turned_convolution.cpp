@@ -6,8 +6,8 @@
 
 namespace wrc::halfspace {
 
-TurnedConvolution::TurnedConvolution(const Grid& grid, const Material& material, Convolution::Kernel kernel,
-                                     const Field& angles, double coupling)
+TurnedConvolution::TurnedConvolution(const Grid& grid, const patch::Material& material,
+                                     Convolution::Kernel kernel, const Field& angles, double coupling)
     : nx_(static_cast<std::size_t>(grid.nx)),
       ny_(static_cast<std::size_t>(grid.ny)),
       planar_(grid, material, kernel, coupling),

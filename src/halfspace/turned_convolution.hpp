@@ -21,7 +21,7 @@ namespace wrc::halfspace {
 class TurnedConvolution {
  public:
   /// `angles`: one per row [rad]; empty: all equal, and every product is that of Convolution.
-  TurnedConvolution(const Grid& grid, const Material& material, Convolution::Kernel kernel,
+  TurnedConvolution(const Grid& grid, const patch::Material& material, Convolution::Kernel kernel,
                     const Field& angles = {}, double coupling = 0.0);
 
   /// The coefficients within a row, and between any rows before turning.

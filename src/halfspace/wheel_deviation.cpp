@@ -7,16 +7,16 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr double step = 2.0 * pi / OutOfRound::nodes;   // [rad]: the step at which the reach is known
-constexpr int to_either_side = OutOfRound::nodes / 24;  // 0.26 rad
+constexpr double step = 2.0 * pi / surface::OutOfRound::nodes;  // [rad]: the step at which the reach is known
+constexpr int to_either_side = surface::OutOfRound::nodes / 24;  // 0.26 rad
 constexpr int nodes = 2 * to_either_side + 1;
 
 // tau, where the slope D'(tau) + r (tau - theta) passes zero: by halving.
-WheelDeviation::Value least_surface(const OutOfRound& wheel, int row, double theta) {
+WheelDeviation::Value least_surface(const surface::OutOfRound& wheel, int row, double theta) {
   constexpr double furthest = 0.25;  // [rad]: chords of 0.2 m
   // the slope D' + r tau grows with tau: 40 halvings of 0.5 rad leave rounding
   double low = -furthest, high = furthest;
-  const auto reach = [&](double from) { return out_of_round::row_at(wheel, row, theta + from); };
+  const auto reach = [&](double from) { return surface::out_of_round::row_at(wheel, row, theta + from); };
   for (int k = 0; k < 40; ++k) {
     const double middle = 0.5 * (low + high);
     (reach(middle).slope + wheel.radius * middle < 0.0 ? low : high) = middle;
@@ -27,7 +27,7 @@ WheelDeviation::Value least_surface(const OutOfRound& wheel, int row, double the
 
 }  // namespace
 
-WheelDeviation::WheelDeviation(const OutOfRound& wheel, double angle) : wheel_(wheel) {
+WheelDeviation::WheelDeviation(const surface::OutOfRound& wheel, double angle) : wheel_(wheel) {
   for (int row = 0; row < wheel.rows; ++row) {
     for (int k = 0; k < nodes; ++k)
       nodes_.push_back(least_surface(wheel, row, step * (k - to_either_side) - angle));

@@ -20,7 +20,7 @@ class WheelDeviation {
  public:
   /// The deviation of a wheel turned by `angle` about its axle [rad]; tabulated as far as contacts lie from
   /// below the axle.
-  WheelDeviation(const OutOfRound& wheel, double angle);
+  WheelDeviation(const surface::OutOfRound& wheel, double angle);
 
   /// Deviation of the radius [m], and its slope over the angle [m/rad].
   struct Value {
@@ -32,7 +32,7 @@ class WheelDeviation {
  private:
   Value row_at(int row, double place) const;
 
-  const OutOfRound& wheel_;
+  const surface::OutOfRound& wheel_;
   std::vector<Value> nodes_;  // row by row
 };
 

@@ -7,13 +7,17 @@
 
 #include "base/instruction_set.hpp"
 
-namespace wrc {
-
-struct MarchGrid;
-struct Overlaps;
+namespace wrc::patch {
 struct Strips;
+}
 
-}  // namespace wrc
+namespace wrc::surface {
+struct Overlaps;
+}
+
+namespace wrc::tangential {
+struct MarchGrid;
+}
 
 namespace wrc::simd {
 
@@ -122,7 +126,7 @@ struct SurfaceKernels {
   /// Fills the overlaps of overlaps.count strips, whose rays cross the chord of overlaps.piece at the part
   /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
   /// other.
-  void (*follow_rays)(const OutlineTask& task, const Overlaps& overlaps);
+  void (*follow_rays)(const OutlineTask& task, const surface::Overlaps& overlaps);
 };
 
 struct DamageKernels {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
-Fault check_rows(const GapRows& rows) {
+Fault check_rows(const patch::GapRows& rows) {
   if (rows.y == nullptr || rows.height == nullptr || rows.centre == nullptr || rows.curvature == nullptr)
     return Fault::null("gap");
   if (rows.count < 4) return Fault::gap("gap.count", {rows.count}, "at least four rows are needed");
@@ -34,11 +34,11 @@ Fault check_rows(const GapRows& rows) {
 
 }  // namespace
 
-Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcept {
+Fault check_normal_problem(const NormalProblem& problem, patch::Strips& output) noexcept {
   output.count = 0;
   if (Fault fault = check_rows(problem.gap); fault.failed()) return fault;
   // Material: G > 0 [Pa], 0 <= nu <= 0.5.
-  const Material& material = problem.material;
+  const patch::Material& material = problem.material;
   if (!std::isfinite(material.shear_modulus) || !std::isfinite(material.poisson))
     return Fault::not_finite("material");
   if (!(material.shear_modulus > 0.0) || !(material.poisson >= 0.0 && material.poisson <= 0.5))
@@ -57,15 +57,15 @@ Fault check_normal_problem(const NormalProblem& problem, Strips& output) noexcep
   return {};
 }
 
-Fault begin_solution(const NormalProblem& problem, Strips& output, NormalSolution& solution,
+Fault begin_solution(const NormalProblem& problem, patch::Strips& output, NormalSolution& solution,
                      FirstTouch& touch) noexcept {
   solution = {};
   const Fault fault = check_normal_problem(problem, output);
   if (fault.status != WRC_OK) return fault;
   // The first touch: lowest point of the gap, or of the patch that the caller asks for.
-  touch.lowest = problem.touch ? *problem.touch : minimum(problem.gap);
-  touch.row = interpolate(problem.gap, touch.lowest.y);
+  touch.lowest = problem.touch ? *problem.touch : patch::minimum(problem.gap);
+  touch.row = patch::interpolate(problem.gap, touch.lowest.y);
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Factor to the elastic force of any normal method, its pressure and its stiffness:
 /// 1 + (3/2) alpha d(approach)/dt, never below zero [-]. `approach_rate` positive while the bodies near each
@@ -19,4 +19,4 @@ inline double damping_factor(double approach_rate, double alpha) noexcept {
   return std::max(0.0, 1.0 + 1.5 * alpha * approach_rate);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

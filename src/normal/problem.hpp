@@ -10,21 +10,21 @@
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// The quantity that is given; the other is a result. As wide as a double: it is part of a contact's saved
 /// state, which has no padding.
 enum class Prescribed : std::int64_t { load, approach };
 
 struct NormalProblem {
-  GapRows gap;
-  Material material;
+  patch::GapRows gap;
+  patch::Material material;
   Prescribed prescribed = Prescribed::load;
   double normal_force = 0.0;  ///< [N], prescribed == load
   double approach = 0.0;  ///< [m], prescribed == approach: motion towards each other since first touch (gap
                           ///< minimum taken as zero)
-  const GapMinimum* touch = nullptr;  ///< first touch, for methods that solve a patch about that
-                                      ///< point; nullptr: at the gap's minimum
+  const patch::GapMinimum* touch = nullptr;  ///< first touch, for methods that solve a patch about that
+                                             ///< point; nullptr: at the gap's minimum
   double deepest =
       std::numeric_limits<double>::max();  ///< approach the rows are good for, if they do not end
                                            ///< before [m]; beyond, the solution goes on linearly
@@ -44,4 +44,4 @@ struct NormalSolution {
   std::int64_t iterations = 0;  ///< of the root find; evaluations of the method at a trial approach
 };
 
-}  // namespace wrc
+}  // namespace wrc::normal

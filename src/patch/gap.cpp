@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::patch {
 namespace {
 
 /// Slope of the height at row j from the parabola through the row and its neighbours (one-sided at the ends).
@@ -161,4 +161,4 @@ GapMinimum minimum(const GapRows& rows, double low, double high) {
   return {y, gap.height(y)};
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

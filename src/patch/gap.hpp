@@ -12,7 +12,7 @@
 
 #include "base/fault.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 /// Rows, and the elements of a row, lie at least this far apart [m]. Slopes are read off neighbouring rows:
 /// an error of 1 nm in a height is a slope of 1e-3 over a micrometre, which moves results by less than 1e-3
@@ -105,4 +105,4 @@ GapMinimum minimum(const GapRows& rows);
 /// The same within low <= y <= high: the contact point of one of several patches.
 GapMinimum minimum(const GapRows& rows, double low, double high);
 
-}  // namespace wrc
+}  // namespace wrc::patch

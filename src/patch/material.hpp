@@ -3,7 +3,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 /// Two bodies as if of one material (quasi-identical: normal and tangential problems do not couple).
 struct Material {
@@ -30,4 +30,4 @@ inline double coupling(const Material& wheel, const Material& rail) {
           (1.0 - 2.0 * rail.poisson) / rail.shear_modulus);
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -5,7 +5,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept {
   sdec = {};
@@ -24,4 +24,4 @@ Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion cri
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -11,7 +11,7 @@
 #include "patch/sdec.hpp"
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 enum class SecondCriterion {
   width,         ///< (2b): b as in the patch
@@ -27,4 +27,4 @@ inline constexpr double largest_psi = 0.95;
 /// with WRC_FLAG_TABLE_RANGE. WRC_FLAG_NO_CONTACT for a patch without strips.
 Fault regularise(const StripTotals& patch, double y_contact, SecondCriterion criterion, Sdec& sdec) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::patch

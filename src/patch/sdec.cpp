@@ -4,7 +4,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 double peak_pressure(const Sdec& sdec, double normal_force) noexcept {
   return 1.5 * normal_force / (pi * sdec.a * sdec.b);
@@ -36,4 +36,4 @@ void sdec_strips(const Sdec& sdec, double x_joint, double y_joint, double normal
   strips.count = count;
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

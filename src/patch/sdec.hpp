@@ -9,7 +9,7 @@
 
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 struct Sdec {
   double a = 0.0;    ///< half length [m]
@@ -30,4 +30,4 @@ double peak_pressure(const Sdec& sdec, double normal_force) noexcept;
 void sdec_strips(const Sdec& sdec, double x_joint, double y_joint, double normal_force, std::int32_t count,
                  Strips& strips) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -6,7 +6,7 @@
 
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 /// Strips j and j + 1 belong to one patch if they share a border; between patches there is a gap in y.
 /// Returns the index one past the last strip of the patch that strip `first` opens.
@@ -28,4 +28,4 @@ inline Strips slice(const Strips& strips, std::int32_t first, std::int32_t end) 
           strips.peak + first};
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

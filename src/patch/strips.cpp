@@ -4,7 +4,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 StripTotals totals(const Strips& strips) {
   StripTotals sum;
@@ -34,4 +34,4 @@ double normal_force(const Strips& strips) {
   return sum;
 }
 
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -13,7 +13,7 @@
 
 #include "base/fault.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 
 /// Structure of arrays over caller-owned memory; `count` of `capacity` strips are in use.
 struct Strips {
@@ -42,4 +42,4 @@ StripTotals totals(const Strips& strips);
 /// The normal force of totals() by itself, the same bits.
 double normal_force(const Strips& strips);
 
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::profiles {
 namespace {
 
 std::uint32_t piece_at(const RadiusDifference& of, double y) {
@@ -155,4 +155,4 @@ Conicity conicity_by_regression(const RadiusDifference& of, double amplitude, do
           .centre = centre};
 }
 
-}  // namespace wrc
+}  // namespace wrc::profiles

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::profiles {
 
 /// A rolling radius difference, straight between its points; its integral is `potential`, as long.
 struct RadiusDifference {
@@ -37,4 +37,4 @@ Conicity conicity_by_wavelength(const RadiusDifference& of, double amplitude, do
 Conicity conicity_by_regression(const RadiusDifference& of, double amplitude, double contact_distance,
                                 double radius);
 
-}  // namespace wrc
+}  // namespace wrc::profiles

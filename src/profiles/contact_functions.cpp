@@ -9,22 +9,22 @@
 #include "geometry/contact_search.hpp"
 #include "geometry/silhouette.hpp"
 
-namespace wrc {
+namespace wrc::profiles {
 namespace {
 
 /// Undeformed bodies: each wheel touches in its one lowest point. Fills places and the height of the
 /// wheelset's middle at which each side touches.
 struct Rigid {
-  const Model& model;
+  const contact::Model& model;
   double close = 1e-13;  ///< tolerance of the heights' difference [m]
 
-  Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) const {
+  Fault touch(geometry::Side side, double lateral, double roll, RollingPlace& place, double& height) const {
     // the one lowest point; z down, so that its vertical gap is the height at which the wheel touches
-    const Bodies& bodies = model.bodies[static_cast<int>(side)];
-    ContactPoint point;
+    const contact::Bodies& bodies = model.bodies[static_cast<int>(side)];
+    geometry::ContactPoint point;
     std::int32_t found = 0;
-    const Fault fault =
-        find_contact(bodies.rail, posed(bodies.wheel, {.lateral = lateral, .roll = roll}), 1, &point, found);
+    const Fault fault = geometry::find_contact(
+        bodies.rail, geometry::posed(bodies.wheel, {.lateral = lateral, .roll = roll}), 1, &point, found);
     if (fault.failed()) return fault;
     place = {.radius = point.rolling_radius,
              .angle = -bodies.rail.outward * point.angle,
@@ -38,30 +38,30 @@ struct Rigid {
 /// A contact's memory, given back.
 class HeapContact {
  public:
-  HeapContact(const Model& model, Side side)
-      : memory_(::operator new(contact_bytes(model), alignment)),
-        contact_(&make_contact(model, side, memory_)) {}
+  HeapContact(const contact::Model& model, geometry::Side side)
+      : memory_(::operator new(contact::contact_bytes(model), alignment)),
+        contact_(&contact::make_contact(model, side, memory_)) {}
   HeapContact(const HeapContact&) = delete;
   HeapContact& operator=(const HeapContact&) = delete;
   ~HeapContact() { ::operator delete(memory_, alignment); }
-  Contact& operator*() { return *contact_; }
+  contact::Contact& operator*() { return *contact_; }
 
  private:
-  static constexpr std::align_val_t alignment{block_alignment};
+  static constexpr std::align_val_t alignment{contact::block_alignment};
   void* memory_;
-  Contact* contact_;
+  contact::Contact* contact_;
 };
 
 /// Elastic bodies under a load on each wheel, without friction.
 struct Elastic {
-  const Model& model;
+  const contact::Model& model;
   double load;
   double close = 4e-12;  ///< loads are met to 1e-8
-  HeapContact contacts[2] = {{model, Side::right}, {model, Side::left}};
+  HeapContact contacts[2] = {{model, geometry::Side::right}, {model, geometry::Side::left}};
 
-  Fault touch(Side side, double lateral, double roll, RollingPlace& place, double& height) {
+  Fault touch(geometry::Side side, double lateral, double roll, RollingPlace& place, double& height) {
     // the wheelset's middle displaced and rolled, at the height that carries the load
-    HostWheel hosted;
+    contact::HostWheel hosted;
     hosted.y = lateral;
     const SineCosine turned = sine_cosine(roll);
     const double rotation[3][3] = {
@@ -70,10 +70,10 @@ struct Elastic {
       for (int k = 0; k < 3; ++k) hosted.rotation[i][k] = rotation[i][k];
     hosted.load_prescribed = true;
     hosted.vertical_load = load;
-    Contact& contact = *contacts[static_cast<int>(side)];
-    const Fault fault = solve_wheel(contact, hosted);
+    contact::Contact& contact = *contacts[static_cast<int>(side)];
+    const Fault fault = contact::solve_wheel(contact, hosted);
     if (fault.failed()) return fault;
-    const HostWrench& result = contact.wheel;
+    const contact::HostWrench& result = contact.wheel;
     // means over the regions, weighted by the normal forces they carry
     place = {};
     double carried = 0.0;
@@ -86,7 +86,7 @@ struct Elastic {
     }
     for (double* const mean : {&place.radius, &place.y_wheel, &place.y_rail}) *mean /= carried;
     // contact angle: that of the force across the track, frictionless
-    const double outward = side == Side::right ? 1.0 : -1.0;
+    const double outward = side == geometry::Side::right ? 1.0 : -1.0;
     place.angle = -outward * arctangent(result.wrench.force[1] / -result.wrench.force[2]);
     height = result.wrench.height;
     return fault;
@@ -139,7 +139,7 @@ Fault settle(Bodies& bodies, double base, double lateral, SettledWheelset& settl
   for (int n = 0; n < most_steps; ++n) {
     // height at which each wheel touches, at this roll
     double height[2] = {};
-    for (const Side side : {Side::right, Side::left}) {
+    for (const geometry::Side side : {geometry::Side::right, geometry::Side::left}) {
       const int k = static_cast<int>(side);
       const Fault fault = bodies.touch(side, lateral, roll, settled.side[k], height[k]);
       if (fault.failed()) return fault;
@@ -157,10 +157,10 @@ Fault settle(Bodies& bodies, double base, double lateral, SettledWheelset& settl
 }
 
 template <class Bodies>
-Fault settle_all(Bodies&& bodies, const Model& model, std::uint32_t count, const double* lateral,
+Fault settle_all(Bodies&& bodies, const contact::Model& model, std::uint32_t count, const double* lateral,
                  SettledWheelset* settled) {
   // each displacement begins with the roll of the one before
-  const double base = 2.0 * model.bodies[static_cast<int>(Side::right)].wheel.origin_y;
+  const double base = 2.0 * model.bodies[static_cast<int>(geometry::Side::right)].wheel.origin_y;
   Fault worst;
   for (std::uint32_t i = 0; i < count; ++i) {
     settled[i] = {};
@@ -175,10 +175,10 @@ Fault settle_all(Bodies&& bodies, const Model& model, std::uint32_t count, const
 
 }  // namespace
 
-Fault settle_wheelset(const Model& model, double load, std::uint32_t count, const double* lateral,
+Fault settle_wheelset(const contact::Model& model, double load, std::uint32_t count, const double* lateral,
                       SettledWheelset* settled) {
   return load > 0.0 ? settle_all(Elastic{model, load}, model, count, lateral, settled)
                     : settle_all(Rigid{model}, model, count, lateral, settled);
 }
 
-}  // namespace wrc
+}  // namespace wrc::profiles

@@ -7,7 +7,7 @@
 #include "base/fault.hpp"
 #include "contact/model.hpp"
 
-namespace wrc {
+namespace wrc::profiles {
 
 /// Where one wheel of the wheelset rolls.
 struct RollingPlace {
@@ -26,7 +26,7 @@ struct SettledWheelset {
 /// Settles the wheelset at every displacement: roll and height for which both wheels touch (load 0) or carry
 /// `load` each, without friction [N]. Under load radius, angle and places are means weighted by the
 /// regions' normal forces. The displacement a failure is about is the fault's index.
-Fault settle_wheelset(const Model& model, double load, std::uint32_t count, const double* lateral,
+Fault settle_wheelset(const contact::Model& model, double load, std::uint32_t count, const double* lateral,
                       SettledWheelset* settled);
 
-}  // namespace wrc
+}  // namespace wrc::profiles

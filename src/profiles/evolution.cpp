@@ -6,32 +6,32 @@
 #include "base/elementary.hpp"
 #include "geometry/arc_length.hpp"
 
-namespace wrc {
+namespace wrc::profiles {
 namespace {
 
 /// The spline through points, with its memory and arc lengths.
 class SplineProfile {
  public:
-  Fault make(ProfileBody body, std::uint32_t count, const double* y, const double* z) {
+  Fault make(geometry::ProfileBody body, std::uint32_t count, const double* y, const double* z) {
     const auto nodes = static_cast<std::int32_t>(count);
-    memory_.resize(profile_doubles(nodes));
+    memory_.resize(geometry::profile_doubles(nodes));
     std::vector<double> scratch(count);
-    const Fault fault =
-        spline_through(body, nodes, y, z, scratch.data(), profile_memory(nodes, memory_.data()), profile_);
+    const Fault fault = geometry::spline_through(body, nodes, y, z, scratch.data(),
+                                                 geometry::profile_memory(nodes, memory_.data()), profile_);
     if (fault.failed()) return fault;
     arc_.resize(count);
-    measured_ = measure(profile_, 0.0, arc_.data());
+    measured_ = geometry::measure(profile_, 0.0, arc_.data());
     return fault;
   }
-  const Profile& profile() const { return profile_; }
-  const MeasuredProfile& measured() const { return measured_; }
+  const geometry::Profile& profile() const { return profile_; }
+  const geometry::MeasuredProfile& measured() const { return measured_; }
   double begin() const { return arc_.front(); }
   double end() const { return arc_.back(); }
 
  private:
   std::vector<double> memory_, arc_;
-  Profile profile_;
-  MeasuredProfile measured_;
+  geometry::Profile profile_;
+  geometry::MeasuredProfile measured_;
 };
 
 /// Depth at an arc length: straight between the middles of bins, zero beyond them.
@@ -97,13 +97,14 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
 
   // A wheel's steel is above its profile, a rail's below; z points down.
   // off along the normal (-slope, 1) / root(1 + slope^2), into the steel; the area by trapezia
-  const double into_steel = step.body == ProfileBody::wheel ? -1.0 : 1.0;
+  const double into_steel = step.body == geometry::ProfileBody::wheel ? -1.0 : 1.0;
   worn.y.resize(depth.size());
   worn.z.resize(depth.size());
   for (std::int32_t i = 0; i <= pieces; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const double at = i == pieces ? y[count - 1] : place_at(given.measured(), given.begin() + spacing * i);
-    const ProfilePoint point = evaluate(given.profile(), at);
+    const double at =
+        i == pieces ? y[count - 1] : geometry::place_at(given.measured(), given.begin() + spacing * i);
+    const geometry::ProfilePoint point = geometry::evaluate(given.profile(), at);
     const double off = into_steel * worn.passages * depth[k] / std::sqrt(1.0 + point.slope * point.slope);
     worn.y[k] = at - off * point.slope;
     worn.z[k] = point.z + off;
@@ -120,8 +121,8 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   std::vector<double> laid_y(worn.y), laid_z(worn.z);
   for (std::int32_t i = 1; i < pieces; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    laid_y[k] = place_at(moved.measured(), moved.begin() + new_spacing * i);
-    laid_z[k] = evaluate(moved.profile(), laid_y[k]).z;
+    laid_y[k] = geometry::place_at(moved.measured(), moved.begin() + new_spacing * i);
+    laid_z[k] = geometry::evaluate(moved.profile(), laid_y[k]).z;
   }
   worn.y = std::move(laid_y);
   worn.z = std::move(laid_z);
@@ -131,29 +132,29 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
 Fault measure_flange(std::uint32_t count, const double* y, const double* z, double back,
                      FlangeDimensions& dimensions) {
   SplineProfile given;
-  const Fault fault = given.make(ProfileBody::wheel, count, y, z);
+  const Fault fault = given.make(geometry::ProfileBody::wheel, count, y, z);
   if (fault.failed()) return fault;
-  const Profile& wheel = given.profile();
+  const geometry::Profile& wheel = given.profile();
   // tip of the flange: lowest point of the profile on the flange's side
-  const double datum = evaluate(wheel, 0.0).z;
+  const double datum = geometry::evaluate(wheel, 0.0).z;
   std::int32_t tip = 0;
   for (std::int32_t i = 0; i < wheel.count && wheel.y[i] < 0.0; ++i)
     if (wheel.z[i] > wheel.z[tip]) tip = i;
   double tip_z = wheel.z[tip], tip_y = wheel.y[tip];
   for (int i = -50; i <= 50; ++i) {  // between the points beside it
     const double at = wheel.y[tip] + 0.02 * i * (wheel.y[tip + 1] - wheel.y[tip]);
-    if (evaluate(wheel, at).z > tip_z) tip_z = evaluate(wheel, at).z, tip_y = at;
+    if (geometry::evaluate(wheel, at).z > tip_z) tip_z = geometry::evaluate(wheel, at).z, tip_y = at;
   }
   // on the face, from the tip towards the tread, where it has a height
   const auto face = [&](double height, double& at) {
     // steps of 0.1 mm along the face until it is above the height, then halves
     double low = tip_y, high = tip_y;
     const double step = 1e-4;
-    while (high < 0.0 && evaluate(wheel, high).z > height) low = high, high += step;
+    while (high < 0.0 && geometry::evaluate(wheel, high).z > height) low = high, high += step;
     if (!(high < 0.0)) return false;
     for (int n = 0; n < 60; ++n) {
       const double middle = 0.5 * (low + high);
-      (evaluate(wheel, middle).z > height ? low : high) = middle;
+      (geometry::evaluate(wheel, middle).z > height ? low : high) = middle;
     }
     at = 0.5 * (low + high);
     return true;
@@ -166,4 +167,4 @@ Fault measure_flange(std::uint32_t count, const double* y, const double* z, doub
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::profiles

@@ -8,11 +8,11 @@
 #include "base/fault.hpp"
 #include "geometry/profile_points.hpp"
 
-namespace wrc {
+namespace wrc::profiles {
 
 /// Wear over the arc length of a profile, from its origin (y = 0).
 struct WearStep {
-  ProfileBody body = ProfileBody::wheel;
+  geometry::ProfileBody body = geometry::ProfileBody::wheel;
   std::uint32_t bins = 0;
   double first = 0.0, width = 0.0;  ///< start and width of the bins [m]
   const double* depth = nullptr;    ///< depth of each bin for one passage, >= 0 [m]
@@ -46,4 +46,4 @@ struct FlangeDimensions {
 Fault measure_flange(std::uint32_t count, const double* y, const double* z, double back,
                      FlangeDimensions& dimensions);
 
-}  // namespace wrc
+}  // namespace wrc::profiles

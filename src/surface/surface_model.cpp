@@ -6,7 +6,7 @@
 
 #include "base/arena.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Numbers the model's memory depends on: points of the profiles, sections, points of the longest of them.
@@ -107,4 +107,4 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -17,7 +17,7 @@
 #include "tangential/friction/flash_temperature.hpp"
 #include "tangential/march/march_grid.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Methods that solve a wheel on a rail.
 struct SurfaceMethods {
@@ -33,8 +33,8 @@ struct SurfaceMethods {
 
 /// The bodies, right-hand, as the caller gave them.
 struct SurfaceBodies {
-  Profile wheel;                                    ///< from its own origin, z down
-  Profile rail;                                     ///< from its own origin, not canted
+  geometry::Profile wheel;                          ///< from its own origin, z down
+  geometry::Profile rail;                           ///< from its own origin, not canted
   double rail_inclination = 0.0;                    ///< tangent of the cant about that origin
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
   double nominal_radius = 0.0;                      ///< radius of the wheel at its profile's origin [m]
@@ -42,23 +42,23 @@ struct SurfaceBodies {
   const RailSection* section = nullptr;
   RadiusTable radius;             ///< without rows: the wheel is round
   double roller_curvature = 0.0;  ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
-  Material material;
-  Effusivities effusivities;
+  patch::Material material;
+  tangential::Effusivities effusivities;
   // These outlive the model:
-  const InfluenceTables* influence = nullptr;
+  const normal::InfluenceTables* influence = nullptr;
   const Kernels* kernels = nullptr;
-  const KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
-  const MarchGrid* grid = nullptr;
+  const theory::KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
+  const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
 };
 
 struct SurfaceModel : SurfaceGeometry {
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
-  Material material;
-  Effusivities effusivities;
-  const InfluenceTables* influence = nullptr;
+  patch::Material material;
+  tangential::Effusivities effusivities;
+  const normal::InfluenceTables* influence = nullptr;
   StripCoefficientTable coefficients;
-  const MarchGrid* grid = nullptr;
+  const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
 };
 
@@ -77,4 +77,4 @@ inline PressureModel pressure_model(const SurfaceModel& model) {
   return {*model.influence, *model.kernels, model.material.normal_compliance()};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

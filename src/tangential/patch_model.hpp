@@ -1,7 +1,7 @@
 /// How FASTSIM and FaStrip see a patch: on which strips tractions live, and whose linear theory they follow.
 #pragma once
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// With an ellipse creepages, forces and y refer to the ellipse's centre.
 struct PatchModel {
@@ -16,4 +16,4 @@ inline constexpr PatchModel patch_with_ellipse{.of_sdec = false};
 inline constexpr PatchModel ellipse_at_middle{.on_ellipse = true, .at_middle = true, .of_sdec = false};
 inline constexpr PatchModel ellipse_at_point{.on_ellipse = true, .of_sdec = false};
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -13,7 +13,7 @@
 #include "tangential/friction/strip_friction.hpp"
 #include "theory/flexibility.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 struct Creepage {
   double longitudinal = 0.0;  ///< nu_x [-]
@@ -31,9 +31,9 @@ enum class TractionBound {
 };
 
 struct TangentialProblem {
-  Strips region;  ///< where tractions live, with their pressure
+  patch::Strips region;  ///< where tractions live, with their pressure
   Creepage creepage;
-  Flexibility flexibility;
+  theory::Flexibility flexibility;
   StripFriction friction;  ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
 };
@@ -87,4 +87,4 @@ inline void refer_back(double y, TangentialForces& forces, TangentialSensitiviti
   for (int k = 0; k < 5; ++k) d[2][k] -= y * d[0][k];
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -7,7 +7,7 @@
 #include "tangential/problem.hpp"
 #include "theory/sdec.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 struct ForceTable;
 
@@ -33,12 +33,12 @@ struct RollingMemory {
 };
 
 struct RollingContact {
-  Strips region;               ///< strips the tractions live on, about the origin of the creepages
+  patch::Strips region;        ///< strips the tractions live on, about the origin of the creepages
   double a = 0.0, b = 0.0;     ///< semi-axes of the equivalent ellipse or SDEC, a in rolling direction [m]
   double shape_number = 0.0;   ///< psi: the patch's mid-width lies at y = psi b [-]
   double shear_modulus = 0.0;  ///< G, times the slope reduction of a layer between the bodies [Pa]
-  const SdecTable* linear_theory = nullptr;  ///< coefficients of the bodies' Poisson ratio
-  const MarchGrid* grid = nullptr;           ///< cells along each strip
+  const theory::SdecTable* linear_theory = nullptr;  ///< coefficients of the bodies' Poisson ratio
+  const MarchGrid* grid = nullptr;                   ///< cells along each strip
   Creepage
       creepage;  ///< at the initial contact point, or at the ellipse's centre where `model` has it elsewhere
   StripFriction friction;  ///< mu [-]
@@ -56,4 +56,4 @@ struct RollingContact {
   double elastic_shape_number() const { return model.of_sdec ? shape_number : 0.0; }
 };
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -4,7 +4,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 
 Flexibility ellipse_flexibility(double a, double b, double shear_modulus, const KalkerTable& table,
                                 Fault& fault) {
@@ -25,4 +25,4 @@ Flexibility sdec_flexibility(double a, double b, double shape_number, double she
           pi * a * a / (4.0 * G * c * s.c23)};
 }
 
-}  // namespace wrc
+}  // namespace wrc::theory

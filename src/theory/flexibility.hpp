@@ -4,7 +4,7 @@
 #include "base/fault.hpp"
 #include "theory/sdec.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 
 /// Flexibility parameters [m/Pa]. Tractions of full adhesion are
 ///     p_x = (nu_x / l11 - phi y / l13) (x - x_l),
@@ -25,4 +25,4 @@ Flexibility ellipse_flexibility(double a, double b, double shear_modulus, const 
 Flexibility sdec_flexibility(double a, double b, double shape_number, double shear_modulus,
                              const SdecTable& table, Fault& fault);
 
-}  // namespace wrc
+}  // namespace wrc::theory

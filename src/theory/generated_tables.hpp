@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace wrc::tables {
+namespace wrc::theory::tables {
 
 /// C11s, C22s, C23s, C13s, C33s about the joint of the half-ellipses; those of -psi are the same but for
 /// the sign of C13s. C31s = C13s and C32s = -C23s.
@@ -332,4 +332,4 @@ inline constexpr std::array<LinearTheoryEntry, 306> linear_theory = {{
 }};
 // clang-format on
 
-}  // namespace wrc::tables
+}  // namespace wrc::theory::tables

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace wrc {
+namespace wrc::theory {
 
 /// A value and its derivative with respect to the table's variable.
 struct Interpolated {
@@ -50,4 +50,4 @@ struct HermiteTable {
 /// smooth in the logarithm of the ratio, bounded, and free of transcendental functions.
 constexpr double slenderness(double ratio) { return (ratio - 1.0) / (ratio + 1.0); }
 
-}  // namespace wrc
+}  // namespace wrc::theory

@@ -6,7 +6,7 @@
 #include "patch/material.hpp"
 #include "theory/node_values.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 namespace {
 
 using Reciprocal = HermiteTable<tables::ratio_count>;
@@ -115,4 +115,4 @@ KalkerCoefficients KalkerTable::at(double ratio, Fault& fault) const {
           continued(g, g0, here.c23, there.c23, at_end(tables::c23s, c23_))};
 }
 
-}  // namespace wrc
+}  // namespace wrc::theory

@@ -9,7 +9,7 @@
 #include "theory/hermite.hpp"
 #include "theory/node_values.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 
 struct KalkerCoefficients {
   double c11 = 0.0, c22 = 0.0, c23 = 0.0;  ///< [-]
@@ -38,4 +38,4 @@ class KalkerTable {
   Reciprocal c11_, c22_, c23_;  ///< 1/C11, 1/C22, sqrt(a/b)/C23 over the slenderness
 };
 
-}  // namespace wrc
+}  // namespace wrc::theory

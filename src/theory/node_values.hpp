@@ -9,7 +9,7 @@
 #include "theory/generated_tables.hpp"
 #include "theory/hermite.hpp"
 
-namespace wrc::tables {
+namespace wrc::theory::tables {
 
 /// Columns of LinearTheoryEntry::value.
 enum Coefficient : std::size_t { c11s, c22s, c23s, c13s };
@@ -58,4 +58,4 @@ inline OverRatio slenderness_nodes() {
   return u;
 }
 
-}  // namespace wrc::tables
+}  // namespace wrc::theory::tables

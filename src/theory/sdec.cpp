@@ -4,7 +4,7 @@
 
 #include "theory/node_values.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 namespace {
 
 using tables::ratio_count;
@@ -130,4 +130,4 @@ SdecCoefficients SdecTable::at(double ratio, double shape_number, Fault& fault) 
   return c;
 }
 
-}  // namespace wrc
+}  // namespace wrc::theory

@@ -10,7 +10,7 @@
 #include "base/fault.hpp"
 #include "theory/kalker.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 
 struct SdecCoefficients {
   double c11 = 0.0, c13 = 0.0, c22 = 0.0, c23 = 0.0;  ///< C11s, C13s, C22s, C23s [-]
@@ -53,4 +53,4 @@ class SdecTable {
   static Influence influence(std::size_t coefficient, double poisson);
 };
 
-}  // namespace wrc
+}  // namespace wrc::theory

@@ -48,16 +48,17 @@ TEST(GeometryReference, ContactPointPenetrationAndCreepages) {
   double worst_y = 0.0, worst_angle = 0.0, worst_overlap = 0.0, worst_x = 0.0, worst_lateral = 0.0,
          worst_spin = 0.0;
   for (const Case& c : cases) {
-    const Pose pose{.lateral = c.at("y_ws_mm") * mm,
-                    .vertical = c.at("z_ws_mm") * mm,
-                    .roll = c.at("roll_rad"),
-                    .yaw = c.at("yaw_rad")};
-    const PosedWheel wheel = posed(bodies.wheel, pose);
-    ContactPoint first;
+    const geometry::Pose pose{.lateral = c.at("y_ws_mm") * mm,
+                              .vertical = c.at("z_ws_mm") * mm,
+                              .roll = c.at("roll_rad"),
+                              .yaw = c.at("yaw_rad")};
+    const geometry::PosedWheel wheel = geometry::posed(bodies.wheel, pose);
+    geometry::ContactPoint first;
     std::int32_t count = 0;
-    ASSERT_EQ(find_contact(bodies.rail, wheel, 1, &first, count).status, WRC_OK);
-    const ContactPoint contact = test::overlap_weighted_point(bodies.rail, wheel, first, -first.vertical_gap);
-    const RigidCreepage ours = creepage(
+    ASSERT_EQ(geometry::find_contact(bodies.rail, wheel, 1, &first, count).status, WRC_OK);
+    const geometry::ContactPoint contact =
+        test::overlap_weighted_point(bodies.rail, wheel, first, -first.vertical_gap);
+    const geometry::RigidCreepage ours = geometry::creepage(
         wheel, contact,
         {.speed = c.at("vs_mps"), .lateral_velocity = c.at("vy_mps"), .pitch_rate = c.at("vpitch_radps")});
 

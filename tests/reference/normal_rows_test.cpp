@@ -64,7 +64,7 @@ std::vector<ReferenceCase> read_cases(const std::string& path) {
 }
 
 /// Sum of |difference| over total of the line load, on the reference's rows; `shift` takes its y to ours.
-double line_load_error(const Strips& strips, const ReferenceCase& reference, double shift) {
+double line_load_error(const patch::Strips& strips, const ReferenceCase& reference, double shift) {
   constexpr double row_width = 0.2e-3;
   double difference = 0.0, total = 0.0, inside = 0.0;
   for (std::size_t i = 0; i < reference.row_y.size(); ++i) {
@@ -79,7 +79,7 @@ double line_load_error(const Strips& strips, const ReferenceCase& reference, dou
     difference += std::abs(load - reference.line_load[i] * row_width);
     total += reference.line_load[i] * row_width;
   }
-  return (difference + totals(strips).normal_force - inside) / total;
+  return (difference + patch::totals(strips).normal_force - inside) / total;
 }
 
 TEST(NormalReference, RowsOfTheExactTheory) {
@@ -87,28 +87,32 @@ TEST(NormalReference, RowsOfTheExactTheory) {
   ASSERT_EQ(cases.size(), 8u);
 
   constexpr std::int32_t count = 60;
-  const auto influence = std::make_unique<InfluenceTables>();
-  tabulate(*influence);
-  std::vector<std::byte> scratch(static_cast<std::size_t>(strip_halfspace_workspace(count)));
+  const auto influence = std::make_unique<normal::InfluenceTables>();
+  normal::tabulate(*influence);
+  std::vector<std::byte> scratch(static_cast<std::size_t>(normal::strip_halfspace_workspace(count)));
   std::vector<double> start(4 * count);
-  const auto half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
-    NormalWorkspace workspace{scratch.data(), static_cast<std::int64_t>(scratch.size())};
-    StripHalfspaceStart cold{count, 0, &start[0], &start[count], &start[2 * count], &start[3 * count]};
-    return solve_strip_halfspace(p, {}, *influence, workspace, cold, s, r);
+  const auto half_space = [&](const normal::NormalProblem& p, patch::Strips& s, normal::NormalSolution& r) {
+    normal::NormalWorkspace workspace{scratch.data(), static_cast<std::int64_t>(scratch.size())};
+    normal::StripHalfspaceStart cold{
+        count, 0, &start[0], &start[count], &start[2 * count], &start[3 * count]};
+    return normal::solve_strip_halfspace(p, {}, *influence, workspace, cold, s, r);
   };
   struct Method {
     const char* name;
-    std::function<Fault(const NormalProblem&, Strips&, NormalSolution&)> solve;
+    std::function<Fault(const normal::NormalProblem&, patch::Strips&, normal::NormalSolution&)> solve;
   };
   const Method methods[] = {
       {"strip half-space", half_space},
-      {"EKP (area)", [](const auto& p, auto& s, auto& r) { return solve_ekp(p, {}, s, r); }},
+      {"EKP (area)", [](const auto& p, auto& s, auto& r) { return normal::solve_ekp(p, {}, s, r); }},
       {"EKP (ellipse), KPEC",
-       [](const auto& p, auto& s, auto& r) { return solve_ekp(p, {EkpScale::ellipse}, s, r); }},
-      {"Kik-Piotrowski", [](const auto& p, auto& s, auto& r) { return solve_kik_piotrowski(p, {}, s, r); }},
-      {"ANALYN", solve_analyn},
-      {"STRIPES", solve_stripes},
-      {"Hertz", solve_hertz},
+       [](const auto& p, auto& s, auto& r) {
+         return normal::solve_ekp(p, {normal::EkpScale::ellipse}, s, r);
+       }},
+      {"Kik-Piotrowski",
+       [](const auto& p, auto& s, auto& r) { return normal::solve_kik_piotrowski(p, {}, s, r); }},
+      {"ANALYN", normal::solve_analyn},
+      {"STRIPES", normal::solve_stripes},
+      {"Hertz", normal::solve_hertz},
   };
 
   const ReferenceBodies bodies;
@@ -116,31 +120,32 @@ TEST(NormalReference, RowsOfTheExactTheory) {
               "approach", "line");
   for (const Method& method : methods)
     for (const ReferenceCase& one : cases) {
-      const Pose pose{.lateral = one.y_ws, .vertical = 0.0, .roll = 0.0, .yaw = one.yaw};
-      const PosedWheel wheel = posed(bodies.wheel, pose);
-      ContactPoint first;
+      const geometry::Pose pose{.lateral = one.y_ws, .vertical = 0.0, .roll = 0.0, .yaw = one.yaw};
+      const geometry::PosedWheel wheel = geometry::posed(bodies.wheel, pose);
+      geometry::ContactPoint first;
       std::int32_t found = 0;
-      ASSERT_EQ(find_contact(bodies.rail, wheel, 1, &first, found).status, WRC_OK);
+      ASSERT_EQ(geometry::find_contact(bodies.rail, wheel, 1, &first, found).status, WRC_OK);
       const double typical_approach = one.normal_force < 50e3 ? 50e-6 : 80e-6;
       // The overlap is asked of a wheel that does overlap.
-      const Pose lowered_pose{.lateral = one.y_ws,
-                              .vertical = first.vertical_gap + typical_approach / first.cosine,
-                              .roll = 0.0,
-                              .yaw = one.yaw};
-      const PosedWheel lowered = posed(bodies.wheel, lowered_pose);
-      ASSERT_EQ(find_contact(bodies.rail, lowered, 1, &first, found).status, WRC_OK);
-      ContactPoint contact = test::overlap_weighted_point(bodies.rail, lowered, first, -first.vertical_gap);
+      const geometry::Pose lowered_pose{.lateral = one.y_ws,
+                                        .vertical = first.vertical_gap + typical_approach / first.cosine,
+                                        .roll = 0.0,
+                                        .yaw = one.yaw};
+      const geometry::PosedWheel lowered = geometry::posed(bodies.wheel, lowered_pose);
+      ASSERT_EQ(geometry::find_contact(bodies.rail, lowered, 1, &first, found).status, WRC_OK);
+      geometry::ContactPoint contact =
+          test::overlap_weighted_point(bodies.rail, lowered, first, -first.vertical_gap);
       contact.vertical_gap = 0.0;  // leave the wheel where it is
 
-      GapLimits limits;
+      geometry::GapLimits limits;
       limits.height = 0.3e-3;
-      const GapWindow window = gap_window(bodies.rail, lowered, contact, limits);
+      const geometry::GapWindow window = geometry::gap_window(bodies.rail, lowered, contact, limits);
       constexpr std::int32_t rows = 161;
       std::vector<double> block(4 * rows);
-      const GapRowMemory memory{rows, &block[0], &block[rows], &block[2 * rows], &block[3 * rows]};
-      NormalProblem problem;
-      ASSERT_EQ(fill_gap_rows(bodies.rail, lowered, contact, window, rows, memory,
-                              kernels_for(InstructionSet::baseline), problem.gap)
+      const geometry::GapRowMemory memory{rows, &block[0], &block[rows], &block[2 * rows], &block[3 * rows]};
+      normal::NormalProblem problem;
+      ASSERT_EQ(geometry::fill_gap_rows(bodies.rail, lowered, contact, window, rows, memory,
+                                        kernels_for(InstructionSet::baseline), problem.gap)
                     .status,
                 WRC_OK);
       problem.material = test::steel;
@@ -151,7 +156,7 @@ TEST(NormalReference, RowsOfTheExactTheory) {
       problem.force_tolerance = 1e-6;
 
       test::StripMemory owned(count);
-      NormalSolution solution;
+      normal::NormalSolution solution;
       const Fault fault = method.solve(problem, owned.strips, solution);
       ASSERT_FALSE(fault.failed()) << method.name << " " << fault.field;
       const double shift = (one.y_rail - contact.y_rail) / contact.cosine;

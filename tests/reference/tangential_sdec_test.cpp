@@ -18,7 +18,7 @@ namespace {
 
 struct Row {
   double a, b, psi, poisson, shear_modulus, friction, normal_force;
-  Creepage creepage;
+  tangential::Creepage creepage;
   double fx, fy, mz, power, adhesion;
 
   /// The power column falls with the reference program's cell size (by 3 to 30 %); the balance of its forces
@@ -71,20 +71,21 @@ struct Errors {
 
 /// Force error |F - F_exact| / (mu N) over all rows, relative power error over rows with adhesion below 0.9.
 template <class Method>
-Errors run(const char* name, const std::vector<Row>& rows, TractionBound bound, bool on_ellipse,
+Errors run(const char* name, const std::vector<Row>& rows, tangential::TractionBound bound, bool on_ellipse,
            const Method& method) {
   constexpr int n = 32;
   const test::OwnedGrid grid(n);
   std::vector<double> v(static_cast<std::size_t>(4 * n * n)), workspace(v.size()), force, power, balance;
-  const TangentialFields fields{v.data(), v.data() + n * n, v.data() + 2 * n * n, v.data() + 3 * n * n};
+  const tangential::TangentialFields fields{v.data(), v.data() + n * n, v.data() + 2 * n * n,
+                                            v.data() + 3 * n * n};
   for (const Row& r : rows) {
-    const SdecTable table(r.poisson);
+    const theory::SdecTable table(r.poisson);
     const test::OwnedStrips strips = test::sdec_strips(r.a, r.b, on_ellipse ? 0.0 : r.psi, r.normal_force, n);
     Fault fault;
-    RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
-                           &table,       &grid.get(), r.creepage, r.friction, bound};
+    tangential::RollingContact contact{strips.get(), r.a,         r.b,        r.psi,      r.shear_modulus,
+                                       &table,       &grid.get(), r.creepage, r.friction, bound};
     contact.workspace = workspace.data();
-    const TangentialForces f = method(contact, fields, fault);
+    const tangential::TangentialForces f = method(contact, fields, fault);
     force.push_back(std::hypot(f.fx - r.fx, f.fy - r.fy) / (r.friction * r.normal_force));
     if (r.adhesion < 0.9) {
       power.push_back(f.power_per_speed / r.power - 1.0);
@@ -106,18 +107,18 @@ TEST(SdecReference, PlainVariantsReachTheirKnownAccuracy) {
   const std::vector<Row> rows = read_rows();
   ASSERT_EQ(rows.size(), 150u);
   std::printf("32 x 32 cells, 150 rows: median / 95th percentile / worst, in %% of mu N or of the power\n");
-  using enum TractionBound;
-  const Errors sdec =
-      run("FASTSIM-SDEC parabolic", rows, parabolic, false, [](auto&&... all) { return fastsim(all...); });
+  using enum tangential::TractionBound;
+  const Errors sdec = run("FASTSIM-SDEC parabolic", rows, parabolic, false,
+                          [](auto&&... all) { return tangential::fastsim(all...); });
   const Errors eql = run("FASTSIM-EQ.L parabolic", rows, parabolic, false,
                          [](auto&&... all) { return test::fastsim_eql(all...); });
   const Errors eqe = run("FASTSIM-EQ.E parabolic", rows, parabolic, true,
                          [](auto&&... all) { return test::fastsim_eqe(all...); });
-  const Errors sdec_elliptic =
-      run("FASTSIM-SDEC elliptic", rows, elliptic, false, [](auto&&... all) { return fastsim(all...); });
+  const Errors sdec_elliptic = run("FASTSIM-SDEC elliptic", rows, elliptic, false,
+                                   [](auto&&... all) { return tangential::fastsim(all...); });
   const Errors strip = run("strip FASTSIM (default)", rows, elliptic, false,
-                           [](auto&&... all) { return strip_fastsim(all...); });
-  const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, wrc::fastrip);
+                           [](auto&&... all) { return tangential::strip_fastsim(all...); });
+  const Errors fastrip = run("FaStrip-SDEC", rows, elliptic, false, wrc::tangential::fastrip);
   const Errors modified = run("FaStrip modified", rows, elliptic, false, test::fastrip_modified);
   EXPECT_LT(fastrip.force.median, 0.0082);
   EXPECT_LT(fastrip.force.p95, 0.037);

@@ -112,7 +112,18 @@ class Figures(Tree):
     def test_arrow_back(self):
         self.sound()
         self.put("src/base/c.hpp", '#include "abi/b.hpp"\n')
+        self.put("docs/architecture.md", "| `base` | `abi`: a sum |\n")
         self.sees("arrow back: base/c.hpp reads abi/b.hpp")
+
+    def test_arrow_that_the_page_lacks(self):
+        self.sound()
+        self.put("src/theory/c.hpp", "namespace wrc::theory {\n}\n")
+        self.put("src/geometry/d.hpp", '#include "theory/c.hpp"\nnamespace wrc::geometry {\n}\n')
+        self.sees("geometry reads theory, there or in src alone")
+        self.put("docs/architecture.md", "| `geometry` | `theory`: c |\n")
+        self.assertEqual(self.checked(), (0, "0\n"))
+        self.put("docs/architecture.md", "| `geometry` | `theory`: c; `patch` |\n")
+        self.sees("geometry reads patch, there or in src alone")
 
     def test_namespace(self):
         self.sound()
@@ -150,6 +161,31 @@ class References(Tree):
                               ("int a; ///< arc() (base/curve.hpp)", "arc() is not in base/curve.hpp"),
                               ("// as arc() does", "there is no arc()")):
             self.assertTrue(any(said in each for each in self.wrong(comment)), f"{comment}: {self.wrong(comment)}")
+
+    def wrong_on_page(self, page, text):
+        self.put("src/base/curve.hpp", "int place(int a);\n")
+        self.put("src/base/notes.md", "curve.hpp")
+        self.put(page, text)
+        return [each for each in references.wrong_references(self.root)[0] if page in each]
+
+    def test_pages(self):
+        self.put("docs/decisions/README.md", "| any decision | [any.md](any.md) |\n")
+        pages = [page.replace("*", "any") for page in references.PAGES]
+        self.assertIn("docs/architecture.md", pages)
+        for page in pages:
+            self.assertEqual(self.wrong_on_page(page, "`place()` of\n`curve.hpp`, src/base/, `a.place[2]`, methods/<name>.hpp, ../src/base/curve.hpp"), [])
+            for text, said in (("see src/base/gone.hpp", "there is no src/base/gone.hpp"), ("`gone()` there", "there is no gone()"),
+                               ("other() of\nbase/curve.hpp", "other() is not in base/curve.hpp"), ("in src/gone/ or", "there is no folder src/gone/"),
+                               ("the array `w.gone[]`", "there is no `gone`"), ("the array\n`gone`", f"{page}:1: there is no `gone`")):
+                self.assertTrue(any(said in each for each in self.wrong_on_page(page, text)), f"{page}, {text}: {self.wrong_on_page(page, text)}")
+
+    def test_functions_of_tests_do_not_count(self):
+        self.put("tests/unit/base_curve_test.cpp", "int planted(int a);\n")
+        self.assertTrue(any("there is no planted()" in each for each in self.wrong("// as planted() does")))
+
+    def test_decision_that_is_not_listed(self):
+        self.put("docs/decisions/any.md", "# Any\n")
+        self.assertEqual(references.wrong_references(self.root)[0], ["docs/decisions/README.md: does not list any.md"])
 
     def test_nothing_to_look_at_fails(self):
         sys.argv = ["references.py", str(self.root)]

@@ -10,7 +10,7 @@
 #include "contact/methods.hpp"
 #include "wrc/wrc.h"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 TEST(Methods, ValuesWithoutARowHaveNone) {
@@ -76,4 +76,4 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::contact

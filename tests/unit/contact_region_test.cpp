@@ -14,7 +14,7 @@
 #include "contact/wheel.hpp"
 #include "test_config.hpp"
 
-namespace wrc {
+namespace wrc::contact {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -34,8 +34,8 @@ struct Assessed {
 bool same(const BodyStresses& a, const BodyStresses& b) {
   const auto numbers = [](const BodyStresses& s) {
     Numbers all;
-    for (const StressPeaks* peaks : {&s.surface, &s.below})
-      for (const StressPeak* p : {&peaks->von_mises, &peaks->shear, &peaks->tension})
+    for (const damage::StressPeaks* peaks : {&s.surface, &s.below})
+      for (const damage::StressPeak* p : {&peaks->von_mises, &peaks->shear, &peaks->tension})
         all.insert(all.end(), {p->value, p->x, p->y, p->z});
     return all;
   };
@@ -46,7 +46,7 @@ class ContactRegion : public testing::Test {
  protected:
   wrc_config config = test_config();
   HostWheel wheel;
-  WearLaws laws;
+  damage::WearLaws laws;
   wrc_model* model = nullptr;
   wrc_contact* handle = nullptr;
   Contact* contact = nullptr;
@@ -111,10 +111,10 @@ class ContactRegion : public testing::Test {
   /// The stages at a pose.
   void press(double lateral, double load, double yaw = 0.0) {
     ASSERT_FALSE(find_gap(*contact, {.lateral = lateral, .yaw = yaw}).failed());
-    ASSERT_FALSE(solve_normal(*contact, {.prescribed = Prescribed::load, .value = load}).failed());
+    ASSERT_FALSE(solve_normal(*contact, {.prescribed = normal::Prescribed::load, .value = load}).failed());
     ASSERT_FALSE(regularise_patch(*contact).failed());
   }
-  void roll(const Creepage& creepage, double way = 1.0) {
+  void roll(const tangential::Creepage& creepage, double way = 1.0) {
     Friction law;
     law.law.coefficient = friction;
     ASSERT_FALSE(solve_tangential(*contact, creepage, law, {.speed = speed, .direction = way}).failed());
@@ -175,7 +175,7 @@ class ContactRegion : public testing::Test {
   }
 };
 
-constexpr Creepage some{1e-3, -0.5e-3, 0.2};
+constexpr tangential::Creepage some{1e-3, -0.5e-3, 0.2};
 
 TEST_F(ContactRegion, OnePatchIsTheWholeToTheBit) {
   create();
@@ -271,7 +271,7 @@ TEST_F(ContactRegion, FieldsAddUpOfBothSolutions) {
       EXPECT_NEAR(from_strips, power, 1e-9 * power);
       const double v = std::abs(region.rolling_speed);
       over_cells(0, FieldId::power_density, [&](double density, double, double, double area) {
-        worn_by_cells += area * wear_depth_rate(laws.sheffield, std::max(0.0, density / v));
+        worn_by_cells += area * damage::wear_depth_rate(laws.sheffield, std::max(0.0, density / v));
       });
       EXPECT_NEAR(worn, worn_by_cells, 1e-9 * worn);
       const Numbers density = field(0, FieldId::power_density), index = field(0, FieldId::fatigue_index),
@@ -280,7 +280,7 @@ TEST_F(ContactRegion, FieldsAddUpOfBothSolutions) {
       EXPECT_EQ(*std::max_element(index.begin(), index.end()), all.damage.local_fatigue_index);
       EXPECT_EQ(*std::max_element(rise.begin(), rise.end()), all.temperature.rise);
       const double most = *std::max_element(density.begin(), density.end());
-      EXPECT_NEAR(all.wear.largest_depth_rate, wear_depth_rate(laws.sheffield, most / v),
+      EXPECT_NEAR(all.wear.largest_depth_rate, damage::wear_depth_rate(laws.sheffield, most / v),
                   1e-9 * all.wear.largest_depth_rate);
     }
   }
@@ -647,7 +647,7 @@ TEST_F(ContactRegion, LoweredByItsClearanceAWheelTouches) {
         EXPECT_EQ(solve().wrench.regions, 0) << above << " " << pose.y;
         EXPECT_NEAR(contact->wheel.wrench.clearance, 1e-9, 1e-10);
         wheel.z = touch + 1e-9;
-        const Wrench& found = solve().wrench;
+        const surface::Wrench& found = solve().wrench;
         EXPECT_GT(found.regions, 0) << above << " " << pose.y;
         EXPECT_EQ(found.clearance, 0.0);
         EXPECT_EQ(contact->wheel.place[0].y_wheel < -25e-3, pose.on_flange)
@@ -667,15 +667,15 @@ TEST_F(ContactRegion, ClearanceFollowsTheHeightAndEndsAtItsBound) {
     wheel.z = touch - above;
     EXPECT_NEAR(solve().wrench.clearance, above, 1e-10);
   }
-  wheel.z = touch - farthest_touch - 1e-3;
-  EXPECT_EQ(solve().wrench.clearance, farthest_touch);
+  wheel.z = touch - surface::farthest_touch - 1e-3;
+  EXPECT_EQ(solve().wrench.clearance, surface::farthest_touch);
   wheel.z = touch - 0.3;
-  EXPECT_EQ(solve().wrench.clearance, farthest_touch);
+  EXPECT_EQ(solve().wrench.clearance, surface::farthest_touch);
   // beside the rail nothing is there to touch
   wheel.y = -0.19;
   wheel.z = 0.0;
   ASSERT_EQ(solve().wrench.regions, 0);
-  EXPECT_EQ(contact->wheel.wrench.clearance, farthest_touch);
+  EXPECT_EQ(contact->wheel.wrench.clearance, surface::farthest_touch);
   // no clearance inside it
   wheel.y = 0.02;
   ASSERT_EQ(solve().wrench.regions, 0);
@@ -689,4 +689,4 @@ TEST_F(ContactRegion, ClearanceFollowsTheHeightAndEndsAtItsBound) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::contact

@@ -6,7 +6,7 @@
 
 #include "damage/bins.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 TEST(WholeNumbers, HoldDoublesToTheUnit) {
@@ -103,4 +103,4 @@ TEST(DamageBins, SayWhenASumIsFull) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::damage

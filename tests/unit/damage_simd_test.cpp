@@ -9,18 +9,18 @@
 #include "kernels/kernels.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 /// Every number the damage stage gives for a patch, and place and pressure of its cells.
-std::vector<double> everything(const Strips& region, int cells, const std::vector<double>& fields,
+std::vector<double> everything(const patch::Strips& region, int cells, const std::vector<double>& fields,
                                InstructionSet set) {
   const auto field = static_cast<std::size_t>(region.count * cells);
   const test::OwnedGrid grid(cells, set);
   std::vector<double> given(fields), all(4 * field + static_cast<std::size_t>(region.count));
   double* const f = given.data();
   double* const out = all.data();
-  const TangentialFields tangential{f, f + field, f + 2 * field, f + 3 * field};
+  const tangential::TangentialFields tangential{f, f + field, f + 2 * field, f + 3 * field};
   const CellDamage found = assess_cells(
       {&region, &tangential, &grid.get().middles, cells, 23.0, 250e6, out, out + field, out + 4 * field},
       kernels_for(set));
@@ -42,7 +42,7 @@ TEST(DamageInstructionSets, GiveTheSameBits) {
   for (int strips = 1; strips <= 40; ++strips) {  // packs filled and not
     const int cells = 1 + (7 * strips) % 13;
     const test::OwnedStrips owned = test::sdec_strips(5e-3, 4e-3, 0.3, 70e3, strips);
-    const Strips region = owned.get();
+    const patch::Strips region = owned.get();
     for (int j = 2; j < strips; j += 5) region.peak[j] = 0.0;
     const auto field = static_cast<std::size_t>(strips * cells);
     std::vector<double> fields(4 * field);
@@ -69,7 +69,7 @@ TEST(DamageInstructionSets, AreTheOnesAskedFor) {
 TEST(CellDamage, IsWhatItsEquationsSay) {
   const int strips = 11, cells = 6, field = strips * cells;
   const test::OwnedStrips owned = test::sdec_strips(5e-3, 4e-3, -0.2, 70e3, strips);
-  const Strips region = owned.get();
+  const patch::Strips region = owned.get();
   std::mt19937 random(37);
   std::uniform_real_distribution<double> traction(-400e6, 400e6), slip(-2e-3, 2e-3);
   std::vector<double> fields(4 * field);
@@ -97,4 +97,4 @@ TEST(CellDamage, IsWhatItsEquationsSay) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::damage

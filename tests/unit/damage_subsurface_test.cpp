@@ -9,7 +9,7 @@
 #include "damage/subsurface.hpp"
 #include "halfspace/subsurface.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 constexpr double nu = 0.28;
@@ -19,8 +19,8 @@ struct Slipping {
   static constexpr std::int32_t strips = 60, cells = 32;
   double a, b;
   std::vector<double> y, width, centre, half, peak, pressure, x, y_traction;
-  Strips region{};
-  TangentialFields fields{};
+  patch::Strips region{};
+  tangential::TangentialFields fields{};
 
   Slipping(double a_, double b_, double share_x, double share_y) : a(a_), b(b_) {
     for (std::int32_t j = 0; j < strips; ++j) {
@@ -201,4 +201,4 @@ TEST(CellStress, FarAwayIsThatOfAPointForce) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::damage

@@ -14,29 +14,29 @@
 #include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::damage {
 namespace {
 
 TEST(FrictionalPower, DensityAddsUpToThePowerOfTheMarch) {
   const double a = 4.25e-3, b = 6.375e-3, N = 2.0 / 3.0 * pi * a * b * 300e6, V = 20.0;
   const test::OwnedStrips strips = test::sdec_strips(a, b, 0.4, N, 30);
   const test::OwnedGrid grid(40);
-  const SdecTable table(0.25);
+  const theory::SdecTable table(0.25);
   Fault fault;
   std::vector<double> px(1200), py(px), sx(px), sy(px), density(px), index(px), per_width(30);
-  const TangentialFields fields{px.data(), py.data(), sx.data(), sy.data()};
-  const RollingContact contact{strips.get(),
-                               a,
-                               b,
-                               0.4,
-                               80e9,
-                               &table,
-                               &grid.get(),
-                               {-0.49e-3, -0.22e-3, 0.29},
-                               0.35,
-                               TractionBound::parabolic};
-  const TangentialForces forces = fastsim(contact, fields, fault);
-  const Strips region = strips.get();
+  const tangential::TangentialFields fields{px.data(), py.data(), sx.data(), sy.data()};
+  const tangential::RollingContact contact{strips.get(),
+                                           a,
+                                           b,
+                                           0.4,
+                                           80e9,
+                                           &table,
+                                           &grid.get(),
+                                           {-0.49e-3, -0.22e-3, 0.29},
+                                           0.35,
+                                           tangential::TractionBound::parabolic};
+  const tangential::TangentialForces forces = tangential::fastsim(contact, fields, fault);
+  const patch::Strips region = strips.get();
   const CellDamage found = assess_cells(
       {&region, &fields, &grid.get().middles, 40, V, 250e6, density.data(), index.data(), per_width.data()},
       kernels_for(InstructionSet::baseline));
@@ -47,7 +47,7 @@ TEST(FrictionalPower, DensityAddsUpToThePowerOfTheMarch) {
 }
 
 TEST(Fatigue, IndexIsZeroWhereTractionReachesTheYieldStress) {
-  const TangentialForces forces{.fx = 3e4, .fy = 4e4};
+  const tangential::TangentialForces forces{.fx = 3e4, .fy = 4e4};
   const ShakedownPoint point = shakedown_point(forces, 1e5, 500e6, 250e6);
   EXPECT_DOUBLE_EQ(point.utilised_friction, 0.5);
   EXPECT_DOUBLE_EQ(point.load_factor, 2.0);
@@ -59,11 +59,11 @@ TEST(Fatigue, LocalIndexComparesTractionWithYieldRelativeToPressure) {
   // Two strips, of which one carries no pressure; one cell.
   const test::OwnedStrips strips = test::sdec_strips(4e-3, 4e-3, 0.0, 60e3, 2);
   const test::OwnedGrid grid(1);
-  const Strips region = strips.get();
+  const patch::Strips region = strips.get();
   region.peak[1] = 0.0;
   double px[] = {300e6, 300e6}, py[] = {400e6, 400e6}, none[] = {0.0, 0.0}, density[2], index[2],
          per_width[2];
-  const TangentialFields fields{px, py, none, none};
+  const tangential::TangentialFields fields{px, py, none, none};
   const CellDamage found =
       assess_cells({&region, &fields, &grid.get().middles, 1, 20.0, 250e6, density, index, per_width},
                    kernels_for(InstructionSet::baseline));
@@ -144,4 +144,4 @@ TEST(Wear, PowerLawIsProportionalUnlessAskedOtherwise) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::damage

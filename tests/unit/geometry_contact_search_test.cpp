@@ -7,7 +7,7 @@
 #include "geometry/contact_search.hpp"
 #include "geometry_test_bodies.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -267,4 +267,4 @@ TEST(Placement, ByOriginARailStaysWhereItsPointsAre) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

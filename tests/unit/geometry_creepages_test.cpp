@@ -7,7 +7,7 @@
 #include "geometry_test_bodies.hpp"
 #include "overlap_weighted_point.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -225,4 +225,4 @@ TEST(OverlapWeightedPoint, MovesContinuouslyWhereTheFirstContactJumps) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

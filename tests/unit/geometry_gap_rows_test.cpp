@@ -9,7 +9,7 @@
 #include "kernels/kernels.hpp"
 #include "overlap_weighted_point.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -21,7 +21,7 @@ struct Gap {
   PosedWheel wheel;
   ContactPoint contact;
   GapWindow window;
-  GapRows rows;
+  patch::GapRows rows;
   Fault fault;
 
   Gap(const ReferenceBodies& bodies, const Pose& pose, std::int32_t count = 200, const GapLimits& limits = {})
@@ -91,8 +91,8 @@ TEST(GapRows, TouchAtTheOriginAndNowhereElse) {
         EXPECT_GT(gap.rows.y[j], gap.rows.y[j - 1]);
       }
     }
-    EXPECT_NEAR(interpolate(gap.rows, 0.0).height, 0.0, 2e-8) << lateral;  // between the rows
-    EXPECT_NEAR(interpolate(gap.rows, 0.0).centre, 0.0, 2e-7) << lateral;
+    EXPECT_NEAR(patch::interpolate(gap.rows, 0.0).height, 0.0, 2e-8) << lateral;  // between the rows
+    EXPECT_NEAR(patch::interpolate(gap.rows, 0.0).centre, 0.0, 2e-7) << lateral;
   }
 }
 
@@ -108,7 +108,7 @@ TEST(GapRows, InTheOverlapWeightedFrameTouchTheSamePoint) {
                     {Gap::capacity, gap.y.data(), gap.height.data(), gap.centre.data(), gap.curvature.data()},
                     kernels_for(InstructionSet::baseline), gap.rows);
   ASSERT_EQ(fault.status, WRC_OK);
-  const GapMinimum touch = minimum(gap.rows);
+  const patch::GapMinimum touch = patch::minimum(gap.rows);
   EXPECT_NEAR(touch.height, 0.0, 2e-8);
   const double y_first =
       gap.contact.cosine * (first.y - gap.contact.y) + gap.contact.sine * (first.z - gap.contact.z);
@@ -123,8 +123,8 @@ TEST(GapRows, CurvatureAtTheContactIsCosineOverRollingRadius) {
   for (const double lateral : {-3.0, 0.0, 3.0, 6.0}) {
     const Gap gap(bodies, Pose{.lateral = lateral * mm}, 400);
     const double expected = gap.contact.cosine / gap.contact.rolling_radius;
-    EXPECT_NEAR(interpolate(gap.rows, 0.0).curvature, expected, 1e-5 * expected) << lateral;
-    EXPECT_NEAR(interpolate(gap.rows, 0.0).centre, 0.0, 1e-15) << lateral;
+    EXPECT_NEAR(patch::interpolate(gap.rows, 0.0).curvature, expected, 1e-5 * expected) << lateral;
+    EXPECT_NEAR(patch::interpolate(gap.rows, 0.0).centre, 0.0, 1e-15) << lateral;
   }
 }
 
@@ -197,7 +197,7 @@ TEST(GapRows, DoNotJitterAsTheWheelsetMoves) {
     std::array<double, 3> height{}, low{};
     for (int k = 0; k < 120; ++k) {
       const Gap gap(bodies, Pose{.lateral = -2.0 * mm + k * step});
-      height = {height[1], height[2], interpolate(gap.rows, y).height};
+      height = {height[1], height[2], patch::interpolate(gap.rows, y).height};
       low = {low[1], low[2], gap.window.low};
       if (k < 2) continue;
       EXPECT_LT(std::abs(height[2] - 2.0 * height[1] + height[0]), 1e-8) << y << " " << k;
@@ -212,9 +212,9 @@ TEST(GapRows, ConvergeWithTheirNumber) {
   double worst_coarse = 0.0, worst_medium = 0.0;
   const Gap coarse(bodies, Pose{.lateral = 2.0 * mm}, 50), medium(bodies, Pose{.lateral = 2.0 * mm}, 200);
   for (double y = -8.0 * mm; y < 8.0 * mm; y += 0.1 * mm) {
-    const double h = interpolate(fine.rows, y).height;
-    worst_coarse = std::max(worst_coarse, std::abs(interpolate(coarse.rows, y).height - h));
-    worst_medium = std::max(worst_medium, std::abs(interpolate(medium.rows, y).height - h));
+    const double h = patch::interpolate(fine.rows, y).height;
+    worst_coarse = std::max(worst_coarse, std::abs(patch::interpolate(coarse.rows, y).height - h));
+    worst_medium = std::max(worst_medium, std::abs(patch::interpolate(medium.rows, y).height - h));
   }
   // The profiles' steps of curvature limit the order to two.
   EXPECT_LT(worst_medium, 0.5 * worst_coarse);
@@ -230,4 +230,4 @@ TEST(GapRows, RefuseTooFewOrTooManyRows) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

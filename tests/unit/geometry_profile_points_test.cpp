@@ -11,7 +11,7 @@
 #include "geometry/profile_points.hpp"
 #include "geometry_test_bodies.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 struct Points {
@@ -279,4 +279,4 @@ TEST(ProfilePoints, TooLittleMemoryIsAnExactError) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

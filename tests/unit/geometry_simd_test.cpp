@@ -8,7 +8,7 @@
 #include "geometry_test_bodies.hpp"
 #include "kernels/kernels.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 /// The rows of the reference bodies in a pose, all four arrays in one.
@@ -22,7 +22,7 @@ std::vector<double> gap_rows(const ReferenceBodies& bodies, const Pose& pose, st
   const auto n = static_cast<std::size_t>(count);
   std::vector<double> all(4 * n);
   double* const a = all.data();
-  GapRows rows;
+  patch::GapRows rows;
   const Fault fault = fill_gap_rows(bodies.rail, wheel, contact, window, count,
                                     {count, a, a + n, a + 2 * n, a + 3 * n}, kernels_for(set), rows);
   EXPECT_EQ(fault.status, WRC_OK) << pose.lateral << " " << pose.yaw << " " << count;
@@ -67,4 +67,4 @@ TEST(GeometryInstructionSets, AreTheOnesAskedFor) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

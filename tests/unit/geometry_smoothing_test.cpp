@@ -6,7 +6,7 @@
 
 #include "geometry/smoothing.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 struct Result {
@@ -99,4 +99,4 @@ TEST(Smoothing, DoesNotDependOnHowDenselyNoisyPointsLie) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -5,7 +5,7 @@
 
 #include "geometry_test_bodies.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -160,4 +160,4 @@ TEST(StandardProfiles, TooLittleMemoryIsAnExactError) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -10,7 +10,7 @@
 #include "geometry_test_bodies.hpp"
 #include "kernels/kernels.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 namespace {
 
 constexpr double mm = 1e-3;
@@ -121,7 +121,7 @@ TEST(SurfaceGap, WithoutYawIsTheRowsParabolaAndThenACircle) {
   contact.cosine = 1.0;
   contact.sine = 0.0;
   std::array<double, 20> y, height, centre, curvature;
-  GapRows rows;
+  patch::GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -9.0 * mm, .high = 9.0 * mm}, 20,
                           {20, y.data(), height.data(), centre.data(), curvature.data()},
                           kernels_for(InstructionSet::baseline), rows)
@@ -165,7 +165,7 @@ TEST(SurfaceGap, HasNoRidgeAheadOfTheFlangeRoot) {
   ASSERT_EQ(find_contact(bodies.rail, wheel, 1, &contact, found).status, WRC_OK);
   const SurfaceGap gap{bodies.rail, wheel, contact};
   std::array<double, 80> y, height, centre, curvature;
-  GapRows rows;
+  patch::GapRows rows;
   ASSERT_EQ(fill_gap_rows(bodies.rail, wheel, contact, {.low = -1.0 * mm, .high = 1.0 * mm}, 80,
                           {80, y.data(), height.data(), centre.data(), curvature.data()},
                           kernels_for(InstructionSet::baseline), rows)
@@ -205,4 +205,4 @@ TEST(SurfaceGap, IsFiniteAndApartFarOff) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::geometry

@@ -16,22 +16,22 @@ namespace wrc {
 /// Owns the memory of one profile.
 struct ProfileStore {
   static constexpr std::int32_t capacity = 512;
-  std::array<double, profile_doubles(capacity)> doubles;
-  ProfileMemory memory() { return profile_memory(capacity, doubles.data()); }
+  std::array<double, geometry::profile_doubles(capacity)> doubles;
+  geometry::ProfileMemory memory() { return geometry::profile_memory(capacity, doubles.data()); }
 };
 
 /// Not copyable: rail and wheel point into the stores.
 struct ReferenceBodies {
   ProfileStore rail_nodes, wheel_nodes, rail_placed, wheel_placed;
-  Rail rail;
-  Wheel wheel;
+  geometry::Rail rail;
+  geometry::Wheel wheel;
 
-  explicit ReferenceBodies(Side side = Side::right) {
-    Profile profile;
-    sample_uic60_benchmark(rail_nodes.memory(), profile);
-    place_rail(profile, usual_track(), side, rail_placed.memory(), rail);
-    sample_s1002(wheel_nodes.memory(), profile);
-    place_wheel(profile, usual_wheelset(), side, wheel_placed.memory(), wheel);
+  explicit ReferenceBodies(geometry::Side side = geometry::Side::right) {
+    geometry::Profile profile;
+    geometry::sample_uic60_benchmark(rail_nodes.memory(), profile);
+    geometry::place_rail(profile, usual_track(), side, rail_placed.memory(), rail);
+    geometry::sample_s1002(wheel_nodes.memory(), profile);
+    geometry::place_wheel(profile, usual_wheelset(), side, wheel_placed.memory(), wheel);
   }
   ReferenceBodies(const ReferenceBodies&) = delete;
   ReferenceBodies& operator=(const ReferenceBodies&) = delete;
@@ -39,8 +39,8 @@ struct ReferenceBodies {
 
 /// Separation along the contact normal at (x, y) of the contact frame, from the rotated surface of revolution
 /// itself: Newton over (s, theta) with the surface's own derivatives, unguarded.
-inline double separation(const ReferenceBodies& bodies, const PosedWheel& wheel, const ContactPoint& contact,
-                         double x, double y) {
+inline double separation(const ReferenceBodies& bodies, const geometry::PosedWheel& wheel,
+                         const geometry::ContactPoint& contact, double x, double y) {
   const auto& rot = wheel.attitude.r;
   double s = contact.wheel_s + y * contact.cosine, theta = 0.0, z_wheel = 0.0;
   const auto to_frame = [&](const double(&p)[3], double& fx, double& fy, double& fz) {
@@ -57,7 +57,7 @@ inline double separation(const ReferenceBodies& bodies, const PosedWheel& wheel,
   cy = contact.cosine * dy + contact.sine * dz;
   cz = contact.cosine * dz - contact.sine * dy;
   for (int i = 0; i < 30; ++i) {
-    const ProfilePoint w = evaluate(bodies.wheel.profile, s);
+    const geometry::ProfilePoint w = geometry::evaluate(bodies.wheel.profile, s);
     const double r = bodies.wheel.nominal_radius + w.z, st = std::sin(theta), ct = std::cos(theta);
     const double p[3] = {r * st, s, r * ct}, by_s[3] = {w.slope * st, 1.0, w.slope * ct};
     const double by_theta[3] = {r * ct, 0.0, -r * st};
@@ -72,7 +72,7 @@ inline double separation(const ReferenceBodies& bodies, const PosedWheel& wheel,
   }
   double rail_y = contact.y, z_rail = 0.0;
   for (int i = 0; i < 30; ++i) {
-    const ProfilePoint w = evaluate(bodies.rail.profile, rail_y);
+    const geometry::ProfilePoint w = geometry::evaluate(bodies.rail.profile, rail_y);
     const double ry = rail_y - contact.y, rz = w.z - contact.z;
     z_rail = contact.cosine * rz - contact.sine * ry;
     rail_y += (y - contact.cosine * ry - contact.sine * rz) / (contact.cosine + contact.sine * w.slope);

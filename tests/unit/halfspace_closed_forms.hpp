@@ -35,7 +35,7 @@ struct Hertz {
   double curvature_x, curvature_y;  // h = (curvature_x x^2 + curvature_y y^2) / 2
   double approach, load;
 };
-inline Hertz hertz(const Material& material, double a, double b, double p0) {
+inline Hertz hertz(const patch::Material& material, double a, double b, double p0) {
   const double m = 1.0 - a * a / (b * b);
   const auto [k, e] = elliptic(m);
   const double flexibility = p0 * (1.0 - material.poisson) / material.shear_modulus;

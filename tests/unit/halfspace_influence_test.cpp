@@ -10,12 +10,12 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 
 // Midpoint sum of the point-load kernels over the cell, for points outside it.
-CellInfluence by_quadrature(double x, double y, double dx, double dy) {
+tangential::CellInfluence by_quadrature(double x, double y, double dx, double dy) {
   constexpr int n = 200;
-  CellInfluence sum;
+  tangential::CellInfluence sum;
   const double s = dx * dy / (n * n) / (pi * steel.shear_modulus), nu = steel.poisson;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
@@ -32,8 +32,8 @@ CellInfluence by_quadrature(double x, double y, double dx, double dy) {
 
 TEST(HalfspaceInfluence, IsTheIntegralOfTheBoussinesqAndCerrutiPointLoads) {
   for (const auto& [x, y] : {std::pair{0.3e-3, 0.9e-3}, {-1.1e-3, 0.2e-3}, {-0.4e-3, -2e-3}, {5e-3, 0.0}}) {
-    const CellInfluence exact = cell_influence(steel, x, y, 0.4e-3, 0.7e-3),
-                        sum = by_quadrature(x, y, 0.4e-3, 0.7e-3);
+    const tangential::CellInfluence exact = tangential::cell_influence(steel, x, y, 0.4e-3, 0.7e-3),
+                                    sum = by_quadrature(x, y, 0.4e-3, 0.7e-3);
     EXPECT_NEAR(exact.zz, sum.zz, 1e-5 * sum.zz);
     EXPECT_NEAR(exact.xx, sum.xx, 1e-5 * sum.zz);
     EXPECT_NEAR(exact.yy, sum.yy, 1e-5 * sum.zz);
@@ -47,7 +47,7 @@ TEST(HalfspaceInfluence, CentreOfALoadedSquareIsLoves) {
   const double s = 1e-3;
   const double per_body =
       2.0 * s * (1 - steel.poisson) / (pi * steel.shear_modulus) * std::log(1 + std::sqrt(2.0));
-  EXPECT_NEAR(cell_influence(steel, 0, 0, s, s).zz, 2.0 * per_body, 1e-14 * per_body);
+  EXPECT_NEAR(tangential::cell_influence(steel, 0, 0, s, s).zz, 2.0 * per_body, 1e-14 * per_body);
 }
 
 class HalfspaceConvolution : public testing::TestWithParam<std::pair<int, int>> {};
@@ -68,10 +68,10 @@ TEST_P(HalfspaceConvolution, IsThePlainDoubleSum) {
       double sx = 0.0, sy = 0.0;
       for (int k = 0; k < nx; ++k) {
         for (int l = 0; l < ny; ++l) {
-          const CellInfluence here =
-              cell_influence(steel, (i - k) * grid.dx, (j - l) * grid.dy, grid.dx, grid.dy);
-          const CellInfluence up =
-              cell_influence(steel, (i - k + 1) * grid.dx, (j - l) * grid.dy, grid.dx, grid.dy);
+          const tangential::CellInfluence here =
+              tangential::cell_influence(steel, (i - k) * grid.dx, (j - l) * grid.dy, grid.dx, grid.dy);
+          const tangential::CellInfluence up =
+              tangential::cell_influence(steel, (i - k + 1) * grid.dx, (j - l) * grid.dy, grid.dx, grid.dy);
           sx +=
               ((here.xx - up.xx) * px[grid.index(k, l)] + (here.xy - up.xy) * py[grid.index(k, l)]) / grid.dx;
           sy +=

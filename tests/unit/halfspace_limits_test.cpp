@@ -12,7 +12,7 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 constexpr double peak = 1e9, friction = 0.3;
 
 class HertzLimit : public testing::TestWithParam<double> {};
@@ -126,15 +126,15 @@ TEST(HalfspaceUnlikeBodies, CylindersThatStickCreepFreely) {
 // ln((1 + beta) / (1 - beta)) / (2 beta), whichever body is the stiff one (Mossakovskii; Spence 1968).
 TEST(HalfspaceUnlikeBodies, BondedPunchIsStifferThanASmoothOne) {
   constexpr double a = 4e-3, delta = 1e-5, away = 1.0;
-  const Material soft{.shear_modulus = 2.0 * 40e9,
-                      .poisson = 0.0};  // rigid on G = 40 GPa, nu = 0: beta = 1/2
+  const patch::Material soft{.shear_modulus = 2.0 * 40e9,
+                             .poisson = 0.0};  // rigid on G = 40 GPa, nu = 0: beta = 1/2
   double ratio[2] = {};
   for (const int fine : {0, 1}) {
     const int n = fine ? 40 : 20;
     const Grid grid = grid_over_box(-1.1 * a, 1.1 * a, -1.1 * a, 1.1 * a, n, n);
     for (const double coupling : {0.5, -0.5}) {
       GapProblem problem;
-      problem.prescribed = Prescribed::approach;
+      problem.prescribed = normal::Prescribed::approach;
       problem.approach = delta;
       problem.gap.assign(grid.cells(), away);
       for (int j = 0; j < n; ++j)
@@ -166,7 +166,7 @@ TEST(HalfspaceUnlikeBodies, BondedPunchIsStifferThanASmoothOne) {
   EXPECT_NEAR(ratio[1], std::log(3.0), 0.015);
 }
 
-RollingSolution roll(const Creepage& creepage, double psi = 0.0, int n = 33) {
+RollingSolution roll(const tangential::Creepage& creepage, double psi = 0.0, int n = 33) {
   const SdecPatch patch{.a = 4e-3, .b = 6e-3, .psi = psi};
   const Grid grid = grid_over(patch, n, n);
   RollingProblem problem;
@@ -219,9 +219,10 @@ TEST(HalfspaceSymmetry, MirroredCreepagesOnAnEllipse) {
 // What the cells dissipate tends to what the rigid motion supplies: twice as fine, half the difference (first
 // order), so that the extrapolated sum meets the balance.
 TEST(HalfspaceEnergy, ExtrapolatedDissipationIsTheEnergyBalance) {
-  for (const Creepage& creepage : {Creepage{.longitudinal = 1e-3, .lateral = 0.0, .spin = 0.3},
-                                   Creepage{.longitudinal = 0.0, .lateral = 1.5e-3, .spin = 0.0},
-                                   Creepage{.longitudinal = 0.0, .lateral = 0.0, .spin = 0.8}}) {
+  for (const tangential::Creepage& creepage :
+       {tangential::Creepage{.longitudinal = 1e-3, .lateral = 0.0, .spin = 0.3},
+        tangential::Creepage{.longitudinal = 0.0, .lateral = 1.5e-3, .spin = 0.0},
+        tangential::Creepage{.longitudinal = 0.0, .lateral = 0.0, .spin = 0.8}}) {
     const RollingSolution coarse = roll(creepage, 0.3, 48), fine = roll(creepage, 0.3, 96);
     const double sum = 2.0 * fine.forces.power_per_speed - coarse.forces.power_per_speed;
     const double balance = 2.0 * fine.power_by_balance - coarse.power_by_balance;

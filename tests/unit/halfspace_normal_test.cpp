@@ -10,9 +10,9 @@ namespace wrc::halfspace {
 namespace {
 
 using closed_forms::Hertz;
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 
-GapSolution solve(double a, double b, double p0, int cells, Prescribed prescribed) {
+GapSolution solve(double a, double b, double p0, int cells, normal::Prescribed prescribed) {
   const Hertz exact = closed_forms::hertz(steel, a, b, p0);
   const Grid grid = grid_over_box(-1.25 * a, 1.25 * a, -1.25 * b, 1.25 * b, cells, cells);
   GapProblem problem{.gap = Field(grid.cells()), .prescribed = prescribed, .progress = {}};
@@ -34,7 +34,7 @@ class HalfspaceHertz : public testing::TestWithParam<double> {};
 TEST_P(HalfspaceHertz, PeakApproachAndLoadAtSixtyFourCells) {
   const double a = 4e-3, b = a * GetParam(), p0 = 1e9;
   const Hertz exact = closed_forms::hertz(steel, a, b, p0);
-  for (const Prescribed prescribed : {Prescribed::load, Prescribed::approach}) {
+  for (const normal::Prescribed prescribed : {normal::Prescribed::load, normal::Prescribed::approach}) {
     const GapSolution s = solve(a, b, p0, 64, prescribed);
     EXPECT_EQ(s.fault.status, WRC_OK);
     EXPECT_NEAR(s.peak_pressure / p0, 1.0, 5e-3);
@@ -50,7 +50,7 @@ TEST(HalfspaceNormal, ApproachConvergesFasterThanFirstOrder) {
   const Hertz exact = closed_forms::hertz(steel, 4e-3, 8e-3, 1e9);
   double before = 0.0;
   for (const int cells : {24, 48, 96}) {
-    const GapSolution s = solve(4e-3, 8e-3, 1e9, cells, Prescribed::load);
+    const GapSolution s = solve(4e-3, 8e-3, 1e9, cells, normal::Prescribed::load);
     const double error = std::abs(s.approach / exact.approach - 1.0);
     std::printf("  %3d cells: approach %.2e, peak %.2e, %d iterations\n", cells, error,
                 s.peak_pressure / 1e9 - 1.0, s.iterations);
@@ -63,7 +63,8 @@ TEST(HalfspaceNormal, ApproachConvergesFasterThanFirstOrder) {
 
 TEST(HalfspaceNormal, NoOverlapIsNoContactAndBorderIsFlagged) {
   const Grid grid = grid_over_box(-1e-3, 1e-3, -1e-3, 1e-3, 8, 8);
-  GapProblem problem{.gap = Field(grid.cells(), 1e-6), .prescribed = Prescribed::approach, .progress = {}};
+  GapProblem problem{
+      .gap = Field(grid.cells(), 1e-6), .prescribed = normal::Prescribed::approach, .progress = {}};
   NormalSolver solver(grid, steel);
   EXPECT_EQ(solver.solve(problem).fault.status, WRC_FLAG_NO_CONTACT);
   problem.approach = 2e-6;
@@ -72,7 +73,8 @@ TEST(HalfspaceNormal, NoOverlapIsNoContactAndBorderIsFlagged) {
 
 TEST(HalfspaceNormal, CanBeCancelled) {
   const Grid grid = grid_over_box(-1e-3, 1e-3, -1e-3, 1e-3, 8, 8);
-  GapProblem problem{.gap = Field(grid.cells(), 1e-6), .prescribed = Prescribed::approach, .progress = {}};
+  GapProblem problem{
+      .gap = Field(grid.cells(), 1e-6), .prescribed = normal::Prescribed::approach, .progress = {}};
   problem.approach = 2e-6;
   problem.progress.report = [](double, void*) { return false; };
   EXPECT_EQ(NormalSolver(grid, steel).solve(problem).fault.status, WRC_ERROR_CANCELLED);

@@ -30,7 +30,7 @@ BodyLoads ellipse(double a, double b, int n, double share_x = 0.0, double share_
 
 TEST(Subsurface, AtTheSurfaceAreTheLoads) {
   const auto check = [](double x, double y, double inside) {
-    const CellStress s = cell_stress(nu, x, y, 0.0, 2.0, 3.0);
+    const damage::CellStress s = damage::cell_stress(nu, x, y, 0.0, 2.0, 3.0);
     EXPECT_NEAR(s.of_pressure.zz, -inside, 1e-14);
     EXPECT_NEAR(s.of_pressure.zx, 0.0, 1e-14);
     EXPECT_NEAR(s.of_traction_x.zx, -inside, 1e-14);
@@ -48,18 +48,19 @@ TEST(Subsurface, AtTheSurfaceAreTheLoads) {
 // elasticity: the sum of the normal stresses is harmonic.
 TEST(Subsurface, IsInEquilibriumAndElastic) {
   constexpr double h = 1e-3;
-  const auto at = [](double x, double y, double z) { return cell_stress(nu, x, y, z, 2.0, 3.0); };
+  const auto at = [](double x, double y, double z) { return damage::cell_stress(nu, x, y, z, 2.0, 3.0); };
   for (const auto& [x, y, z] : {std::tuple{0.4, 0.7, 0.6}, {1.3, -1.1, 0.3}, {-2.0, 0.5, 1.5}}) {
-    for (const Stress CellStress::*load :
-         {&CellStress::of_pressure, &CellStress::of_traction_x, &CellStress::of_traction_y}) {
-      const Stress xp = at(x + h, y, z).*load, xm = at(x - h, y, z).*load, yp = at(x, y + h, z).*load,
-                   ym = at(x, y - h, z).*load, zp = at(x, y, z + h).*load, zm = at(x, y, z - h).*load,
-                   here = at(x, y, z).*load;
+    for (const damage::Stress damage::CellStress::*load :
+         {&damage::CellStress::of_pressure, &damage::CellStress::of_traction_x,
+          &damage::CellStress::of_traction_y}) {
+      const damage::Stress xp = at(x + h, y, z).*load, xm = at(x - h, y, z).*load, yp = at(x, y + h, z).*load,
+                           ym = at(x, y - h, z).*load, zp = at(x, y, z + h).*load, zm = at(x, y, z - h).*load,
+                           here = at(x, y, z).*load;
       const double scale = 2e-5 * 2.0 * h;
       EXPECT_NEAR(xp.xx - xm.xx + yp.xy - ym.xy + zp.zx - zm.zx, 0.0, scale);
       EXPECT_NEAR(xp.xy - xm.xy + yp.yy - ym.yy + zp.yz - zm.yz, 0.0, scale);
       EXPECT_NEAR(xp.zx - xm.zx + yp.yz - ym.yz + zp.zz - zm.zz, 0.0, scale);
-      const auto sum = [](const Stress& s) { return s.xx + s.yy + s.zz; };
+      const auto sum = [](const damage::Stress& s) { return s.xx + s.yy + s.zz; };
       EXPECT_NEAR(sum(xp) + sum(xm) + sum(yp) + sum(ym) + sum(zp) + sum(zm) - 6.0 * sum(here), 0.0,
                   1e-4 * h * h);
     }
@@ -69,7 +70,7 @@ TEST(Subsurface, IsInEquilibriumAndElastic) {
 // A load far away is a force at a point: Boussinesq and Cerruti (Johnson, 3.4 and 3.6).
 TEST(Subsurface, FarAwayIsThatOfAPointLoad) {
   const double x = 30.0, y = -20.0, z = 25.0, r = std::sqrt(x * x + y * y + z * z);
-  const CellStress s = cell_stress(nu, x, y, z, 0.1, 0.1);
+  const damage::CellStress s = damage::cell_stress(nu, x, y, z, 0.1, 0.1);
   const double force = 0.01, scale = -1.5 * force / (pi * r * r * r * r * r);
   EXPECT_NEAR(s.of_pressure.zz, scale * z * z * z, 1e-5 * std::abs(scale) * r * r * r);
   EXPECT_NEAR(s.of_pressure.zx, scale * x * z * z, 1e-5 * std::abs(scale) * r * r * r);
@@ -84,7 +85,7 @@ TEST(Subsurface, FarAwayIsThatOfAPointLoad) {
 TEST(Subsurface, CircleIsHertz) {
   const BodyLoads loads = ellipse(1.0, 1.0, 60);
   for (const double z : {0.2, 0.48, 1.0}) {
-    const Stress s = stress_at(loads, 0.0, 0.0, z);
+    const damage::Stress s = stress_at(loads, 0.0, 0.0, z);
     const double radial = -(1.0 + nu) * (1.0 - z * std::atan(1.0 / z)) + 0.5 / (1.0 + z * z);
     EXPECT_NEAR(s.xx, radial, 1e-3);
     EXPECT_NEAR(s.zz, -1.0 / (1.0 + z * z), 1e-3);
@@ -96,7 +97,7 @@ TEST(Subsurface, CircleIsHertz) {
   EXPECT_NEAR(found.levels[1].shear.value, 0.3145, 1e-3);
   EXPECT_EQ(found.levels[0].von_mises.value, found.surface.von_mises.value);
   EXPECT_NEAR(found.surface.tension.value, (1.0 - 2.0 * nu) / 3.0, 0.02);  // at the edge: Johnson 3.42
-  const Stress centre = stress_at(loads, 1e-9, 1e-9, 0.0);
+  const damage::Stress centre = stress_at(loads, 1e-9, 1e-9, 0.0);
   EXPECT_NEAR(centre.xx, -0.78, 2e-3);
 }
 
@@ -116,12 +117,12 @@ TEST(Subsurface, LineContactSlides) {
   }
   for (const int i : {20, 99, 150, 190}) {
     const double x = loads.grid.x(i);
-    const Stress s = stress_at(loads, x, 0.0, 0.0);
+    const damage::Stress s = stress_at(loads, x, 0.0, 0.0);
     EXPECT_NEAR(s.xx, -std::sqrt(1.0 - x * x) - 2.0 * mu * x, 0.02);
     EXPECT_NEAR(s.yy, nu * (s.xx + s.zz), 1e-3);  // plane strain
   }
   std::fill(loads.traction_x.begin(), loads.traction_x.end(), 0.0);
-  const auto shear = [&](double z) { return numbers_of(stress_at(loads, 0.0, 0.0, z)).shear; };
+  const auto shear = [&](double z) { return damage::numbers_of(stress_at(loads, 0.0, 0.0, z)).shear; };
   EXPECT_NEAR(shear(0.786), 0.300, 1e-3);
   EXPECT_LT(shear(0.72), shear(0.786));
   EXPECT_LT(shear(0.86), shear(0.786));
@@ -134,11 +135,11 @@ TEST(Subsurface, FieldIsThePlainSum) {
     field.peaks(z);
     const Grid& grid = field.grid();
     for (const std::size_t k : {std::size_t{0}, grid.index(7, 9), grid.index(3, 12), grid.cells() - 1}) {
-      const Stress whole = field.at(k);
-      const Stress sum =
+      const damage::Stress whole = field.at(k);
+      const damage::Stress sum =
           stress_at(loads, grid.x(static_cast<int>(k) % grid.nx), grid.y(static_cast<int>(k) / grid.nx), z);
-      for (double Stress::*each :
-           {&Stress::xx, &Stress::yy, &Stress::zz, &Stress::xy, &Stress::yz, &Stress::zx})
+      for (double damage::Stress::*each : {&damage::Stress::xx, &damage::Stress::yy, &damage::Stress::zz,
+                                           &damage::Stress::xy, &damage::Stress::yz, &damage::Stress::zx})
         EXPECT_NEAR(whole.*each, sum.*each, 1e-13);
     }
   }
@@ -153,13 +154,14 @@ TEST(StressNumbers, AreThoseOfThePrincipalStresses) {
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) t[i][j] += principal[k] * axes[k][i] * axes[k][j];
-  const StressNumbers numbers = numbers_of({t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]});
+  const damage::StressNumbers numbers =
+      damage::numbers_of({t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]});
   EXPECT_NEAR(numbers.tension, 5.0, 1e-13);
   EXPECT_NEAR(numbers.shear, 4.5, 1e-13);
   EXPECT_NEAR(numbers.von_mises, std::sqrt(0.5 * (9.0 + 36.0 + 81.0)), 1e-13);
-  EXPECT_NEAR(numbers_of({3.0, -1.0, -1.0}).tension, 3.0, 1e-7);
-  EXPECT_NEAR(numbers_of({-3.0, 1.0, 1.0}).tension, 1.0, 1e-7);
-  EXPECT_EQ(numbers_of({2.0, 2.0, 2.0}).shear, 0.0);
+  EXPECT_NEAR(damage::numbers_of({3.0, -1.0, -1.0}).tension, 3.0, 1e-7);
+  EXPECT_NEAR(damage::numbers_of({-3.0, 1.0, 1.0}).tension, 1.0, 1e-7);
+  EXPECT_EQ(damage::numbers_of({2.0, 2.0, 2.0}).shear, 0.0);
 }
 
 TEST(Subsurface, IsCancelled) {

@@ -10,7 +10,7 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 constexpr double degree = pi / 180.0;
 
 // An arc of radius R about (0, R), its top at the origin, from angle `from` to `to` about x.
@@ -44,8 +44,8 @@ struct ConeOnArc {
             .nominal_radius = wheel_radius,
             .material = steel};
   }
-  WheelOnRail state(double friction) const {
-    WheelOnRail s;
+  surface::WheelOnRail state(double friction) const {
+    surface::WheelOnRail s;
     s.friction = friction;
     s.wheel.velocity[0] = 20.0;
     // The cone's line lies below the rail's point of equal angle by the overlap, along the normal.
@@ -104,7 +104,7 @@ TEST(HalfspaceTurnedConvolution, IsThePlainDoubleSum) {
 TEST(HalfspaceSurface, CellsCoverTheOverlapOnALatticeOfTheRail) {
   const ConeOnArc contact{.angle = 10.0 * degree};
   const WheelAndRail bodies = contact.bodies();
-  const WheelOnRail state = contact.state(0.0);
+  const surface::WheelOnRail state = contact.state(0.0);
   const RollingSurfaces surfaces(bodies, bodies.rail[0], state);
   SurfaceOptions options;
   const double length = bodies.rail[0].section.length();
@@ -138,7 +138,7 @@ TEST(HalfspaceSurface, HeightOfALoadCarriesThatLoad) {
   options.cell_x = options.cell_s = 4e-4;
   const SurfaceContact solver(contact.bodies(), options);
   for (const double friction : {0.0, 0.3}) {
-    WheelOnRail state = contact.state(friction);
+    surface::WheelOnRail state = contact.state(friction);
     state.load_prescribed = true;
     state.vertical_load = 50e3;
     const SurfaceSolution by_load = solver.solve({.state = state});
@@ -172,7 +172,7 @@ TEST(HalfspaceSurface, ShallowContactIsHertz) {
 TEST(HalfspaceSurface, UnlikeBodiesCoupleAsOnAPlane) {
   const ConeOnArc contact{.radius = 0.3};
   WheelAndRail bodies = contact.bodies();
-  const WheelOnRail state = contact.state(1.0);
+  const surface::WheelOnRail state = contact.state(1.0);
   SurfaceOptions options;
   options.cell_x = options.cell_s = 4e-4;
   const SurfaceSolution alike = SurfaceContact(bodies, options).solve({.state = state});

@@ -10,7 +10,7 @@
 namespace wrc::halfspace {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.25};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.25};
 constexpr double peak = 1e9;
 
 struct Case {
@@ -20,7 +20,7 @@ struct Case {
   double load() const { return 2.0 / 3.0 * pi * patch.a * patch.b * peak; }
 };
 
-RollingProblem rolling(const Case& contact, const Grid& grid, const Creepage& creepage) {
+RollingProblem rolling(const Case& contact, const Grid& grid, const tangential::Creepage& creepage) {
   RollingProblem problem;
   problem.pressure = sdec_pressure(contact.patch, peak, grid, CellPressure::mean);
   problem.friction = {contact.friction};
@@ -28,7 +28,7 @@ RollingProblem rolling(const Case& contact, const Grid& grid, const Creepage& cr
   return problem;
 }
 
-RollingSolution solve(const Case& contact, const Creepage& creepage) {
+RollingSolution solve(const Case& contact, const tangential::Creepage& creepage) {
   const Grid grid = grid_over(contact.patch, contact.n, contact.n);
   return RollingSolver(grid, steel).solve(rolling(contact, grid, creepage));
 }
@@ -41,7 +41,7 @@ TEST(HalfspaceRolling, TinyCreepageGivesLinearTheory) {
   const LinearCoefficients c = strip_linear_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16, 16);
   const double area = 24e-6;  // c^2 = a b
   const double nu = 1e-3 * coarse.friction * coarse.load() / (steel.shear_modulus * area);
-  const Creepage creepage{.longitudinal = nu};
+  const tangential::Creepage creepage{.longitudinal = nu};
   const double fx = 2.0 * solve(fine, creepage).forces.fx - solve(coarse, creepage).forces.fx;
   EXPECT_NEAR(fx / (-steel.shear_modulus * area * c.c11 * nu), 1.0, 0.01);
 }
@@ -71,7 +71,7 @@ TEST(HalfspaceRolling, TractionsObeyCoulomb) {
     const double p = std::hypot(s.traction_x[k], s.traction_y[k]),
                  slip = std::hypot(s.slip_x[k], s.slip_y[k]);
     EXPECT_LE(p, g + 1e-2 * contact.friction * peak);
-    if (s.state[k] == CellState::slip) {
+    if (s.state[k] == tangential::CellState::slip) {
       const double power = -(s.traction_x[k] * s.slip_x[k] + s.traction_y[k] * s.slip_y[k]);
       EXPECT_NEAR(power, p * slip, 1e-4 * contact.friction * peak * 1e-3);
     }

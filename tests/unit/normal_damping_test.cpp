@@ -4,7 +4,7 @@
 
 #include "normal/damping.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 TEST(NormalDamping, NeverPulls) {
@@ -26,4 +26,4 @@ TEST(NormalDamping, GivesTheCoefficientOfRestitutionItNames) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -6,7 +6,7 @@
 #include "normal/elasticity/elliptic_integrals.hpp"
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 TEST(EllipticIntegrals, AgreeWithTheStandardLibrary) {
@@ -45,4 +45,4 @@ TEST(NaturalLog, AgreesWithTheStandardLibrary) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

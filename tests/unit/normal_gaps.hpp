@@ -20,7 +20,7 @@ struct OwnedGap {
     centre.push_back(centre_row);
     curvature.push_back(curvature_row);
   }
-  GapRows rows() const {
+  patch::GapRows rows() const {
     return {static_cast<std::int32_t>(y.size()), y.data(), height.data(), centre.data(), curvature.data()};
   }
 };
@@ -76,14 +76,14 @@ struct StripMemory {
   StripMemory(const StripMemory&) = delete;
   StripMemory& operator=(const StripMemory&) = delete;
   std::vector<double> memory;
-  Strips strips;
+  patch::Strips strips;
 };
 
 /// G = 80 GPa, nu = 0.25: the material of every reference case.
-inline constexpr Material steel{80e9, 0.25};
+inline constexpr patch::Material steel{80e9, 0.25};
 
-inline NormalProblem under_load(const OwnedGap& gap, double normal_force, std::int32_t strips = 60) {
-  NormalProblem problem;
+inline normal::NormalProblem under_load(const OwnedGap& gap, double normal_force, std::int32_t strips = 60) {
+  normal::NormalProblem problem;
   problem.gap = gap.rows();
   problem.material = steel;
   problem.normal_force = normal_force;
@@ -94,9 +94,9 @@ inline NormalProblem under_load(const OwnedGap& gap, double normal_force, std::i
   return problem;
 }
 
-inline NormalProblem under_approach(const OwnedGap& gap, double approach, std::int32_t strips = 60) {
-  NormalProblem problem = under_load(gap, 0.0, strips);
-  problem.prescribed = Prescribed::approach;
+inline normal::NormalProblem under_approach(const OwnedGap& gap, double approach, std::int32_t strips = 60) {
+  normal::NormalProblem problem = under_load(gap, 0.0, strips);
+  problem.prescribed = normal::Prescribed::approach;
   problem.approach = approach;
   return problem;
 }

@@ -4,7 +4,7 @@
 #include "normal/methods/hertz.hpp"
 #include "normal_gaps.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 // A / B, eps_x and eps_y of Hertz's ellipse for given a / b; solved with mpmath-grade arithmetic outside this
@@ -70,7 +70,7 @@ TEST(Hertz, FindsTheApproachOfALoadAndBack) {
   ASSERT_EQ(solve_hertz(test::under_load(gap, 80e3), owned.strips, loaded).status, WRC_OK);
   EXPECT_NEAR(loaded.normal_force, 80e3, 80e3 * 1e-9);
   EXPECT_LE(loaded.iterations, 7);
-  EXPECT_NEAR(totals(owned.strips).normal_force, 80e3, 80e3 * 1e-8);
+  EXPECT_NEAR(patch::totals(owned.strips).normal_force, 80e3, 80e3 * 1e-8);
   ASSERT_EQ(solve_hertz(test::under_approach(gap, loaded.approach), owned.strips, pressed).status, WRC_OK);
   EXPECT_NEAR(pressed.normal_force, 80e3, 80e3 * 1e-8);
   // N ~ delta^{3/2}, so dN/d(delta) = 1.5 N / delta.
@@ -95,4 +95,4 @@ TEST(Hertz, DoesNotFlickerOnCurvatureSteps) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

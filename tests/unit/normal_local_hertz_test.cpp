@@ -6,10 +6,10 @@
 #include "normal/methods/stripes.hpp"
 #include "normal_gaps.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
-using Solve = Fault (*)(const NormalProblem&, Strips&, NormalSolution&) noexcept;
+using Solve = Fault (*)(const NormalProblem&, patch::Strips&, NormalSolution&) noexcept;
 constexpr Solve methods[] = {solve_analyn, solve_stripes};
 
 TEST(LocalHertz, IsHertzOnEllipticGaps) {
@@ -36,7 +36,7 @@ TEST(LocalHertz, CarriesAPrescribedLoad) {
       NormalProblem problem = test::under_load(gap, load);
       problem.force_tolerance = 1e-6;
       ASSERT_EQ(solve(problem, owned.strips, solution).status, WRC_OK);
-      EXPECT_NEAR(totals(owned.strips).normal_force, load, 1e-6 * load);
+      EXPECT_NEAR(patch::totals(owned.strips).normal_force, load, 1e-6 * load);
       // CONTACT: 0.0671 mm under 80 kN, 0.0411 mm under 40 kN; these methods are within a few per cent of it.
       if (load == 80e3) {
         EXPECT_NEAR(solution.approach, 67.1e-6, 0.08 * 67.1e-6);
@@ -45,4 +45,4 @@ TEST(LocalHertz, CarriesAPrescribedLoad) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

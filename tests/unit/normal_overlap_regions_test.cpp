@@ -10,7 +10,7 @@
 #include "normal_gaps.hpp"
 #include "patch/split.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 using test::OwnedGap;
@@ -30,7 +30,7 @@ OwnedGap with_valley(double valley) {
 TEST(OverlapRegions, ChordOfOneRegionIsThatOfThePatch) {
   const OwnedGap gap = test::elliptic_gap(1.0, 0.5, 20e-3, 201);
   for (const double approach : {1e-6, 20e-6, 100e-6}) {
-    const GapMinimum lowest = minimum(gap.rows());
+    const patch::GapMinimum lowest = patch::minimum(gap.rows());
     const LateralCurvature all = curvature_of_all_regions(gap.rows(), lowest, approach);
     const LateralCurvature one = lateral_curvature(gap.rows(), lowest, approach);
     EXPECT_NEAR(all.coefficient, one.coefficient, 1e-9 * one.coefficient);
@@ -41,8 +41,8 @@ TEST(OverlapRegions, ChordOfOneRegionIsThatOfThePatch) {
 
 TEST(OverlapRegions, ChordTakesAValleyInGraduallyAndThenWhole) {
   const OwnedGap gap = with_valley(10e-6);
-  const GapRows rows = gap.rows();
-  const GapMinimum lowest = minimum(rows);
+  const patch::GapRows rows = gap.rows();
+  const patch::GapMinimum lowest = patch::minimum(rows);
   double before = 0.0, widest = 0.0;
   for (double approach = 10e-6; approach < 70e-6; approach *= 1.001) {
     const LateralCurvature lateral = curvature_of_all_regions(rows, lowest, approach);
@@ -70,14 +70,14 @@ TEST(OverlapRegions, ChordTakesAValleyInGraduallyAndThenWhole) {
 
 TEST(OverlapRegions, AreDividedIntoStripsThatFillThem) {
   const OwnedGap gap = with_valley(10e-6);
-  const GapRows rows = gap.rows();
-  const GapMinimum lowest = minimum(rows);
+  const patch::GapRows rows = gap.rows();
+  const patch::GapMinimum lowest = patch::minimum(rows);
   const PenetrationScale scale{.at_centre = 0.5};
   const Kernels& kernels = kernels_for(InstructionSet::baseline);
   for (const int count : {4, 5, 28, 60, 61})
     for (double approach = 15e-6; approach < 120e-6; approach *= 1.01) {
       StripMemory owned(count);
-      Strips& strips = owned.strips;
+      patch::Strips& strips = owned.strips;
       const Span main = penetration_span(rows, lowest, scale, approach);
       const OverlapRegions regions = overlap_regions(rows, lowest, scale, approach, main, count / 2);
       divide_regions(kernels, rows, lowest, scale, approach, regions, count, strips);
@@ -86,7 +86,7 @@ TEST(OverlapRegions, AreDividedIntoStripsThatFillThem) {
       std::int32_t first = 0;
       for (std::int32_t r = 0; r < regions.count; ++r) {
         const Span& region = regions.of[static_cast<std::size_t>(r)];
-        const std::int32_t end = patch_end(strips, first);
+        const std::int32_t end = patch::patch_end(strips, first);
         EXPECT_NEAR(strips.y[first] - 0.5 * strips.width[first], region.y_from, 1e-8);
         EXPECT_NEAR(strips.y[end - 1] + 0.5 * strips.width[end - 1], region.y_to, 1e-8);
         first = end;
@@ -113,11 +113,11 @@ TEST(EkpEllipse, LoadRisesSteadilyOverAValley) {
         EXPECT_LT(solution.normal_force, 1.02 * before) << approach;
       }
       before = solution.normal_force;
-      most = std::max(most, owned.strips.count - patch_end(owned.strips, 0));
+      most = std::max(most, owned.strips.count - patch::patch_end(owned.strips, 0));
     }
     EXPECT_GT(most, 0);  // there were two regions
   }
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

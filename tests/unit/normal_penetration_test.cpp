@@ -15,7 +15,7 @@
 #include "normal_gaps.hpp"
 #include "patch/regularise.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 using test::OwnedGap;
@@ -23,15 +23,15 @@ using test::StripMemory;
 
 struct Method {
   const char* name;
-  std::function<Fault(const NormalProblem&, Strips&, NormalSolution&)> solve;
+  std::function<Fault(const NormalProblem&, patch::Strips&, NormalSolution&)> solve;
 };
 
 const Method methods[] = {
-    {"Kik-Piotrowski",
-     [](const NormalProblem& p, Strips& s, NormalSolution& r) { return solve_kik_piotrowski(p, {}, s, r); }},
-    {"EKP, area", [](const NormalProblem& p, Strips& s,
+    {"Kik-Piotrowski", [](const NormalProblem& p, patch::Strips& s,
+                          NormalSolution& r) { return solve_kik_piotrowski(p, {}, s, r); }},
+    {"EKP, area", [](const NormalProblem& p, patch::Strips& s,
                      NormalSolution& r) { return solve_ekp(p, {EkpScale::area}, s, r); }},
-    {"EKP, ellipse", [](const NormalProblem& p, Strips& s,
+    {"EKP, ellipse", [](const NormalProblem& p, patch::Strips& s,
                         NormalSolution& r) { return solve_ekp(p, {EkpScale::ellipse}, s, r); }},
 };
 
@@ -83,7 +83,7 @@ TEST(Ekp, WithTheEllipseScaleIsHertzOnEllipticGaps) {
     EXPECT_NEAR(solution.normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
     EXPECT_NEAR(solution.peak_pressure, hertz.peak, 1e-3 * hertz.peak);
     EXPECT_NEAR(solution.area, pi * hertz.a * hertz.b, 1e-3 * pi * hertz.a * hertz.b);
-    const StripTotals sum = totals(owned.strips);
+    const patch::StripTotals sum = patch::totals(owned.strips);
     EXPECT_NEAR(sum.y_max, hertz.b, 1e-6 * hertz.b);
     EXPECT_NEAR(sum.length, 2.0 * hertz.a, 1e-4 * hertz.a);
   }
@@ -125,7 +125,7 @@ TEST(PenetrationMethods, GoFromLoadToApproachAndBack) {
       NormalSolution loaded, pressed;
       ASSERT_EQ(method.solve(test::under_load(gap, load), owned.strips, loaded).status, WRC_OK);
       EXPECT_NEAR(loaded.normal_force, load, 1e-9 * load);
-      EXPECT_NEAR(totals(owned.strips).normal_force, load, 1e-8 * load);
+      EXPECT_NEAR(patch::totals(owned.strips).normal_force, load, 1e-8 * load);
       EXPECT_LE(loaded.iterations, 10);
       ASSERT_EQ(method.solve(test::under_approach(gap, loaded.approach), owned.strips, pressed).status,
                 WRC_OK);
@@ -210,7 +210,7 @@ TEST(PenetrationMethods, MoveSmoothlyWithTheLoad) {
     for (double load = 70e3; load < 90e3; load *= 1.001) {
       NormalSolution solution;
       ASSERT_EQ(method.solve(test::under_load(gap, load, 40), owned.strips, solution).status, WRC_OK);
-      const StripTotals sum = totals(owned.strips);
+      const patch::StripTotals sum = patch::totals(owned.strips);
       if (area > 0.0) {
         EXPECT_GT(sum.area, area);
         EXPECT_LT(sum.area, 1.002 * area);
@@ -228,9 +228,11 @@ TEST(Ekp, GivesThePatchPublishedForS1002OnUic60) {
   StripMemory owned(60);
   NormalSolution solution;
   ASSERT_EQ(solve_ekp(test::under_load(gap, 80e3), {}, owned.strips, solution).status, WRC_OK);
-  Sdec sdec;
-  ASSERT_EQ(regularise(totals(owned.strips), solution.y_contact, SecondCriterion::width, sdec).status,
-            WRC_OK);
+  patch::Sdec sdec;
+  ASSERT_EQ(
+      patch::regularise(patch::totals(owned.strips), solution.y_contact, patch::SecondCriterion::width, sdec)
+          .status,
+      WRC_OK);
   EXPECT_NEAR(sdec.a, 5.8e-3, 0.05 * 5.8e-3);
   EXPECT_NEAR(sdec.b, 10.3e-3, 0.05 * 10.3e-3);
   EXPECT_NEAR(sdec.psi, -0.30, 0.02);
@@ -267,7 +269,7 @@ TEST(PenetrationMethods, NameWhatIsWrong) {
     EXPECT_EQ(status(test::under_load(good, NAN)), WRC_ERROR_NOT_FINITE);
     EXPECT_EQ(status(test::under_load(good, 1e9)), WRC_FLAG_BEYOND_GAP);
     EXPECT_EQ(owned.strips.count, 60);
-    EXPECT_NEAR(totals(owned.strips).normal_force, 1e9, 1e-3);
+    EXPECT_NEAR(patch::totals(owned.strips).normal_force, 1e9, 1e-3);
     EXPECT_EQ(status(test::under_approach(good, 1.0)), WRC_FLAG_BEYOND_GAP);
     EXPECT_EQ(solution.approach, 1.0);
     EXPECT_EQ(status(test::under_load(good, 80e3, 61)), WRC_ERROR_BUFFER);
@@ -340,7 +342,7 @@ TEST(PenetrationMethods, TakeInASecondRegionGradually) {
       if (fault.status == WRC_FLAG_PATCH_AT_EDGE) break;
       ASSERT_TRUE(fault.status == WRC_OK || fault.status == WRC_FLAG_LOAD_JUMPS) << load;
       flagged += fault.status == WRC_FLAG_LOAD_JUMPS;
-      const StripTotals sum = totals(owned.strips);
+      const patch::StripTotals sum = patch::totals(owned.strips);
       EXPECT_NEAR(sum.normal_force, load, 1e-9 * load);
       if (area > 0.0) {
         worst = std::max(
@@ -375,4 +377,4 @@ TEST(LateralCurvature, OfAChordWithoutWidthIsANumber) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -15,7 +15,7 @@
 #include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 using test::OwnedGap;
@@ -35,19 +35,19 @@ class RoughGaps : public testing::Test {
   }
 
   void expect_an_answer(const OwnedGap& gap, double load) {
-    const auto solve_half_space = [&](const NormalProblem& p, Strips& s, NormalSolution& r) {
+    const auto solve_half_space = [&](const NormalProblem& p, patch::Strips& s, NormalSolution& r) {
       return solve_strip_halfspace(p, {}, *influence, workspace, start, s, r);
     };
-    const std::function<Fault(const NormalProblem&, Strips&, NormalSolution&)> methods[] = {
+    const std::function<Fault(const NormalProblem&, patch::Strips&, NormalSolution&)> methods[] = {
         solve_half_space,
         solve_hertz,
         solve_analyn,
         solve_stripes,
-        [](const NormalProblem& p, Strips& s, NormalSolution& r) { return solve_ekp(p, {}, s, r); },
-        [](const NormalProblem& p, Strips& s, NormalSolution& r) {
+        [](const NormalProblem& p, patch::Strips& s, NormalSolution& r) { return solve_ekp(p, {}, s, r); },
+        [](const NormalProblem& p, patch::Strips& s, NormalSolution& r) {
           return solve_ekp(p, {EkpScale::ellipse}, s, r);
         },
-        [](const NormalProblem& p, Strips& s, NormalSolution& r) {
+        [](const NormalProblem& p, patch::Strips& s, NormalSolution& r) {
           return solve_kik_piotrowski(p, {}, s, r);
         },
     };
@@ -73,7 +73,7 @@ class RoughGaps : public testing::Test {
         EXPECT_TRUE(std::isfinite(owned.strips.peak[j]));
       }
       if (fault.status != WRC_FLAG_ITERATION_CAP) {
-        EXPECT_NEAR(totals(owned.strips).normal_force, load, 1e-5 * load);
+        EXPECT_NEAR(patch::totals(owned.strips).normal_force, load, 1e-5 * load);
       }
     }
   }
@@ -147,4 +147,4 @@ TEST_F(RoughGaps, ADipBetweenRowsBesideAWallIsRefusedWithNumbers) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

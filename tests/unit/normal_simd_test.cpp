@@ -16,7 +16,7 @@
 #include "normal/strip_halfspace/strip_halfspace.hpp"
 #include "normal_gaps.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 using test::OwnedGap;
@@ -56,7 +56,7 @@ std::vector<double> everything(const Kernels& kernels, OwnedGap gap, double skew
     const Fault fault =
         solve_strip_halfspace(problem, {}, tables(), workspace, start, owned.strips, solution);
     EXPECT_FALSE(fault.failed());
-    const Strips& found = owned.strips;
+    const patch::Strips& found = owned.strips;
     for (std::int32_t j = 0; j < found.count; ++j)
       for (const double value :
            {found.y[j], found.width[j], found.centre[j], found.half_length[j], found.peak[j]})
@@ -234,8 +234,8 @@ OwnedGap uneven_rows() {
 
 TEST(Kernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
   const OwnedGap gap = uneven_rows();
-  const GapRows rows = gap.rows();
-  const GapMinimum lowest = minimum(rows);
+  const patch::GapRows rows = gap.rows();
+  const patch::GapMinimum lowest = patch::minimum(rows);
   constexpr double approach = 100e-6;
   const PenetrationScale scale{.at_centre = 0.6, .bend = -2e3, .centre = 1e-3};
   // Inside, over all rows, and in the outermost intervals alone.
@@ -245,12 +245,12 @@ TEST(Kernels, StripsOfASpanAreThoseOfTheInterpolatedGap) {
     for (const Span& span : spans)
       for (const std::int32_t count : {1, 5, 16, 33, 60}) {
         test::StripMemory owned(count);
-        Strips& found = owned.strips;
+        patch::Strips& found = owned.strips;
         divide_span(*kernel, rows, lowest, scale, approach, span, count, found);
         ASSERT_EQ(found.count, count);
         for (std::int32_t j = 0; j < count; ++j) {
           const double y = span.y_from + (j + 0.5) * (span.width() / count);
-          const GapRow row = interpolate(rows, y);
+          const patch::GapRow row = patch::interpolate(rows, y);
           const double overlap =
               std::max(scale.at(y) * approach - (row.height - lowest.height), 1e-12 * approach);
           EXPECT_EQ(found.y[j], y);
@@ -265,13 +265,13 @@ TEST(Kernels, APointSeesEachStripOnce) {
   // Side by side, and apart as far as the tables reach and beyond; with and without a shift.
   constexpr std::int32_t count = 61;
   constexpr double x = 1e-3, y = 0.3e-3, approach = 80e-6;
-  const Material material = test::steel;
+  const patch::Material material = test::steel;
   for (const double spread : {1.0, 40.0, 4000.0})
     for (const double skew : {0.0, 0.2}) {
       std::vector<double> peaks;
       for (const Kernels* kernel : all_kernels()) {
         test::StripMemory owned(count);
-        Strips& strips = owned.strips;
+        patch::Strips& strips = owned.strips;
         strips.count = count;
         double displacement = 0.0, load = 0.0;
         for (std::int32_t j = 0; j < count; ++j) {
@@ -298,4 +298,4 @@ TEST(Kernels, APointSeesEachStripOnce) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

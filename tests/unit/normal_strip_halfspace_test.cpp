@@ -12,7 +12,7 @@
 #include "patch/regularise.hpp"
 #include "patch/split.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 using test::OwnedGap;
@@ -44,7 +44,7 @@ struct Solver {
     start.count = 0;
     return (*this)(problem);
   }
-  const Strips& strips() const { return owned.strips; }
+  const patch::Strips& strips() const { return owned.strips; }
 
   StripMemory owned;
   std::vector<std::byte> scratch;
@@ -55,9 +55,9 @@ struct Solver {
   NormalSolution solution;
 };
 
-int count_patches(const Strips& strips) {
+int count_patches(const patch::Strips& strips) {
   int patches = 0;
-  for (std::int32_t j = 0; j < strips.count; ++patches) j = patch_end(strips, j);
+  for (std::int32_t j = 0; j < strips.count; ++patches) j = patch::patch_end(strips, j);
   return patches;
 }
 
@@ -122,7 +122,7 @@ HertzErrors hertz_errors(bool warm) {
       EXPECT_EQ(solve(test::under_load(gap, 0.95 * hertz.normal_force)).status, WRC_OK);
     }
     EXPECT_EQ(solve(test::under_load(gap, hertz.normal_force)).status, WRC_OK);
-    EXPECT_NEAR(totals(solve.strips()).normal_force, hertz.normal_force, 1e-9 * hertz.normal_force);
+    EXPECT_NEAR(patch::totals(solve.strips()).normal_force, hertz.normal_force, 1e-9 * hertz.normal_force);
     const auto take = [](double& error, double value, double exact) {
       error = std::max(error, std::abs(value / exact - 1.0));
     };
@@ -204,7 +204,7 @@ TEST(StripHalfspace, FindsTheSecondPeakOfS1002OnUic60) {
   EXPECT_NEAR(solve.solution.approach, 67.14e-6, 0.005 * 67.14e-6);
   EXPECT_NEAR(solve.solution.area, 175.5e-6, 0.02 * 175.5e-6);
   EXPECT_NEAR(solve.solution.peak_pressure, 862e6, 0.02 * 862e6);
-  const Strips& strips = solve.strips();
+  const patch::Strips& strips = solve.strips();
   double tread = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j)
     if (strips.y[j] > -4e-3) tread = std::max(tread, strips.peak[j]);
@@ -277,9 +277,10 @@ TEST(StripHalfspace, SpotsPushEachOtherApart) {
   EXPECT_NEAR(solve.solution.peak_pressure, hertz.peak, 0.02 * hertz.peak);
   EXPECT_NEAR(solve.solution.area, 2.0 * pi * hertz.a * hertz.b, 0.02 * solve.solution.area);
   // A slice is a patch of its own, with half of the load.
-  const Strips& both = solve.strips();
-  const std::int32_t border = patch_end(both, 0);
-  EXPECT_NEAR(totals(slice(both, 0, border)).normal_force, hertz.normal_force, 1e-3 * hertz.normal_force);
+  const patch::Strips& both = solve.strips();
+  const std::int32_t border = patch::patch_end(both, 0);
+  EXPECT_NEAR(patch::totals(patch::slice(both, 0, border)).normal_force, hertz.normal_force,
+              1e-3 * hertz.normal_force);
 }
 
 TEST(StripHalfspace, ASpotHigherThanTheMarginIsSeen) {
@@ -373,7 +374,7 @@ TEST(StripHalfspace, GivesABluntPatchNoSpikes) {
       gap.add(y, 0.6 * y * y + (y > wall ? 40.0 * (y - wall) * (y - wall) : 0.0), 2.0);
     }
     ASSERT_EQ(solve.cold(test::under_load(gap, 80e3)).status, WRC_OK) << wall;
-    const Strips& strips = solve.strips();
+    const patch::Strips& strips = solve.strips();
     for (std::int32_t j = 1; j < strips.count; ++j)
       ASSERT_LT(strips.peak[j], 1.25 * strips.peak[j - 1] + 0.2 * solve.solution.peak_pressure) << wall;
   }
@@ -385,7 +386,7 @@ TEST(StripHalfspace, MovesSmoothlyWithTheLoad) {
   double area = 0.0, border = 0.0;
   for (double load = 60e3; load < 100e3; load *= 1.002) {
     ASSERT_EQ(solve(test::under_load(gap, load)).status, WRC_OK) << load;
-    const StripTotals sum = totals(solve.strips());
+    const patch::StripTotals sum = patch::totals(solve.strips());
     if (area > 0.0) {
       EXPECT_NEAR(sum.area, area, 0.006 * area) << load;
       EXPECT_NEAR(sum.y_min, border, 0.1e-3) << load;
@@ -430,7 +431,7 @@ TEST(StripHalfspace, NamesWhatIsWrong) {
 
   solve.options.max_sweeps = 1;
   EXPECT_EQ(solve.cold(test::under_load(good, 80e3)).status, WRC_FLAG_ITERATION_CAP);
-  EXPECT_NEAR(totals(solve.strips()).normal_force, 80e3, 1e-3);
+  EXPECT_NEAR(patch::totals(solve.strips()).normal_force, 80e3, 1e-3);
   solve.options = {};
 
   OwnedGap cut;
@@ -442,4 +443,4 @@ TEST(StripHalfspace, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

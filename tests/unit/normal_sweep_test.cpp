@@ -17,7 +17,7 @@
 #include "overlap_weighted_point.hpp"
 #include "patch/split.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// One wheel under constant load at any pose: S1002 on UIC60, 80 kN.
@@ -49,24 +49,25 @@ class LoadedWheel {
   void forget() { start_.count = 0; }
 
   Answer at(double lateral, double yaw) {
-    ContactPoint first;
+    geometry::ContactPoint first;
     std::int32_t found = 0;
-    Pose pose{.lateral = lateral, .vertical = 0.0, .roll = 0.0, .yaw = yaw};
-    if (find_contact(bodies_.rail, posed(bodies_.wheel, pose), 1, &first, found).failed())
+    geometry::Pose pose{.lateral = lateral, .vertical = 0.0, .roll = 0.0, .yaw = yaw};
+    if (geometry::find_contact(bodies_.rail, geometry::posed(bodies_.wheel, pose), 1, &first, found).failed())
       return {-100, false};
     pose.vertical = first.vertical_gap + typical_approach / first.cosine;
-    const PosedWheel wheel = posed(bodies_.wheel, pose);
-    if (find_contact(bodies_.rail, wheel, 1, &first, found).failed()) return {-101, false};
-    ContactPoint contact = test::overlap_weighted_point(bodies_.rail, wheel, first, -first.vertical_gap);
+    const geometry::PosedWheel wheel = geometry::posed(bodies_.wheel, pose);
+    if (geometry::find_contact(bodies_.rail, wheel, 1, &first, found).failed()) return {-101, false};
+    geometry::ContactPoint contact =
+        test::overlap_weighted_point(bodies_.rail, wheel, first, -first.vertical_gap);
     contact.vertical_gap = 0.0;  // the wheel stays lowered: that tilts the gap of an inclined contact
-    GapLimits limits;
+    geometry::GapLimits limits;
     limits.height = 0.25e-3;
-    const GapWindow window = gap_window(bodies_.rail, wheel, contact, limits);
+    const geometry::GapWindow window = geometry::gap_window(bodies_.rail, wheel, contact, limits);
     double* const r = rows_memory_.data();
     NormalProblem problem = test::under_load({}, load, count);
-    if (fill_gap_rows(bodies_.rail, wheel, contact, window, rows,
-                      {rows, r, r + rows, r + 2 * rows, r + 3 * rows}, kernels_for(InstructionSet::baseline),
-                      problem.gap)
+    if (geometry::fill_gap_rows(bodies_.rail, wheel, contact, window, rows,
+                                {rows, r, r + rows, r + 2 * rows, r + 3 * rows},
+                                kernels_for(InstructionSet::baseline), problem.gap)
             .failed())
       return {-102, false};
 
@@ -75,12 +76,12 @@ class LoadedWheel {
     const Fault fault =
         solve_strip_halfspace(problem, {}, *influence_, workspace, start_, owned_.strips, solution);
     Answer answer{fault.status, fault.has(WRC_FLAG_PATCH_AT_EDGE), solution.area, 0.0, solution.approach, 0};
-    const Strips& strips = owned_.strips;
+    const patch::Strips& strips = owned_.strips;
     for (std::int32_t j = 0; j < strips.count; ++j)
       answer.centre +=
           0.5 * pi * strips.half_length[j] * strips.peak[j] * strips.width[j] * strips.y[j] / load;
     answer.centre = contact.y_rail + contact.cosine * answer.centre;
-    for (std::int32_t j = 0; j < strips.count; ++answer.patches) j = patch_end(strips, j);
+    for (std::int32_t j = 0; j < strips.count; ++answer.patches) j = patch::patch_end(strips, j);
     return answer;
   }
 
@@ -133,4 +134,4 @@ TEST(NormalSweep, AnswersEverywhereAndMovesWithTheContact) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -5,7 +5,7 @@
 
 #include "patch/gap.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 namespace {
 
 /// Rows of the elliptic gap A x^2 + B (y - y0)^2 with the rows' minimum moving along x = c y, as yaw makes
@@ -115,4 +115,4 @@ TEST(Gap, GridRowWithoutMinimumIsNamed) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -7,7 +7,7 @@
 #include "patch/regularise.hpp"
 #include "patch/sdec.hpp"
 
-namespace wrc {
+namespace wrc::patch {
 namespace {
 
 using test::StripMemory;
@@ -95,4 +95,4 @@ TEST(Regularise, FlagsAContactPointOutsideThePatchAndNoPatch) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::patch

@@ -7,42 +7,48 @@
 
 namespace wrc::test {
 
-inline RollingContact on(const PatchModel& model, RollingContact contact) {
+inline tangential::RollingContact on(const tangential::PatchModel& model,
+                                     tangential::RollingContact contact) {
   contact.model = model;
   return contact;
 }
 
 /// contact.region: the strips of the ellipse.
-inline TangentialForces fastsim_ellipse(const RollingContact& contact, const TangentialFields& fields,
-                                        Fault& fault, TangentialSensitivities* sensitivities = nullptr) {
-  return fastsim(on(ellipse_at_point, contact), fields, fault, sensitivities);
+inline tangential::TangentialForces fastsim_ellipse(
+    const tangential::RollingContact& contact, const tangential::TangentialFields& fields, Fault& fault,
+    tangential::TangentialSensitivities* sensitivities = nullptr) {
+  return tangential::fastsim(on(tangential::ellipse_at_point, contact), fields, fault, sensitivities);
 }
 
 /// contact.region: the strips of the ellipse about its own centre; creepages and forces at the contact point.
-inline TangentialForces fastsim_eqe(const RollingContact& contact, const TangentialFields& fields,
-                                    Fault& fault, TangentialSensitivities* sensitivities = nullptr) {
-  RollingContact at_centre = on(ellipse_at_middle, contact);
+inline tangential::TangentialForces fastsim_eqe(
+    const tangential::RollingContact& contact, const tangential::TangentialFields& fields, Fault& fault,
+    tangential::TangentialSensitivities* sensitivities = nullptr) {
+  tangential::RollingContact at_centre = on(tangential::ellipse_at_middle, contact);
   const double centre = contact.shape_number * contact.b;
-  at_centre.creepage = seen_from(centre, contact.creepage);
-  TangentialForces forces = fastsim(at_centre, fields, fault, sensitivities);
-  refer_back(centre, forces, sensitivities);
+  at_centre.creepage = tangential::seen_from(centre, contact.creepage);
+  tangential::TangentialForces forces = tangential::fastsim(at_centre, fields, fault, sensitivities);
+  tangential::refer_back(centre, forces, sensitivities);
   return forces;
 }
 
-inline TangentialForces fastsim_eql(const RollingContact& contact, const TangentialFields& fields,
-                                    Fault& fault, TangentialSensitivities* sensitivities = nullptr) {
-  return fastsim(on(patch_with_ellipse, contact), fields, fault, sensitivities);
+inline tangential::TangentialForces fastsim_eql(
+    const tangential::RollingContact& contact, const tangential::TangentialFields& fields, Fault& fault,
+    tangential::TangentialSensitivities* sensitivities = nullptr) {
+  return tangential::fastsim(on(tangential::patch_with_ellipse, contact), fields, fault, sensitivities);
 }
 
 /// contact.region: the strips of the ellipse.
-inline TangentialForces fastrip_ellipse(const RollingContact& contact, const TangentialFields& fields,
-                                        Fault& fault) {
-  return fastrip(on(ellipse_at_point, contact), fields, fault);
+inline tangential::TangentialForces fastrip_ellipse(const tangential::RollingContact& contact,
+                                                    const tangential::TangentialFields& fields,
+                                                    Fault& fault) {
+  return tangential::fastrip(on(tangential::ellipse_at_point, contact), fields, fault);
 }
 
-inline TangentialForces fastrip_modified(const RollingContact& contact, const TangentialFields& fields,
-                                         Fault& fault) {
-  return fastrip(on(patch_with_ellipse, contact), fields, fault);
+inline tangential::TangentialForces fastrip_modified(const tangential::RollingContact& contact,
+                                                     const tangential::TangentialFields& fields,
+                                                     Fault& fault) {
+  return tangential::fastrip(on(tangential::patch_with_ellipse, contact), fields, fault);
 }
 
 }  // namespace wrc::test

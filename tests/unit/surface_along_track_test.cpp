@@ -8,7 +8,7 @@
 #include "surface/geometry/out_of_round.hpp"
 #include "surface/geometry/varying_rail.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// A rail of circular arcs that become sharper along the track and wander aside.
@@ -116,4 +116,4 @@ TEST(OutOfRound, ReachOfAChordIsThatOfItsEnds) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -9,7 +9,7 @@
 #include "cut_into.hpp"
 #include "surface/geometry/rail_strips.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// A curve through given points, with its memory.
@@ -224,4 +224,4 @@ TEST(RailStrips, FacesThatGuideAreCutFiner) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

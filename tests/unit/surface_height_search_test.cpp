@@ -6,7 +6,7 @@
 
 #include "surface/wrench/height_search.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double touch = -3e-4, load = 80e3;
@@ -75,4 +75,4 @@ TEST(HeightSearch, RisesWithinTheDoubtOfTheLoadsSayNothingOfTheSlope) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

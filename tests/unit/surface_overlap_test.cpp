@@ -11,7 +11,7 @@
 #include "surface/geometry/overlap_slopes.hpp"
 #include "surface/geometry/surface_geometry.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double radius = 0.46;  // of the wheel [m]
@@ -325,4 +325,4 @@ TEST(SurfaceGeometry, OverlapsOutliveAnotherSearch) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -19,7 +19,7 @@
 #include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 TEST(Lobes, SharesOfThePartsOfEveryPlaceAddUpToOne) {
@@ -149,14 +149,16 @@ struct FlatRail {
   }
 };
 
-Fault kik_piotrowski(const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
-  return solve_kik_piotrowski(problem, {}, strips, solution);
+Fault kik_piotrowski(const normal::NormalProblem& problem, patch::Strips& strips,
+                     normal::NormalSolution& solution) {
+  return normal::solve_kik_piotrowski(problem, {}, strips, solution);
 }
-Fault ekp(const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
-  return solve_ekp(problem, {EkpScale::area}, strips, solution);
+Fault ekp(const normal::NormalProblem& problem, patch::Strips& strips, normal::NormalSolution& solution) {
+  return normal::solve_ekp(problem, {normal::EkpScale::area}, strips, solution);
 }
-Fault ekp_ellipse(const NormalProblem& problem, Strips& strips, NormalSolution& solution) {
-  return solve_ekp(problem, {EkpScale::ellipse}, strips, solution);
+Fault ekp_ellipse(const normal::NormalProblem& problem, patch::Strips& strips,
+                  normal::NormalSolution& solution) {
+  return normal::solve_ekp(problem, {normal::EkpScale::ellipse}, strips, solution);
 }
 
 struct Named {
@@ -164,12 +166,12 @@ struct Named {
   decltype(PlanarMethod::solve) solve;
   double error;  ///< of the load of an ellipse
 };
-constexpr Named methods[] = {{"hertz", solve_hertz, 2e-3},
+constexpr Named methods[] = {{"hertz", normal::solve_hertz, 2e-3},
                              {"kik_piotrowski", kik_piotrowski, 0.15},
                              {"ekp", ekp, 0.02},
                              {"ekp_ellipse", ekp_ellipse, 5e-3},
-                             {"analyn", solve_analyn, 5e-3},
-                             {"stripes", solve_stripes, 5e-3}};
+                             {"analyn", normal::solve_analyn, 5e-3},
+                             {"stripes", normal::solve_stripes, 5e-3}};
 
 PlanarMethod planar(const Named& method) { return {method.solve, 60, 40, 1e-9}; }
 
@@ -179,7 +181,8 @@ TEST(PlanarMethodsOnASurface, GiveTheEllipseOfAnEllipticOverlap) {
     const PlanarResult result = flat.press(planar(method), {{0.03e-3, 60e-6, 0.3}});
     EXPECT_EQ(result.fault.status, WRC_OK) << method.name;
     EXPECT_FALSE(result.jumps);
-    const HertzEllipse hertz = hertz_ellipse(0.5 / 0.46, 0.5 / 0.3, 60e-6, test::steel.normal_compliance());
+    const normal::HertzEllipse hertz =
+        normal::hertz_ellipse(0.5 / 0.46, 0.5 / 0.3, 60e-6, test::steel.normal_compliance());
     EXPECT_NEAR(flat.load(), hertz.normal_force, method.error * hertz.normal_force) << method.name;
     double moment = 0.0, longest = 0.0;
     for (std::size_t i = 0; i < flat.strip.size(); ++i) {
@@ -250,7 +253,7 @@ TEST(RegionRolling, ShapeOfALoadIsThatOfTheDoubleEllipseThatHasIt) {
   for (const double psi : {0.0, 0.3, -0.6, 0.9}) {
     const double a = 5e-3, b = 3e-3;
     const test::OwnedStrips owned = test::sdec_strips(a, b, psi, 80e3, 4000);
-    const Strips& s = owned.get();
+    const patch::Strips& s = owned.get();
     double load = 0.0, mean = 0.0, squares = 0.0, variance = 0.0, third = 0.0;
     const auto N = [&](int j) { return 0.5 * pi * s.half_length[j] * s.peak[j] * s.width[j]; };
     for (int j = 0; j < s.count; ++j) {
@@ -265,7 +268,7 @@ TEST(RegionRolling, ShapeOfALoadIsThatOfTheDoubleEllipseThatHasIt) {
       variance += N(j) * y * y / load;
       third += N(j) * y * y * y / load;
     }
-    const Sdec found = sdec_of_load(squares, variance, third);
+    const patch::Sdec found = sdec_of_load(squares, variance, third);
     EXPECT_NEAR(found.a, a, 1e-4 * a);
     EXPECT_NEAR(found.b, b, 1e-4 * b);
     EXPECT_NEAR(found.psi, psi, 1e-3);
@@ -278,7 +281,7 @@ struct Patches {
   std::vector<double> fx, fy, mz;
   double load = 0.0;
 
-  void add(const Strips& s, double at, const Creepage& c, double mu) {
+  void add(const patch::Strips& s, double at, const tangential::Creepage& c, double mu) {
     for (int j = 0; j < s.count; ++j) {
       place.push_back(at + s.y[j]);
       width.push_back(s.width[j]);
@@ -293,7 +296,8 @@ struct Patches {
     }
   }
   /// Sums of the forces and of the moment about `at`, of strips from `from` on.
-  TangentialForces roll(const RegionRolling& method, const MarchGrid& grid, double at, std::size_t from = 0) {
+  tangential::TangentialForces roll(const RegionRolling& method, const tangential::MarchGrid& grid, double at,
+                                    std::size_t from = 0) {
     SurfaceRollingInput in;
     in.count = static_cast<std::int32_t>(place.size());
     in.place = place.data();
@@ -312,7 +316,7 @@ struct Patches {
     const Fault fault =
         roll_by_region({in, along.data()}, method, workspace.data(), {}, {fx.data(), fy.data(), mz.data()});
     EXPECT_EQ(fault.status, WRC_OK);
-    TangentialForces sum;
+    tangential::TangentialForces sum;
     for (std::size_t j = from; j < place.size(); ++j) {
       sum.fx += fx[j];
       sum.fy += fy[j];
@@ -323,15 +327,16 @@ struct Patches {
 };
 
 TEST(RegionRolling, OfADoubleEllipseIsTheMethodOnIt) {
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   const test::OwnedGrid grid(32);
   const double a = 5e-3, b = 4e-3, N = 80e3, mu = 0.3;
   for (const double psi : {0.0, 0.4}) {
     const test::OwnedStrips owned = test::sdec_strips(a, b, psi, N, 200);
-    for (const PatchModel& model : {patch_with_sdec, patch_with_ellipse, ellipse_at_point}) {
+    for (const tangential::PatchModel& model :
+         {tangential::patch_with_sdec, tangential::patch_with_ellipse, tangential::ellipse_at_point}) {
       if (model.on_ellipse && psi != 0.0) continue;
-      const Creepage creepage{8e-4, -5e-4, 0.25};
-      RollingContact contact;
+      const tangential::Creepage creepage{8e-4, -5e-4, 0.25};
+      tangential::RollingContact contact;
       contact.region = owned.get();
       contact.a = a;
       contact.b = b;
@@ -344,11 +349,11 @@ TEST(RegionRolling, OfADoubleEllipseIsTheMethodOnIt) {
       contact.model = model;
       contact.normal_force = N;
       Fault fault;
-      const TangentialForces exact = fastsim(contact, {}, fault);
+      const tangential::TangentialForces exact = tangential::fastsim(contact, {}, fault);
       Patches patches;
       patches.add(owned.get(), 10e-3, creepage, mu);
-      const RegionRolling method{.solve = fastsim, .model = model, .linear_theory = &table};
-      const TangentialForces found = patches.roll(method, grid.get(), 10e-3);
+      const RegionRolling method{.solve = tangential::fastsim, .model = model, .linear_theory = &table};
+      const tangential::TangentialForces found = patches.roll(method, grid.get(), 10e-3);
       EXPECT_NEAR(found.fx, exact.fx, 2e-3 * mu * N);
       EXPECT_NEAR(found.fy, exact.fy, 2e-3 * mu * N);
       EXPECT_NEAR(found.mz, exact.mz, 2e-3 * mu * N * b);
@@ -356,7 +361,7 @@ TEST(RegionRolling, OfADoubleEllipseIsTheMethodOnIt) {
       Patches both;
       both.add(owned.get(), -10e-3, {-1e-3, 2e-3, 0.0}, mu);
       both.add(owned.get(), 10e-3, creepage, mu);
-      const TangentialForces beside = both.roll(method, grid.get(), 10e-3, 200);
+      const tangential::TangentialForces beside = both.roll(method, grid.get(), 10e-3, 200);
       EXPECT_NEAR(beside.fx, found.fx, 1e-9 * mu * N);
       EXPECT_NEAR(beside.fy, found.fy, 1e-9 * mu * N);
       EXPECT_NEAR(beside.mz, found.mz, 1e-9 * mu * N * b);
@@ -366,9 +371,9 @@ TEST(RegionRolling, OfADoubleEllipseIsTheMethodOnIt) {
 
 /// Two ellipses grow together.
 TEST(RegionRolling, DoesNotLeapWherePatchesJoin) {
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   const test::OwnedGrid grid(16);
-  const RegionRolling method{.solve = fastsim, .linear_theory = &table};
+  const RegionRolling method{.solve = tangential::fastsim, .linear_theory = &table};
   double jump = 0.0;
   std::vector<double> fx, fy;
   for (int i = 0; i <= 1000; ++i) {
@@ -388,7 +393,7 @@ TEST(RegionRolling, DoesNotLeapWherePatchesJoin) {
                   0.3);
       load += 0.5 * pi * l * l * 2e11 * 0.25e-3;
     }
-    const TangentialForces found = patches.roll(method, grid.get(), 0.0);
+    const tangential::TangentialForces found = patches.roll(method, grid.get(), 0.0);
     fx.push_back(found.fx / load);
     fy.push_back(found.fy / load);
     for (const auto* each : {&fx, &fy}) {
@@ -401,4 +406,4 @@ TEST(RegionRolling, DoesNotLeapWherePatchesJoin) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -13,13 +13,13 @@
 #include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 PressureModel model_of(double compliance) {
   static const auto influence = [] {
-    auto made = std::make_unique<InfluenceTables>();
-    tabulate(*made);
+    auto made = std::make_unique<normal::InfluenceTables>();
+    normal::tabulate(*made);
     return made;
   }();
   return {*influence, kernels_for(best_instruction_set()), compliance};
@@ -89,7 +89,7 @@ TEST(SurfacePressure, HertzsEllipseLiesAskewToTheStrips) {
     for (const double degrees : {0.0, 10.0, 30.0, 60.0}) {
       SCOPED_TRACE(testing::Message() << "A / B " << ratio << ", " << degrees << " degrees");
       const double A = 1.2, B = A / ratio;
-      const HertzEllipse hertz = hertz_ellipse(A, B, approach, compliance);
+      const normal::HertzEllipse hertz = normal::hertz_ellipse(A, B, approach, compliance);
       TurnedGap gap(A, B, degrees * pi / 180.0, approach);
       ASSERT_TRUE(gap.solve(compliance).converged);
       double load = 0.0, moment = 0.0, peak = 0.0;
@@ -328,4 +328,4 @@ TEST(SurfacePressure, AWarmStartFollowsItsOverlaps) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

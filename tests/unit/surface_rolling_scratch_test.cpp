@@ -12,7 +12,7 @@
 #include "tangential/methods/fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// As many numbers as asked for, and others behind them that nobody may touch.
@@ -36,14 +36,14 @@ constexpr double G = 82e9, a = 6e-3, b = 4e-3, N = 80e3;
 struct Rolling {
   test::OwnedStrips owned;
   test::OwnedGrid grid{17};
-  SdecTable table{0.28};
+  theory::SdecTable table{0.28};
   StripCoefficientTable coefficients{table.ellipse()};
   std::vector<double> curvature, slip_x, slip_y, spin, friction, fx, fy, mz;
   std::vector<double> field[4];
   SurfaceRollingInput in;
 
   explicit Rolling(int count) : owned(test::sdec_strips(a, b, 0.0, N, count)) {
-    const Strips& s = owned.get();
+    const patch::Strips& s = owned.get();
     const auto n = static_cast<std::size_t>(count);
     const double lambda = 1.5 * N / (pi * a * a * b);
     curvature.assign(n, hertz_relative_curvature(a / b) * (1.0 - 0.28) / G * lambda);
@@ -63,7 +63,9 @@ struct Rolling {
     in.coefficients = &coefficients;
     in.grid = &grid.get();
   }
-  TangentialFields fields() { return {field[0].data(), field[1].data(), field[2].data(), field[3].data()}; }
+  tangential::TangentialFields fields() {
+    return {field[0].data(), field[1].data(), field[2].data(), field[3].data()};
+  }
   SurfaceRollingForces forces() { return {fx.data(), fy.data(), mz.data()}; }
   double force() const {
     double x = 0.0, y = 0.0;
@@ -97,11 +99,13 @@ TEST(RollingScratch, PatchesKeepToTheirWorkspace) {
     for (const bool fastrips : {false, true}) {
       Rolling rolling(count);
       RegionRolling method;
-      method.solve = fastsim;
+      method.solve = tangential::fastsim;
       if (fastrips) {
-        method.solve = [](const RollingContact& c, const TangentialFields& fields, Fault& fault,
-                          TangentialSensitivities*) { return fastrip(c, fields, fault); };
-        method.workspace_bytes = fastrip_workspace(count, 17);
+        method.solve = [](const tangential::RollingContact& c, const tangential::TangentialFields& fields,
+                          Fault& fault, tangential::TangentialSensitivities*) {
+          return tangential::fastrip(c, fields, fault);
+        };
+        method.workspace_bytes = tangential::fastrip_workspace(count, 17);
       }
       method.linear_theory = &rolling.table;
       const std::vector<double> along(static_cast<std::size_t>(count), 0.0);
@@ -117,8 +121,9 @@ TEST(RollingScratch, PatchesKeepToTheirWorkspace) {
 
 TEST(RollingScratch, AGridKeepsToItsMemory) {
   for (const int cells : {1, 9, 64}) {
-    Guarded memory(march_grid_size(cells));
-    const MarchGrid grid = make_march_grid(cells, memory.data(), kernels_for(InstructionSet::baseline));
+    Guarded memory(tangential::march_grid_size(cells));
+    const tangential::MarchGrid grid =
+        tangential::make_march_grid(cells, memory.data(), kernels_for(InstructionSet::baseline));
     EXPECT_TRUE(memory.intact()) << cells;
     // the last array cut: cell n - 1 has 1 / (1 - 0)
     EXPECT_EQ(grid.inverse_weight[cells - 1], 1.0);
@@ -141,4 +146,4 @@ TEST(RollingScratch, ArraysLieApart) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

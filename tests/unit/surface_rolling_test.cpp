@@ -11,7 +11,7 @@
 #include "sdec_pressure.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 using test::OwnedGrid;
@@ -19,8 +19,8 @@ using test::OwnedStrips;
 
 constexpr double G = 82e9, poisson = 0.28;
 
-const SdecTable& table() {
-  static const SdecTable made(poisson);
+const theory::SdecTable& table() {
+  static const theory::SdecTable made(poisson);
   return made;
 }
 const StripCoefficientTable& coefficients() {
@@ -49,7 +49,7 @@ struct Rolled {
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
   const StripCoefficientTable* linear = &coefficients();
 
-  void roll(const MarchGrid& grid, bool with_fields = false) {
+  void roll(const tangential::MarchGrid& grid, bool with_fields = false) {
     const std::size_t n = place.size();
     SurfaceRollingInput in;
     in.count = static_cast<std::int32_t>(n);
@@ -67,7 +67,7 @@ struct Rolled {
     in.grid = &grid;
     in.method = method;
     for (auto* v : {&fx, &fy, &mz}) v->assign(n, 0.0);
-    TangentialFields fields;
+    tangential::TangentialFields fields;
     if (with_fields || method == SurfaceRollingMethod::fastrip) {
       for (auto* v : {&traction_x, &traction_y, &sliding_x, &sliding_y})
         v->assign(n * static_cast<std::size_t>(grid.cells), 0.0);
@@ -88,9 +88,9 @@ struct Rolled {
 };
 
 /// The strips of Hertz's ellipse, rolling as a patch does: slip (nu_x - phi y, nu_y), spin phi.
-Rolled ellipse(double a, double b, double N, double mu, const Creepage& c, int count) {
+Rolled ellipse(double a, double b, double N, double mu, const tangential::Creepage& c, int count) {
   const OwnedStrips owned = test::sdec_strips(a, b, 0.0, N, count);
-  const Strips& s = owned.get();
+  const patch::Strips& s = owned.get();
   const double level = 1.5 * N / (pi * a * a * b),
                kappa = hertz_relative_curvature(a / b) * (1.0 - poisson) / G * level;
   Rolled r;
@@ -107,11 +107,11 @@ TEST(StripCoefficients, AreKalkersOnHertzsEllipse) {
   Fault fault;
   for (double ratio : {0.2, 0.3, 0.7, 1.0, 2.0, 5.0, 12.0}) {
     const StripCoefficients strip = coefficients_at(coefficients().nodes(), hertz_relative_curvature(ratio));
-    const KalkerCoefficients kalker = table().ellipse().at(ratio, fault);
+    const theory::KalkerCoefficients kalker = table().ellipse().at(ratio, fault);
     EXPECT_NEAR(strip.c11 / kalker.c11, 1.0, 1e-3) << ratio;
     EXPECT_NEAR(strip.c22 / kalker.c22, 1.0, 1e-3) << ratio;
     EXPECT_NEAR(strip.c23 * std::sqrt(ratio) / kalker.c23, 1.0, 3e-3) << ratio;
-    EXPECT_NEAR(strip.slenderness, slenderness(ratio), 3e-3) << ratio;
+    EXPECT_NEAR(strip.slenderness, theory::slenderness(ratio), 3e-3) << ratio;
   }
   for (double m : {1e-6, 0.1, 2.5, 1e6}) {
     const StripCoefficients strip = coefficients_at(coefficients().nodes(), m);
@@ -129,7 +129,7 @@ TEST_P(EveryMethod, SmallSlipGivesLinearTheoryOfHertzsEllipse) {
   const OwnedGrid grid(32);
   const double a = 5e-3, b = 4e-3, N = 80e3, tiny = 1e-8;
   Fault fault;
-  const KalkerCoefficients kalker = table().ellipse().at(a / b, fault);
+  const theory::KalkerCoefficients kalker = table().ellipse().at(a / b, fault);
   Rolled x = ellipse(a, b, N, 0.3, {tiny, 0.0, 0.0}, 80);
   x.method = GetParam();
   x.roll(grid.get());
@@ -156,7 +156,7 @@ TEST(SurfaceRolling, SmallSpinHasThePowerOfLinearTheory) {
   constexpr double ratios[] = {0.0, 0.25, 0.5}, within[] = {0.035, 0.015, 0.06}, tiny = 1e-6;
   const OwnedGrid grid(32);
   for (int k = 0; k < 3; ++k) {
-    const StripCoefficientTable strips{KalkerTable(ratios[k])};
+    const StripCoefficientTable strips{theory::KalkerTable(ratios[k])};
     for (const auto& [ratio, c33] : ellipses) {
       const double a = 4e-3 * std::sqrt(ratio), b = 4e-3 / std::sqrt(ratio), N = 80e3;
       Rolled r = ellipse(a, b, N, 0.3, {0.0, 0.0, tiny}, 40);
@@ -170,9 +170,10 @@ TEST(SurfaceRolling, SmallSpinHasThePowerOfLinearTheory) {
 }
 
 /// Exact theory on the ellipse, from two grids: the error is of first order in the cell size.
-TangentialForces exact_on_ellipse(double a, double b, double N, double mu, const Creepage& c) {
+tangential::TangentialForces exact_on_ellipse(double a, double b, double N, double mu,
+                                              const tangential::Creepage& c) {
   const halfspace::SdecPatch patch{a, b, 0.0};
-  TangentialForces of[2];
+  tangential::TangentialForces of[2];
   for (int n = 0; n < 2; ++n) {
     const halfspace::Grid grid = halfspace::grid_over(patch, 24 << n, 24 << n);
     halfspace::RollingSolver solver(grid, {G, poisson});
@@ -183,7 +184,7 @@ TangentialForces exact_on_ellipse(double a, double b, double N, double mu, const
     problem.creepage = c;
     of[n] = solver.solve(problem).forces;
   }
-  TangentialForces f;
+  tangential::TangentialForces f;
   f.fx = 2.0 * of[1].fx - of[0].fx;
   f.fy = 2.0 * of[1].fy - of[0].fy;
   f.mz = 2.0 * of[1].mz - of[0].mz;
@@ -194,9 +195,10 @@ TangentialForces exact_on_ellipse(double a, double b, double N, double mu, const
 TEST(SurfaceRolling, OnHertzsEllipseIsNearExactTheory) {
   const OwnedGrid grid(32);
   const double a = 6e-3, b = 5e-3, N = 90e3, mu = 0.35, limit = mu * N;
-  for (const Creepage& c :
-       {Creepage{1e-3, 0.0, 0.0}, Creepage{-5e-4, 1e-3, 0.2}, Creepage{0.0, 5e-4, -0.6}}) {
-    const TangentialForces exact = exact_on_ellipse(a, b, N, mu, c);
+  for (const tangential::Creepage& c :
+       {tangential::Creepage{1e-3, 0.0, 0.0}, tangential::Creepage{-5e-4, 1e-3, 0.2},
+        tangential::Creepage{0.0, 5e-4, -0.6}}) {
+    const tangential::TangentialForces exact = exact_on_ellipse(a, b, N, mu, c);
     Rolled r = ellipse(a, b, N, mu, c, 60);
     r.roll(grid.get());
     EXPECT_NEAR(Rolled::sum(r.fx) / limit, exact.fx / limit, 0.02) << c.longitudinal;
@@ -247,7 +249,7 @@ TEST_P(EveryMethod, NothingToRubOnIsNothing) {
 
 TEST(SurfaceRolling, AStripThatEntersHasNoSay) {
   const OwnedGrid grid(32);
-  const Creepage c{-4e-4, 6e-4, 0.5};
+  const tangential::Creepage c{-4e-4, 6e-4, 0.5};
   Rolled without = ellipse(5e-3, 4e-3, 80e3, 0.3, c, 40);
   Rolled with = without;
   with.add(4.1e-3, 2e-4, 1e-7, 1e4, with.curvature[0], c.longitudinal - c.spin * 4.1e-3, c.lateral, c.spin,
@@ -352,4 +354,4 @@ TEST(SurfaceRolling, InstructionSetsGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

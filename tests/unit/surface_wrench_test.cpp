@@ -15,7 +15,7 @@
 #include "surface/wrench/strip_mechanics.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -40,10 +40,10 @@ class CylinderOnCrown {
       wheel_z_.push_back(0.0);
       rail_z_.push_back(crown_radius - std::sqrt(crown_radius * crown_radius - y * y));
     }
-    grid_ = make_march_grid(cells, march_.data(), kernels());
+    grid_ = tangential::make_march_grid(cells, march_.data(), kernels());
     static const auto influence = [] {
-      auto made = std::make_unique<InfluenceTables>();
-      tabulate(*made);
+      auto made = std::make_unique<normal::InfluenceTables>();
+      normal::tabulate(*made);
       return made;
     }();
     SurfaceBodies bodies;
@@ -68,7 +68,7 @@ class CylinderOnCrown {
   }
   WheelProblem problem() const { return {*model, in, {model->rail, 0.0, 0.0, {}}}; }
 
-  static constexpr Material material{82e9, 0.28};
+  static constexpr patch::Material material{82e9, 0.28};
   const SurfaceModel* model = nullptr;
   WheelOnRail in;
   Wrench wrench;
@@ -79,10 +79,10 @@ class CylinderOnCrown {
   static constexpr std::int32_t cells = 8;
   static const Kernels& kernels() { return kernels_for(best_instruction_set()); }
 
-  std::vector<double> y_, wheel_z_, rail_z_, march_ = std::vector<double>(march_grid_size(cells)),
+  std::vector<double> y_, wheel_z_, rail_z_, march_ = std::vector<double>(tangential::march_grid_size(cells)),
                                              model_memory_;
-  KalkerTable ellipse_{material.poisson};
-  MarchGrid grid_;
+  theory::KalkerTable ellipse_{material.poisson};
+  tangential::MarchGrid grid_;
 };
 
 /// Strips of a strip's middle off the crown's top by half a width at most: the gap there [m].
@@ -330,7 +330,7 @@ struct HandMadeStrips {
     for (std::int32_t k = first; k < first + count; ++k) {
       const double N = load(k), g = s.overlaps.grade[k], ny = s.overlaps.ny[k], nz = s.overlaps.nz[k];
       const double fx = s.strips.fx[k], fy = s.strips.fy[k];
-      const auto turned = [this](double x, double y, double z) {
+      const auto turned = [](double x, double y, double z) {
         return Vector{x, std::cos(0.3) * y - std::sin(0.3) * z, std::sin(0.3) * y + std::cos(0.3) * z};
       };
       const Vector f = turned(fx + N * g, fy * nz + (fx * g - N) * ny, -fy * ny + (fx * g - N) * nz);
@@ -396,4 +396,4 @@ TEST(Regions, BeyondThoseThatAreListedGoToTheLast) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::surface

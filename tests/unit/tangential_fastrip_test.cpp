@@ -7,7 +7,7 @@
 #include "sdec_pressure.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::fastrip_ellipse;
@@ -46,15 +46,15 @@ class Case {
     double* v = values_.data();
     return {v, v + n, v + 2 * n, v + 3 * n};
   }
-  const Strips& strips() const { return strips_.get(); }
+  const patch::Strips& strips() const { return strips_.get(); }
   int cells() const { return grid_.get().cells; }
-  double load() const { return totals(strips_.get()).normal_force; }
+  double load() const { return patch::totals(strips_.get()).normal_force; }
   RollingContact contact;
 
  private:
   OwnedStrips strips_;
   OwnedGrid grid_;
-  SdecTable table_;
+  theory::SdecTable table_;
   std::vector<double> values_, workspace_;
 };
 
@@ -91,8 +91,8 @@ TEST(FaStrip, GivesTheForcesOfLinearTheoryForSmallCreepages) {
   const double a = 5e-3, b = 4e-3, psi = 0.4, G = 80e9, c = std::sqrt(a * b);
   Case skew(a, b, psi, 80e3, 80, 64), ellipse(a, b, 0.0, 80e3, 80, 64);
   Fault fault;
-  const SdecCoefficients s = skew.contact.linear_theory->at(a / b, psi, fault);
-  const KalkerCoefficients k = ellipse.contact.linear_theory->ellipse().at(a / b, fault);
+  const theory::SdecCoefficients s = skew.contact.linear_theory->at(a / b, psi, fault);
+  const theory::KalkerCoefficients k = ellipse.contact.linear_theory->ellipse().at(a / b, fault);
   const double small = 1e-7, unit = G * c * c * small;
   const Creepage each[] = {{small, 0.0, 0.0}, {0.0, small, 0.0}, {0.0, 0.0, small / c}};
   // Cells are means over the singular traction at the trailing edge: what is left is the error of the strips.
@@ -143,7 +143,7 @@ RandomErrors errors_on_random_ellipses(Method method, double level) {
     const double a = size * std::sqrt(ratio), b = size / std::sqrt(ratio), p0 = 1e9 * uniform(0.6, 1.5);
     Case c(a, b, 0.0, 2.0 / 3.0 * pi * a * b * p0, 60, 32);
     Fault fault;
-    const KalkerCoefficients k = c.contact.linear_theory->ellipse().at(a / b, fault);
+    const theory::KalkerCoefficients k = c.contact.linear_theory->ellipse().at(a / b, fault);
     const double unit = 0.3 * 2.0 / 3.0 * pi * a * b * p0, saturating = level * unit / (80e9 * a * b);
     c.contact.creepage.longitudinal = saturating / k.c11 * uniform(-1.0, 1.0);
     c.contact.creepage.lateral = saturating / k.c22 * uniform(-1.0, 1.0);
@@ -228,7 +228,7 @@ TEST(FaStrip, FieldsStayWithinTheBoundAddUpAndDissipateTheBalance) {
       c.contact.friction = r.friction;
       const TangentialForces f = c.solve(method.solve);
       const TangentialFields v = c.fields();
-      const Strips& s = c.strips();
+      const patch::Strips& s = c.strips();
       TangentialForces sum;
       for (int i = 0; i < c.cells(); ++i) {
         const double t = 1.0 - (2.0 * i + 1.0) / c.cells();
@@ -304,4 +304,4 @@ TEST(FaStrip, DegenerateInputGivesFiniteForces) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

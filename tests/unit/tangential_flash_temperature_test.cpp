@@ -8,7 +8,7 @@
 #include "base/elementary.hpp"
 #include "tangential/friction/flash_temperature.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// Rise in one strip of length 1 at unit speed and effusivities of 1/2 each, from heat over the way s.
@@ -18,7 +18,7 @@ std::vector<double> rise_of(std::int32_t cells, Heat&& heat) {
   std::vector<double> one(n, 1.0), none(n, 0.0), slip, rise(n);
   for (std::int32_t i = 0; i < cells; ++i) slip.push_back(-heat((i + 0.5) / cells));
   double half = 0.5;
-  Strips strip{};
+  patch::Strips strip{};
   strip.count = 1;
   strip.half_length = &half;
   flash_rise(strip, {one.data(), none.data(), slip.data(), none.data()}, cells, 1.0, {0.5, 0.5},
@@ -75,7 +75,7 @@ TEST(FlashTemperature, StripsDoNotSeeEachOther) {
       half(strips);
   for (std::size_t k = 0; k < slip.size(); ++k) slip[k] = -std::fabs(std::sin(static_cast<double>(k)));
   for (std::size_t j = 0; j < half.size(); ++j) half[j] = 1.0 + 0.01 * static_cast<double>(j);
-  Strips all{};
+  patch::Strips all{};
   all.count = strips;
   all.half_length = half.data();
   const FlashWeights weights(cells);
@@ -84,7 +84,7 @@ TEST(FlashTemperature, StripsDoNotSeeEachOther) {
   for (const std::size_t j : {0, 63, 64, 149}) {
     double own_slip[cells], own_rise[cells];
     for (std::size_t i = 0; i < cells; ++i) own_slip[i] = slip[i * strips + j];
-    Strips alone{};
+    patch::Strips alone{};
     alone.count = 1;
     alone.half_length = &half[j];
     flash_rise(alone, {one.data(), none.data(), own_slip, none.data()}, cells, 4.0, {1.0, 2.0}, weights,
@@ -94,4 +94,4 @@ TEST(FlashTemperature, StripsDoNotSeeEachOther) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -5,7 +5,7 @@
 #include "tangential/methods/flexibility_form.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::fastsim_ellipse;
@@ -22,9 +22,9 @@ class FlexibilityForms : public ::testing::Test {
  protected:
   OwnedStrips patch = sdec_strips(a, b, psi, normal_force, 64);
   OwnedGrid grid{64};
-  SdecTable table{0.28};
+  theory::SdecTable table{0.28};
   Fault fault;
-  Flexibility L = sdec_flexibility(a, b, psi, G, table, fault);
+  theory::Flexibility L = theory::sdec_flexibility(a, b, psi, G, table, fault);
 
   RollingContact contact(FlexibilityForm form, const Creepage& creepage) const {
     RollingContact c{patch.get(), a, b, psi, G, &table, &grid.get(), creepage, 0.3, TractionBound::parabolic};
@@ -34,7 +34,7 @@ class FlexibilityForms : public ::testing::Test {
 };
 
 TEST_F(FlexibilityForms, SingleIsEachOnesOwnForOneCreepage) {
-  const Flexibility ellipse = ellipse_flexibility(a, b, G, table.ellipse(), fault);
+  const theory::Flexibility ellipse = theory::ellipse_flexibility(a, b, G, table.ellipse(), fault);
   EXPECT_DOUBLE_EQ(single_flexibility(L, a, b, psi, {-1e-3, 0, 0}), L.l11);
   EXPECT_DOUBLE_EQ(single_flexibility(L, a, b, psi, {0, -1e-3, 0}), L.l22);
   EXPECT_DOUBLE_EQ(single_flexibility(ellipse, a, b, 0.0, {0, 0, -0.2}), ellipse.l23);
@@ -48,10 +48,10 @@ TEST_F(FlexibilityForms, SingleIsEachOnesOwnForOneCreepage) {
 
 TEST_F(FlexibilityForms, BlendedIsSeparateForSmallAndCommonForLargeCreepages) {
   const double limit = 0.3 * normal_force;
-  const Flexibility small = blended_flexibility(L, a, b, psi, {1e-9, 1e-9, 1e-3}, limit);
+  const theory::Flexibility small = blended_flexibility(L, a, b, psi, {1e-9, 1e-9, 1e-3}, limit);
   EXPECT_NEAR(small.l11, L.l11, 1e-5 * L.l11);
   EXPECT_NEAR(small.l13, L.l13, 1e-5 * L.l13);
-  const Flexibility large = blended_flexibility(L, a, b, psi, {0.03, 0.04, 1.0}, limit);
+  const theory::Flexibility large = blended_flexibility(L, a, b, psi, {0.03, 0.04, 1.0}, limit);
   EXPECT_DOUBLE_EQ(large.l11, large.l13);
   EXPECT_DOUBLE_EQ(large.l11, large.l22);
   EXPECT_DOUBLE_EQ(large.l11, large.l23);
@@ -60,7 +60,7 @@ TEST_F(FlexibilityForms, BlendedIsSeparateForSmallAndCommonForLargeCreepages) {
   // At a third of the way, f = 1: with nu_x alone f^2 = nu_x^2 / (nu_x*^2 + nu_y*^2).
   const double per = 3.0 * limit / (8.0 * a * a * b);
   const double nu = per * std::hypot(L.l11, L.l22);
-  const Flexibility third = blended_flexibility(L, a, b, 0.0, {nu, 0.0, 0.0}, limit);
+  const theory::Flexibility third = blended_flexibility(L, a, b, 0.0, {nu, 0.0, 0.0}, limit);
   EXPECT_NEAR(third.l22, 2.0 / 3.0 * L.l22 + 1.0 / 3.0 * L.l11, 1e-12 * L.l22);
 }
 
@@ -122,7 +122,7 @@ TEST_F(FlexibilityForms, EveryVariantTakesEveryForm) {
 
 TEST_F(FlexibilityForms, SmallCreepagesAreThoseOfLinearTheoryInTheBlendedForm) {
   const double c = std::sqrt(a * b), small = 1e-7, unit = G * c * c * small;
-  const SdecCoefficients s = table.at(a / b, psi, fault);
+  const theory::SdecCoefficients s = table.at(a / b, psi, fault);
   const Creepage creep{small, -2.0 * small, 3.0 * small / c};
   const TangentialForces f = fastsim(contact(FlexibilityForm::blended, creep), {}, fault);
   EXPECT_NEAR(f.fx, -G * c * c * (s.c11 * creep.longitudinal + c * s.c13 * creep.spin), 2e-3 * unit);
@@ -188,7 +188,7 @@ TEST_F(FlexibilityForms, ModifiedFastsimHasTheReducedSlope) {
   softer.shear_modulus = k0 * G;
   EXPECT_EQ(force(1e-3, 0.02, 0.0), -fastsim_eql(softer, {}, fault).fx);
   // full adhesion at a creepage where eps = 1: k = k0 (0.02 + 0.98 / 1.62)
-  const double limit = 0.3 * totals(patch.get()).normal_force;
+  const double limit = 0.3 * patch::totals(patch.get()).normal_force;
   const double nu = 4.0 * limit / (k0 * G * pi * a * b * c11);
   const double k = k0 * (0.02 + 0.98 / 1.62);
   softer.shear_modulus = k * G;
@@ -199,4 +199,4 @@ TEST_F(FlexibilityForms, ModifiedFastsimHasTheReducedSlope) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

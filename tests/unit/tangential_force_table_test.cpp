@@ -22,12 +22,11 @@
 #include "wrc/wrc_damage.h"
 #include "wrc/wrc_planar.h"
 
+namespace wrc::tangential {
 namespace {
 
-using namespace wrc;
-
 constexpr double G = 80e9, N = 60e3, mu = 0.3;
-constexpr Sdec patch{5e-3, 4e-3, 0.4};
+constexpr patch::Sdec patch{5e-3, 4e-3, 0.4};
 
 /// The table that ships, read once.
 class TableFile {
@@ -49,7 +48,7 @@ TableFile& table_file() {
   return the_file;
 }
 
-TangentialForces forces(const Sdec& sdec, const Creepage& creepage, Fault* fault = nullptr) {
+TangentialForces forces(const patch::Sdec& sdec, const Creepage& creepage, Fault* fault = nullptr) {
   Fault unused;
   return table_forces(table_file().table, sdec, N, G, mu, creepage, fault ? *fault : unused);
 }
@@ -64,9 +63,10 @@ TEST(ForceTable, SmallCreepagesFollowLinearTheory) {
   const double c = std::sqrt(patch.a * patch.b), tiny = creepage_unit(1e-6);
   for (const double ratio : {0.2, 1.0, 4.0}) {
     for (const double psi : {-0.6, 0.0, 0.3}) {
-      const Sdec sdec{c * std::sqrt(ratio), c / std::sqrt(ratio), psi};
+      const patch::Sdec sdec{c * std::sqrt(ratio), c / std::sqrt(ratio), psi};
       Fault fault;
-      const SdecCoefficients k = SdecTable(table_file().table.axes.poisson).at(ratio, psi, fault);
+      const theory::SdecCoefficients k =
+          theory::SdecTable(table_file().table.axes.poisson).at(ratio, psi, fault);
       const TangentialForces x = forces(sdec, {tiny, 0.0, 0.0}), y = forces(sdec, {0.0, tiny, 0.0}),
                              spin = forces(sdec, {0.0, 0.0, tiny / c});
       const double unit = -G * c * c * tiny;
@@ -117,7 +117,7 @@ TEST(ForceTable, NoCreepageNoForce) {
 
 /// Random creepages of all sizes and shapes within and beyond the table.
 struct Draw {
-  Sdec sdec;
+  patch::Sdec sdec;
   Creepage creepage;
 };
 Draw draw(std::mt19937& random) {
@@ -223,7 +223,7 @@ TEST(ForceTable, ForcesAndTheirSlopesAreContinuous) {
 
 TEST(ForceTable, FlagsShapesBeyondItsEnds) {
   const Creepage c{creepage_unit(1.0), 0.0, 0.0};
-  const auto status = [&](const Sdec& sdec) {
+  const auto status = [&](const patch::Sdec& sdec) {
     Fault fault;
     forces(sdec, c, &fault);
     return fault.status;
@@ -235,13 +235,13 @@ TEST(ForceTable, FlagsShapesBeyondItsEnds) {
 }
 
 /// The solver, extrapolated to cells of no size as the generator does it, but on other grids.
-TangentialForces solved(const Sdec& sdec, const Creepage& creepage, double poisson) {
+TangentialForces solved(const patch::Sdec& sdec, const Creepage& creepage, double poisson) {
   const halfspace::SdecPatch region{sdec.a, sdec.b, sdec.psi};
   const auto on = [&](int cells) {
     const halfspace::Grid grid = halfspace::grid_over(region, cells, cells);
     halfspace::RollingProblem problem;
     problem.pressure =
-        halfspace::sdec_pressure(region, peak_pressure(sdec, N), grid, halfspace::CellPressure::mean);
+        halfspace::sdec_pressure(region, patch::peak_pressure(sdec, N), grid, halfspace::CellPressure::mean);
     problem.friction = {mu};
     problem.creepage = creepage;
     return halfspace::RollingSolver(grid, {G, poisson}).solve(problem).forces;
@@ -507,3 +507,4 @@ TEST(ForceTableMethod, WorksInMemoryOfTheCaller) {
 }
 
 }  // namespace
+}  // namespace wrc::tangential

@@ -4,7 +4,7 @@
 #include "tangential/friction/friction.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::OwnedStrips;
@@ -62,19 +62,19 @@ TEST_F(StripLaw, ConstantFrictionIsOneNumber) {
 
 TEST_F(StripLaw, MeanIsWeightedByTheLoad) {
   const StripFriction f = find({.zones = {2, y, c}}, {}, {}, 0.0);
-  const Strips& s = strips.get();
+  const patch::Strips& s = strips.get();
   double limit = 0.0;
   for (int j = 0; j < count; ++j) {
     EXPECT_NEAR(f[j], mean_friction({2, y, c}, s.y[j] - 0.5 * s.width[j], s.y[j] + 0.5 * s.width[j]), 1e-15);
     limit += f[j] * 0.5 * pi * s.half_length[j] * s.peak[j] * s.width[j];
   }
-  EXPECT_NEAR(f.mean * totals(s).normal_force, limit, 1e-9 * limit);
+  EXPECT_NEAR(f.mean * patch::totals(s).normal_force, limit, 1e-9 * limit);
 }
 
 TEST_F(StripLaw, ZonesStayWhereTheFrameSays) {
   // A frame shifted by 0.5 mm and turned round sees the zones mirrored.
   const StripFriction f = find({.zones = {2, y, c}}, {0.2e-3, 0.5e-3, -1.0}, {}, 0.0);
-  const Strips& s = strips.get();
+  const patch::Strips& s = strips.get();
   for (int j = 0; j < count; ++j) {
     const double middle = 0.5e-3 - (0.2e-3 + s.y[j]), half = 0.5 * s.width[j];
     EXPECT_NEAR(f[j], mean_friction({2, y, c}, middle - half, middle + half), 1e-15);
@@ -87,7 +87,7 @@ TEST_F(StripLaw, SlidingSpeedIsTheMeanSquareOfTheRigidSlip) {
   const Creepage creep{2e-3, -1e-3, 0.7};
   const double V = 25.0, origin = 1e-3;
   const StripFriction f = find(law, {.origin = origin}, creep, V);
-  const Strips& s = strips.get();
+  const patch::Strips& s = strips.get();
   for (int j = 0; j < count; ++j) {
     double square = 0.0;
     constexpr int points = 2000;
@@ -113,4 +113,4 @@ TEST_F(StripLaw, NoFrictionAnywhereIsNone) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -4,7 +4,7 @@
 #include "tangential/march/stick_zone.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::OwnedGrid;
@@ -17,16 +17,16 @@ constexpr TractionBound bounds[] = {TractionBound::parabolic, TractionBound::ell
 
 TEST(March, FullAdhesionGivesTheForcesOfLinearTheory) {
   const double a = 4e-3, b = 6e-3, psi = 0.4, G = 80e9;
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
-  const SdecCoefficients s = table.at(a / b, psi, fault);
+  const theory::SdecCoefficients s = table.at(a / b, psi, fault);
   const OwnedStrips strips = sdec_strips(a, b, psi, 80e3, 64);
   const OwnedGrid grid(32);
   const double c = std::sqrt(a * b);
   const Creepage creep{1e-4, -2e-4, 0.03};
   for (TractionBound bound : bounds) {
-    const TangentialForces f =
-        march({strips.get(), creep, sdec_flexibility(a, b, psi, G, table, fault), 1e4, bound}, grid.get());
+    const TangentialForces f = march(
+        {strips.get(), creep, theory::sdec_flexibility(a, b, psi, G, table, fault), 1e4, bound}, grid.get());
     const double unit = G * c * c * 1e-4;
     // What is left is the error of 64 strips across the patch.
     EXPECT_NEAR(f.fx, -G * c * c * (s.c11 * creep.longitudinal + c * s.c13 * creep.spin), 1e-3 * unit);
@@ -39,10 +39,11 @@ TEST(March, FullAdhesionGivesTheForcesOfLinearTheory) {
 TEST(March, FullSlipGivesCoulombsForceAgainstTheCreepage) {
   const OwnedStrips strips = sdec_strips(4e-3, 6e-3, -0.3, 80e3, 32);
   const OwnedGrid grid(20);
-  const double N = totals(strips.get()).normal_force;
+  const double N = patch::totals(strips.get()).normal_force;
   Fault fault;
-  const Flexibility L = sdec_flexibility(4e-3, 6e-3, -0.3, 80e9, SdecTable(0.28), fault);
-  const Flexibility isotropic{L.l11, L.l11, L.l11, L.l11};
+  const theory::Flexibility L =
+      theory::sdec_flexibility(4e-3, 6e-3, -0.3, 80e9, theory::SdecTable(0.28), fault);
+  const theory::Flexibility isotropic{L.l11, L.l11, L.l11, L.l11};
   for (TractionBound bound : bounds) {
     const TangentialForces f = march({strips.get(), {0.3, 0.4, 0.0}, isotropic, 0.3, bound}, grid.get());
     EXPECT_NEAR(f.fx, -0.6 * 0.3 * N, 1e-9 * N);
@@ -64,7 +65,7 @@ TEST(March, PureLongitudinalCreepageIsThePiecewiseParabolaOfTheory) {
   double integral = 0.0;
   for (int j = 0; j < 40; ++j)
     integral += 4.0 / 3.0 * std::pow(strips.get().half_length[j], 3) * strips.get().width[j];
-  const double B = mu * totals(strips.get()).normal_force / integral;
+  const double B = mu * patch::totals(strips.get()).normal_force / integral;
   double expected = 0.0, dissipated = 0.0;
   for (int j = 0; j < 40; ++j) {
     const double aj = strips.get().half_length[j], u = std::min(2.0 * aj, gx / B);
@@ -159,7 +160,7 @@ TEST(March, FieldsStayWithinTheBoundAndAddUpToTheForces) {
   for (int n = 0; n < 20; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = sdec_strips(c.a, c.b, c.psi, c.normal_force, strips_count);
-    const Strips& s = strips.get();
+    const patch::Strips& s = strips.get();
     const TangentialProblem problem = test::problem_of(c, s, TractionBound::elliptic);
     const TangentialForces f = march(problem, grid.get(), {px.data(), py.data(), sx.data(), sy.data()});
     const TangentialForces without = march(problem, grid.get());
@@ -189,7 +190,7 @@ TEST(March, FieldsStayWithinTheBoundAndAddUpToTheForces) {
 
 TEST(March, ForcesStayWithinFrictionWhereverSlipSetsInWithinACell) {
   const OwnedStrips strips = sdec_strips(4e-3, 5e-3, 0.2, 80e3, 9);
-  const double limit = 0.3 * totals(strips.get()).normal_force, l = 1.5e-14;
+  const double limit = 0.3 * patch::totals(strips.get()).normal_force, l = 1.5e-14;
   for (int cells : {1, 2, 4, 5}) {
     const OwnedGrid grid(cells);
     for (TractionBound bound : bounds) {
@@ -209,7 +210,7 @@ TEST(March, SticksAgainNearTheSpinPole) {
   Fault fault;
   const TangentialProblem problem{strips.get(),
                                   {0.0, 0.0, 2.0},
-                                  ellipse_flexibility(a, b, 82e9, KalkerTable(0.28), fault),
+                                  theory::ellipse_flexibility(a, b, 82e9, theory::KalkerTable(0.28), fault),
                                   mu,
                                   TractionBound::parabolic};
   const OwnedGrid grid(64);
@@ -259,7 +260,7 @@ TEST(March, SkewedStripsFeelTheSpinOfTheirTrueDistance) {
 TEST(March, DegenerateInputGivesFiniteForces) {
   const OwnedStrips strips = sdec_strips(5e-3, 4e-3, 0.3, 80e3, 24);
   const OwnedGrid grid(32);
-  const Flexibility L{1.5e-14, 2e-14, 1.6e-14, 2.2e-14};
+  const theory::Flexibility L{1.5e-14, 2e-14, 1.6e-14, 2.2e-14};
   for (TractionBound bound : bounds) {
     const TangentialForces none = march({strips.get(), {}, L, 0.3, bound}, grid.get());
     EXPECT_EQ(none.fx, 0.0);
@@ -277,7 +278,7 @@ TEST(March, DegenerateInputGivesFiniteForces) {
         EXPECT_LE(std::hypot(f.fx, f.fy), 0.3 * 80e3 * 1.001);
       }
     }
-    Strips empty = strips.get();
+    patch::Strips empty = strips.get();
     empty.count = 0;
     EXPECT_EQ(march({empty, {1e-3, 0, 0}, L, 0.3, bound}, grid.get()).fx, 0.0);
   }
@@ -317,4 +318,4 @@ TEST(StickZone, OnsetIsTheFirstPointWhereAdhesionExceedsTheBound) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

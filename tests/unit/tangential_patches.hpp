@@ -28,18 +28,18 @@ class OwnedStrips {
   OwnedStrips(const OwnedStrips&) = delete;
   OwnedStrips& operator=(const OwnedStrips&) = delete;
   OwnedStrips(OwnedStrips&&) = default;
-  const Strips& get() const { return strips_; }
+  const patch::Strips& get() const { return strips_; }
 
  private:
   std::vector<double> values_;
-  Strips strips_;
+  patch::Strips strips_;
 };
 
 /// A single double-elliptical contact with the exact semi-elliptic pressure of load N; psi = 0 is an ellipse.
 /// Strips of equal width, half length and peak those of their middle.
 inline OwnedStrips sdec_strips(double a, double b, double psi, double normal_force, int count) {
   OwnedStrips owned(count);
-  const Strips& s = owned.get();
+  const patch::Strips& s = owned.get();
   const double p0 = 1.5 * normal_force / (pi * a * b);
   for (int j = 0; j < count; ++j) {
     const double y = b * (psi - 1.0 + (2.0 * j + 1.0) / count);
@@ -57,29 +57,31 @@ inline OwnedStrips sdec_strips(double a, double b, double psi, double normal_for
 class OwnedGrid {
  public:
   explicit OwnedGrid(int cells, InstructionSet set = InstructionSet::baseline)
-      : memory_(march_grid_size(cells)), grid_(make_march_grid(cells, memory_.data(), kernels_for(set))) {}
+      : memory_(tangential::march_grid_size(cells)),
+        grid_(tangential::make_march_grid(cells, memory_.data(), kernels_for(set))) {}
   OwnedGrid(const OwnedGrid&) = delete;
   OwnedGrid& operator=(const OwnedGrid&) = delete;
-  const MarchGrid& get() const { return grid_; }
+  const tangential::MarchGrid& get() const { return grid_; }
 
  private:
   std::vector<double> memory_;
-  MarchGrid grid_;
+  tangential::MarchGrid grid_;
 };
 
 /// FASTSIM as the textbooks march it: explicit, first order, one cell after the other, slip from Kalker's
 /// L (p - p*) / h. Independent of the library's kernel; needs several hundred cells to converge.
-inline TangentialForces textbook_fastsim(const TangentialProblem& problem, int cells) {
-  const Strips& s = problem.region;
-  const Creepage& c = problem.creepage;
-  const Flexibility& L = problem.flexibility;
+inline tangential::TangentialForces textbook_fastsim(const tangential::TangentialProblem& problem,
+                                                     int cells) {
+  const patch::Strips& s = problem.region;
+  const tangential::Creepage& c = problem.creepage;
+  const theory::Flexibility& L = problem.flexibility;
   double cubes = 0.0, squares = 0.0;
   for (int j = 0; j < s.count; ++j) {
     cubes += 4.0 / 3.0 * std::pow(s.half_length[j], 3) * s.width[j];
     squares += 0.5 * pi * std::pow(s.half_length[j], 2) * s.width[j];
   }
-  const double N = totals(s).normal_force;
-  TangentialForces f;
+  const double N = patch::totals(s).normal_force;
+  tangential::TangentialForces f;
   double area = 0.0, slid = 0.0;
   for (int j = 0; j < s.count; ++j) {
     const double l = s.half_length[j], h = 2.0 * l / cells, y = s.y[j], cell = h * s.width[j];
@@ -91,8 +93,8 @@ inline TangentialForces textbook_fastsim(const TangentialProblem& problem, int c
       const double qx = px - step * (c.longitudinal / L.l11 - c.spin * y / L.l13);
       const double qy = py - step * (c.lateral / L.l22 + c.spin * x_step / L.l23);
       const double parabola = l * l - from_centre * from_centre;
-      const double per_friction = problem.bound == TractionBound::parabolic ? N / cubes * parabola
-                                  : problem.bound == TractionBound::ellipsoidal
+      const double per_friction = problem.bound == tangential::TractionBound::parabolic ? N / cubes * parabola
+                                  : problem.bound == tangential::TractionBound::ellipsoidal
                                       ? N / squares * std::sqrt(parabola)
                                       : s.peak[j] / l * std::sqrt(parabola);
       const double tau = problem.friction[j] * per_friction;
@@ -114,7 +116,7 @@ inline TangentialForces textbook_fastsim(const TangentialProblem& problem, int c
 /// A random SDEC patch in partial to full slip, of the range met on railways: a/b 0.25 to 3, |psi| <= 0.7.
 struct RandomCase {
   double a, b, psi, normal_force, friction, shear_modulus, poisson;
-  Creepage creepage;
+  tangential::Creepage creepage;
 };
 
 inline RandomCase random_case(std::mt19937& random) {
@@ -140,9 +142,11 @@ inline RandomCase random_case(std::mt19937& random) {
   return c;
 }
 
-inline TangentialProblem problem_of(const RandomCase& c, const Strips& region, TractionBound bound) {
+inline tangential::TangentialProblem problem_of(const RandomCase& c, const patch::Strips& region,
+                                                tangential::TractionBound bound) {
   Fault fault;
-  return {region, c.creepage, sdec_flexibility(c.a, c.b, c.psi, c.shear_modulus, SdecTable(c.poisson), fault),
+  return {region, c.creepage,
+          theory::sdec_flexibility(c.a, c.b, c.psi, c.shear_modulus, theory::SdecTable(c.poisson), fault),
           c.friction, bound};
 }
 

@@ -4,7 +4,7 @@
 #include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::fastsim_ellipse;
@@ -29,7 +29,7 @@ void compare(Method& method, bool on_ellipse, TractionBound bound) {
   for (int n = 0; n < 60; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = test::sdec_strips(c.a, c.b, on_ellipse ? 0.0 : c.psi, c.normal_force, 21);
-    const SdecTable table(c.poisson);
+    const theory::SdecTable table(c.poisson);
     const RollingContact contact{strips.get(), c.a,         c.b,        c.psi,      c.shear_modulus,
                                  &table,       &grid.get(), c.creepage, c.friction, bound};
     Fault fault;
@@ -75,7 +75,7 @@ void compare(Method& method, bool on_ellipse, TractionBound bound) {
       }
     }
     // Load and friction act through their product alone.
-    EXPECT_NEAR(s.d[0][3] * totals(strips.get()).normal_force, s.d[0][4] * c.friction, 1e-9 * unit);
+    EXPECT_NEAR(s.d[0][3] * patch::totals(strips.get()).normal_force, s.d[0][4] * c.friction, 1e-9 * unit);
   }
   EXPECT_GT(compared, total * 9 / 10);
 }
@@ -101,7 +101,7 @@ void integrate(Method& method, bool on_ellipse, TractionBound bound, double tole
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips =
         test::sdec_strips(c.a, c.b, on_ellipse ? 0.0 : c.psi, c.normal_force, n < 4 ? 1 : 24);
-    const SdecTable table(c.poisson);
+    const theory::SdecTable table(c.poisson);
     double integral[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, last[2] = {0.0, 0.0};
     for (int i = 0; i <= steps; ++i) {
       const double t = 0.1 + 1.9 * i / steps;
@@ -140,7 +140,7 @@ TEST(Sensitivities, AtRestAreThoseOfLinearTheory) {
     for (int n = 0; n < 10; ++n) {
       const RandomCase c = test::random_case(random);
       const OwnedStrips strips = test::sdec_strips(c.a, c.b, c.psi, c.normal_force, 24);
-      const SdecTable table(c.poisson);
+      const theory::SdecTable table(c.poisson);
       RollingContact contact{strips.get(), c.a,         c.b, c.psi,      c.shear_modulus,
                              &table,       &grid.get(), {},  c.friction, TractionBound::parabolic};
       const double unit = c.friction * c.normal_force, level = unit / (c.shear_modulus * c.a * c.b);
@@ -178,4 +178,4 @@ TEST(Sensitivities, IntegrateToTheForces) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -8,7 +8,7 @@
 #include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::OwnedGrid;
@@ -22,7 +22,7 @@ std::vector<double> everything(Method& method, const RandomCase& c, TractionBoun
                                int cells, InstructionSet set) {
   const OwnedStrips region = test::sdec_strips(c.a, c.b, c.psi, c.normal_force, strips);
   const OwnedGrid grid(cells, set);
-  const SdecTable table(c.poisson);
+  const theory::SdecTable table(c.poisson);
   const auto field = static_cast<std::size_t>(strips * cells);
   std::vector<double> all(4 * field);
   Fault fault;
@@ -68,4 +68,4 @@ TEST(InstructionSets, AreTheOnesAskedFor) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -5,7 +5,7 @@
 #include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::OwnedGrid;
@@ -13,7 +13,7 @@ using test::OwnedStrips;
 using test::RandomCase;
 using test::sdec_strips;
 
-RollingContact contact_of(const RandomCase& c, const Strips& region, const SdecTable& table,
+RollingContact contact_of(const RandomCase& c, const patch::Strips& region, const theory::SdecTable& table,
                           const MarchGrid& grid) {
   return {region, c.a,   c.b,        c.psi,      c.shear_modulus,
           &table, &grid, c.creepage, c.friction, TractionBound::elliptic};
@@ -21,9 +21,9 @@ RollingContact contact_of(const RandomCase& c, const Strips& region, const SdecT
 
 TEST(StripFastsim, SmallCreepagesGiveTheForcesOfLinearTheory) {
   const double a = 4e-3, b = 6e-3, psi = 0.4, G = 80e9, N = 80e3;
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
-  const SdecCoefficients s = table.at(a / b, psi, fault);
+  const theory::SdecCoefficients s = table.at(a / b, psi, fault);
   const OwnedStrips strips = sdec_strips(a, b, psi, N, 128);
   const OwnedGrid grid(128);
   const double c = std::sqrt(a * b);
@@ -47,7 +47,7 @@ TEST(StripFastsim, SmallSpinGivesTheMomentOfLinearTheory) {
     double ratio, psi, c33;
   } const rows[] = {{0.2, 0.0, 4.270}, {0.5, 0.0, 1.927}, {1.0, 0.0, 1.180}, {1.0, 0.4, 1.607},
                     {1.0, 0.7, 2.489}, {2.0, 0.0, 0.821}, {2.0, 0.7, 1.558}, {3.0, 0.4, 0.885}};
-  const SdecTable table(0.25);
+  const theory::SdecTable table(0.25);
   const OwnedGrid grid(128);
   Fault fault;
   const double c = 5e-3, G = 80e9, e = 1e-7;
@@ -74,7 +74,7 @@ TEST(StripFastsim, MirroredPatchesAndReversedCreepagesGiveTheSameForces) {
   const OwnedGrid grid(24);
   for (int n = 0; n < 20; ++n) {
     const RandomCase c = test::random_case(random);
-    const SdecTable table(c.poisson);
+    const theory::SdecTable table(c.poisson);
     Fault fault;
     const auto solve = [&](double psi, const Creepage& creepage) {
       const OwnedStrips strips = sdec_strips(c.a, c.b, psi, c.normal_force, 24);
@@ -101,10 +101,10 @@ TEST(StripFastsim, StripsCarryInProportionToTheirNormalStiffness) {
   // Two lobes of equal length, one with twice the pressure: in full adhesion it carries twice the force, and
   // both saturate at the same creepage, since the bound is twice as high as well.
   const OwnedStrips strips = sdec_strips(5e-3, 5e-3, 0.0, 80e3, 32);
-  const Strips& s = strips.get();
+  const patch::Strips& s = strips.get();
   for (int j = 16; j < 32; ++j) s.peak[j] *= 2.0;
   const OwnedGrid grid(32);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
   std::vector<double> px(32 * 32), py(px);
   for (double nu : {1e-6, 1e-3, 1e-1}) {
@@ -120,9 +120,9 @@ TEST(StripFastsim, StripsCarryInProportionToTheirNormalStiffness) {
 TEST(StripFastsim, LargeCreepagesGiveCoulombsForceAgainstThem) {
   const OwnedStrips strips = sdec_strips(4e-3, 6e-3, -0.3, 80e3, 32);
   const OwnedGrid grid(32);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
-  const double N = totals(strips.get()).normal_force;
+  const double N = patch::totals(strips.get()).normal_force;
   const TangentialForces f = strip_fastsim({strips.get(),
                                             4e-3,
                                             6e-3,
@@ -146,7 +146,7 @@ TEST(StripFastsim, CarterIsReproducedInEveryStripWithoutSpin) {
   const double a = 5e-3, b = 5e-3, N = 80e3, mu = 0.3, G = 80e9;
   const OwnedStrips strips = sdec_strips(a, b, 0.0, N, 64);
   const OwnedGrid grid(64);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
   const double E = mu * 1.5 * N / (pi * a * b) / a;
   const double c11 = table.at(1.0, 0.0, fault).c11;
@@ -173,8 +173,8 @@ TEST(StripFastsim, FieldsStayWithinFrictionAndDissipateThePower) {
   for (int n = 0; n < 40; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = sdec_strips(c.a, c.b, c.psi, c.normal_force, strips_count);
-    const Strips& s = strips.get();
-    const SdecTable table(c.poisson);
+    const patch::Strips& s = strips.get();
+    const theory::SdecTable table(c.poisson);
     Fault fault;
     const RollingContact contact = contact_of(c, s, table, grid.get());
     const TangentialForces f = strip_fastsim(contact, {px.data(), py.data(), sx.data(), sy.data()}, fault);
@@ -214,7 +214,7 @@ TEST(StripFastsim, SensitivitiesAreTheDerivativesOfTheForces) {
   for (int n = 0; n < 60; ++n) {
     const RandomCase c = test::random_case(random);
     const OwnedStrips strips = sdec_strips(c.a, c.b, c.psi, c.normal_force, 24);
-    const SdecTable table(c.poisson);
+    const theory::SdecTable table(c.poisson);
     Fault fault;
     TangentialSensitivities s;
     const RollingContact contact = contact_of(c, strips.get(), table, grid.get());
@@ -245,7 +245,7 @@ TEST(StripFastsim, SensitivitiesAreTheDerivativesOfTheForces) {
       agree += error * step[k] / 1e-6 < 1e-6 * unit;
     }
     // Load and friction act through their product alone.
-    EXPECT_NEAR(s.d[0][3] * totals(strips.get()).normal_force, s.d[0][4] * c.friction, 1e-9 * unit);
+    EXPECT_NEAR(s.d[0][3] * patch::totals(strips.get()).normal_force, s.d[0][4] * c.friction, 1e-9 * unit);
   }
   EXPECT_GT(agree, total * 9 / 10);
 }
@@ -257,14 +257,14 @@ TEST(StripFastsim, ForcesAreContinuousInTheCreepages) {
   std::uniform_real_distribution<double> part(-1.0, 1.0);
   const double N = 80e3, mu = 0.3, G = 80e9, c = 5e-3;
   const OwnedGrid grid(32);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
   double largest = 0.0;
   for (int scan = 0; scan < 12; ++scan) {
     const double ratio = std::pow(2.0, 1.5 * part(random)), psi = 0.6 * part(random);
     const double a = c * std::sqrt(ratio), b = c / std::sqrt(ratio), level = 3.0 * mu * N / (G * a * b);
     const OwnedStrips strips = sdec_strips(a, b, psi, N, 32);
-    const SdecCoefficients k = table.at(ratio, psi, fault);
+    const theory::SdecCoefficients k = table.at(ratio, psi, fault);
     const auto creepages = [&] {
       return Creepage{level / k.c11 * part(random), level / k.c22 * part(random),
                       level / k.c23 / c * part(random)};
@@ -293,7 +293,7 @@ TEST(StripFastsim, ForcesAreContinuousInTheCreepages) {
 TEST(StripFastsim, DegenerateInputGivesFiniteForces) {
   const OwnedStrips strips = sdec_strips(5e-3, 4e-3, 0.3, 80e3, 21);
   const OwnedGrid grid(32);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   Fault fault;
   const auto solve = [&](const Creepage& c, double mu) {
     return strip_fastsim(
@@ -308,10 +308,10 @@ TEST(StripFastsim, DegenerateInputGivesFiniteForces) {
          {Creepage{size, 0, 0}, Creepage{0, -size, 0}, Creepage{0, 0, size}, Creepage{size, size, -size}}) {
       const TangentialForces f = solve(c, 0.3);
       EXPECT_TRUE(std::isfinite(f.fx) && std::isfinite(f.fy) && std::isfinite(f.mz));
-      EXPECT_LE(std::hypot(f.fx, f.fy), 0.3 * totals(strips.get()).normal_force * 1.000001);
+      EXPECT_LE(std::hypot(f.fx, f.fy), 0.3 * patch::totals(strips.get()).normal_force * 1.000001);
     }
   }
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

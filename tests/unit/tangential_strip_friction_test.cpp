@@ -4,7 +4,7 @@
 #include "tangential/methods/strip_fastsim.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::OwnedGrid;
@@ -21,7 +21,7 @@ struct Zones {
   std::vector<double> mu = std::vector<double>(count), shares = std::vector<double>(count);
   double mean = 0.0;
 
-  explicit Zones(const Strips& s) {
+  explicit Zones(const patch::Strips& s) {
     double limit = 0.0, load = 0.0;
     for (int j = 0; j < count; ++j) {
       mu[j] = j < 18 ? 0.4 : (j < 20 ? 0.0 : 0.12);
@@ -59,14 +59,14 @@ TEST(StripFriction, FullSlipGivesTheSumOfTheStripsLimits) {
   const OwnedStrips strips = sdec_strips(4e-3, 6e-3, 0.3, 80e3, count);
   const Zones zones(strips.get());
   const OwnedGrid grid(32);
-  const SdecTable table(0.28);
-  const double limit = zones.mean * totals(strips.get()).normal_force;
+  const theory::SdecTable table(0.28);
+  const double limit = zones.mean * patch::totals(strips.get()).normal_force;
   RollingContact c{
       strips.get(),           4e-3, 6e-3, 0.3, 80e9, &table, &grid.get(), {5.0, 0.0, 0.0}, zones.friction(),
       TractionBound::elliptic};
   Fault fault;
   EXPECT_NEAR(strip_fastsim(c, {}, fault).fx, -limit, 1e-6 * limit);
-  const Flexibility L{1.5e-14, 2e-14, 1.6e-14, 2.2e-14};
+  const theory::Flexibility L{1.5e-14, 2e-14, 1.6e-14, 2.2e-14};
   const TangentialForces f = march({c.region, c.creepage, L, c.friction, c.bound}, grid.get());
   EXPECT_NEAR(f.fx, -limit, 1e-6 * limit);
 }
@@ -75,12 +75,12 @@ TEST(StripFriction, TractionsStayWithinEachStripsBound) {
   std::mt19937 random(5);
   constexpr int cells = 30;
   const OwnedGrid grid(cells);
-  const SdecTable table(0.28);
+  const theory::SdecTable table(0.28);
   std::vector<double> px(static_cast<std::size_t>(count * cells)), py(px), sx(px), sy(px);
   for (int n = 0; n < 20; ++n) {
     const RandomCase r = test::random_case(random);
     const OwnedStrips strips = sdec_strips(r.a, r.b, r.psi, r.normal_force, count);
-    const Strips& s = strips.get();
+    const patch::Strips& s = strips.get();
     const Zones zones(s);
     const RollingContact c{s,
                            r.a,
@@ -127,9 +127,9 @@ TEST(StripFriction, EllipsoidalBoundIsTheEllipticOneUnderHertzianPressure) {
     EXPECT_NEAR(f.fx, g.fx, 1e-9 * c.friction * c.normal_force);
     EXPECT_NEAR(f.fy, g.fy, 1e-9 * c.friction * c.normal_force);
     // Pressure gathered on one side leaves the ellipsoidal bound as it is while the load is the same.
-    double before = totals(strips.get()).normal_force;
+    double before = patch::totals(strips.get()).normal_force;
     for (int j = 0; j < count; ++j) strips.get().peak[j] *= 0.5 + j / (count - 1.0);
-    const double scale = before / totals(strips.get()).normal_force;
+    const double scale = before / patch::totals(strips.get()).normal_force;
     for (int j = 0; j < count; ++j) strips.get().peak[j] *= scale;
     const TangentialForces h =
         march(test::problem_of(c, strips.get(), TractionBound::ellipsoidal), grid.get());
@@ -138,4 +138,4 @@ TEST(StripFriction, EllipsoidalBoundIsTheEllipticOneUnderHertzianPressure) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -6,7 +6,7 @@
 #include "tangential/march/march.hpp"
 #include "tangential_patches.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 using test::fastsim_ellipse;
@@ -23,10 +23,10 @@ class Variants : public ::testing::Test {
   OwnedStrips patch = sdec_strips(a, b, psi, normal_force, 64);
   OwnedStrips ellipse = sdec_strips(a, b, 0.0, normal_force, 64);
   OwnedGrid grid{64};
-  SdecTable table{0.25};
+  theory::SdecTable table{0.25};
   Fault fault;
 
-  RollingContact contact(const Strips& region, const Creepage& creepage) const {
+  RollingContact contact(const patch::Strips& region, const Creepage& creepage) const {
     return {region, a, b, psi, 80e9, &table, &grid.get(), creepage, 0.35, TractionBound::parabolic};
   }
 };
@@ -95,4 +95,4 @@ TEST_F(Variants, AgreesWithTheReferenceProgramsOwnFastsim) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::tangential

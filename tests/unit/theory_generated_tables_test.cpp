@@ -8,7 +8,7 @@
 #include "theory/generated_tables.hpp"
 #include "theory/sdec.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 namespace {
 
 using tables::LinearTheoryEntry;
@@ -109,4 +109,4 @@ TEST(GeneratedTables, FitsOverTheShapeNumberKeepToThem) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::theory

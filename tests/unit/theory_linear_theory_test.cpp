@@ -5,7 +5,7 @@
 #include "patch/material.hpp"
 #include "theory/flexibility.hpp"
 
-namespace wrc {
+namespace wrc::theory {
 namespace {
 
 KalkerCoefficients kalker(double ratio, double poisson) {
@@ -151,4 +151,4 @@ TEST(Flexibility, FullAdhesionForcesAreThoseOfLinearTheory) {
 }
 
 }  // namespace
-}  // namespace wrc
+}  // namespace wrc::theory

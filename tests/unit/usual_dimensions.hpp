@@ -6,12 +6,12 @@
 
 namespace wrc {
 
-inline TrackDimensions usual_track(double rail_inclination = 0.0) {
+inline geometry::TrackDimensions usual_track(double rail_inclination = 0.0) {
   constexpr wrc_config_track track = abi::defaults<wrc_config_track>();
   return {.gauge = track.gauge, .gauge_depth = track.gauge_depth, .rail_inclination = rail_inclination};
 }
 
-inline WheelsetDimensions usual_wheelset() {
+inline geometry::WheelsetDimensions usual_wheelset() {
   constexpr wrc_config_wheelset wheelset = abi::defaults<wrc_config_wheelset>();
   return {.tape_circle_distance = wheelset.tape_circle_distance, .nominal_radius = wheelset.wheel_radius};
 }

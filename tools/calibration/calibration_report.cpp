@@ -31,22 +31,24 @@ using namespace wrc::calibration;
 
 struct Variant {
   const char* name;
-  TractionBound bound;
-  std::function<TangentialForces(const RollingContact&, Fault&)> solve;
+  tangential::TractionBound bound;
+  std::function<tangential::TangentialForces(const tangential::RollingContact&, Fault&)> solve;
 };
 
 constexpr int strips = 60, cells = 32;  // the library's defaults
 
 compare::Report judge(const char* kind, const std::vector<Case>& cases) {
   const Variant variants[] = {
-      {"strip_fastsim", TractionBound::elliptic,
-       [](const RollingContact& c, Fault& f) { return strip_fastsim(c, TangentialFields{}, f); }},
-      {"fastsim_sdec/parabolic", TractionBound::parabolic,
-       [](const RollingContact& c, Fault& f) { return fastsim(c, {}, f); }},
-      {"fastsim_sdec/elliptic", TractionBound::elliptic,
-       [](const RollingContact& c, Fault& f) { return fastsim(c, {}, f); }},
-      {"fastsim_eql/parabolic", TractionBound::parabolic,
-       [](const RollingContact& c, Fault& f) { return test::fastsim_eql(c, {}, f); }},
+      {"strip_fastsim", tangential::TractionBound::elliptic,
+       [](const tangential::RollingContact& c, Fault& f) {
+         return tangential::strip_fastsim(c, tangential::TangentialFields{}, f);
+       }},
+      {"fastsim_sdec/parabolic", tangential::TractionBound::parabolic,
+       [](const tangential::RollingContact& c, Fault& f) { return tangential::fastsim(c, {}, f); }},
+      {"fastsim_sdec/elliptic", tangential::TractionBound::elliptic,
+       [](const tangential::RollingContact& c, Fault& f) { return tangential::fastsim(c, {}, f); }},
+      {"fastsim_eql/parabolic", tangential::TractionBound::parabolic,
+       [](const tangential::RollingContact& c, Fault& f) { return test::fastsim_eql(c, {}, f); }},
   };
   const OwnedGrid grid(cells);
   compare::Report report;
@@ -63,7 +65,7 @@ compare::Report judge(const char* kind, const std::vector<Case>& cases) {
       Rolling rolling(patch, grid.grid, strips);
       rolling.contact.bound = variant.bound;
       Fault fault;
-      const TangentialForces f = variant.solve(rolling.contact, fault);
+      const tangential::TangentialForces f = variant.solve(rolling.contact, fault);
       const double limit = patch.friction * patch.normal_force;
       errors["force"].add(row, std::hypot(f.fx - exact.fx, f.fy - exact.fy) / limit);
       errors["moment"].add(row, std::fabs(f.mz - exact.mz) / (limit * std::sqrt(patch.a * patch.b)));
@@ -77,10 +79,10 @@ compare::Report judge(const char* kind, const std::vector<Case>& cases) {
 
 /// Strips on the rail's surface: all, and those on the tread and on the flange apart.
 std::vector<compare::Report> judge_surface(const std::vector<ExactSurfaceCase>& cases) {
-  const std::pair<const char*, SurfaceRollingMethod> variants[] = {
-      {"strip_fastsim", SurfaceRollingMethod::strip_fastsim},
-      {"fastsim", SurfaceRollingMethod::fastsim},
-      {"fastrip", SurfaceRollingMethod::fastrip}};
+  const std::pair<const char*, surface::SurfaceRollingMethod> variants[] = {
+      {"strip_fastsim", surface::SurfaceRollingMethod::strip_fastsim},
+      {"fastsim", surface::SurfaceRollingMethod::fastsim},
+      {"fastrip", surface::SurfaceRollingMethod::fastrip}};
   const OwnedGrid grid(cells);
   std::vector<compare::Report> reports;
   for (const char* kind : {"surface", "tread", "flange"}) {
@@ -95,9 +97,9 @@ std::vector<compare::Report> judge_surface(const std::vector<ExactSurfaceCase>& 
       for (const ExactSurfaceCase& c : cases) {
         const bool flange = c.rolling.shift > 4.3e-3;
         if (kind[0] != 's' && flange != (kind[0] == 'f')) continue;
-        const StripCoefficientTable coefficients{KalkerTable(c.rolling.poisson)};
+        const surface::StripCoefficientTable coefficients{theory::KalkerTable(c.rolling.poisson)};
         const SurfaceForces &exact = c.exact, f = strip_forces(c.rolling, grid.grid, coefficients,
-                                                               fitted_surface_calibration, method);
+                                                               surface::fitted_surface_calibration, method);
         const double limit = c.rolling.friction * c.rolling.normal_force;
         double area = 0.0;
         for (const SurfaceStrip& s : c.rolling.strips) area += 2.0 * s.half_length * s.width;

@@ -31,18 +31,20 @@ std::vector<Loaded> loaded;
 
 #define EXPORTED extern "C" __attribute__((visibility("default")))
 
-EXPORTED int calibration_quantities() { return StripCalibration::quantities; }
-EXPORTED int calibration_terms() { return StripCalibration::terms; }
+EXPORTED int calibration_quantities() { return tangential::StripCalibration::quantities; }
+EXPORTED int calibration_terms() { return tangential::StripCalibration::terms; }
 /// 1 where a constant may be fitted when a fit starts from zero. The first two terms do not vanish with the
 /// creepages: only turning and torsion, which are not in linear theory, may have them. Others left out here
 /// were never worth their place in any trial.
 EXPORTED int calibration_allowed(int quantity, int term) {
-  if (term < 2) return quantity == StripCalibration::turning || quantity == StripCalibration::torsion;
-  if (quantity <= StripCalibration::turning) return 1;
-  return term < (quantity == StripCalibration::torsion ? 5 : 6);
+  if (term < 2)
+    return quantity == tangential::StripCalibration::turning ||
+           quantity == tangential::StripCalibration::torsion;
+  if (quantity <= tangential::StripCalibration::turning) return 1;
+  return term < (quantity == tangential::StripCalibration::torsion ? 5 : 6);
 }
 EXPORTED void calibration_fitted(double* constants) {
-  for (const auto& row : fitted_calibration.constants) {
+  for (const auto& row : tangential::fitted_calibration.constants) {
     for (double value : row) *constants++ = value;
   }
 }
@@ -62,7 +64,7 @@ EXPORTED int calibration_load(const char* path) {
 
 /// Per case: adhesion, then errors of Fx, Fy (over mu N), of Mz (over mu N c) and of the power (relative).
 EXPORTED void calibration_errors(const double* constants, double* out) {
-  StripCalibration calibration{};
+  tangential::StripCalibration calibration{};
   for (auto& row : calibration.constants) {
     for (double& value : row) value = *constants++;
   }
@@ -70,7 +72,8 @@ EXPORTED void calibration_errors(const double* constants, double* out) {
     const Patch& p = l.exact.patch;
     const ExactForces& exact = l.exact.exact;
     Fault fault;
-    const TangentialForces f = calibrated_strip_fastsim(l.rolling->contact, {}, fault, nullptr, calibration);
+    const tangential::TangentialForces f =
+        tangential::calibrated_strip_fastsim(l.rolling->contact, {}, fault, nullptr, calibration);
     const double limit = p.friction * p.normal_force;
     *out++ = exact.adhesion;
     *out++ = (f.fx - exact.fx) / limit;

@@ -10,17 +10,17 @@ namespace wrc::calibration {
 namespace {
 
 /// The patch's strips as the library's view of them; memory of five arrays.
-Strips view(const Patch& patch, std::vector<double>& memory) {
+patch::Strips view(const Patch& patch, std::vector<double>& memory) {
   const std::size_t count = patch.strips.size();
   memory.resize(5 * count);
   double* const p = memory.data();
-  const Strips strips{static_cast<std::int32_t>(count),
-                      static_cast<std::int32_t>(count),
-                      p,
-                      p + count,
-                      p + 2 * count,
-                      p + 3 * count,
-                      p + 4 * count};
+  const patch::Strips strips{static_cast<std::int32_t>(count),
+                             static_cast<std::int32_t>(count),
+                             p,
+                             p + count,
+                             p + 2 * count,
+                             p + 3 * count,
+                             p + 4 * count};
   for (std::size_t j = 0; j < count; ++j) {
     const Strip& s = patch.strips[j];
     strips.y[j] = s.y;
@@ -35,7 +35,7 @@ Strips view(const Patch& patch, std::vector<double>& memory) {
 halfspace::RollingSolution solve(const Patch& patch, int cells) {
   const halfspace::SdecPatch sdec{patch.a, patch.b, patch.psi};
   std::vector<double> memory;
-  const Strips strips = view(patch, memory);
+  const patch::Strips strips = view(patch, memory);
   const bool is_sdec = patch.strips.empty();
   const halfspace::Grid grid =
       is_sdec ? halfspace::grid_over(sdec, cells, cells) : halfspace::grid_over(strips, cells, cells);
@@ -56,7 +56,7 @@ double extrapolated(double coarse, double fine) {
 
 ExactForces exact_forces(const Patch& patch) {
   const halfspace::RollingSolution coarse = solve(patch, coarse_cells), fine = solve(patch, fine_cells);
-  const Creepage& c = patch.creepage;
+  const tangential::Creepage& c = patch.creepage;
   ExactForces f{};
   f.fx = extrapolated(coarse.forces.fx, fine.forces.fx);
   f.fy = extrapolated(coarse.forces.fy, fine.forces.fy);

@@ -39,7 +39,7 @@ int main() {
         const double q = spin.c33 / spin.k13 * std::sqrt(ratio);
         const double chi =
             (q * 4.0 / 3.0 - pi / 8.0 * (1.0 + 3.0 * psi * psi)) / (q * pi / 2.0 - 4.0 / 3.0 * psi * psi);
-        const double formula = neutral_line((ratio - 1.0) / (ratio + 1.0), poisson, psi);
+        const double formula = tangential::neutral_line((ratio - 1.0) / (ratio + 1.0), poisson, psi);
         largest = std::fmax(largest, std::fabs(chi - formula));
         std::printf("%5.2f %6.3f %5.2f %7.4f %7.4f %7.4f %8.4f\n", poisson, ratio, psi, spin.c33, spin.k13,
                     chi, formula);

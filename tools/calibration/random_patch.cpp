@@ -71,7 +71,7 @@ Direction random_direction(Random& random) {
 void roll(Patch& p, Random& random) {
   const double ratio = p.a / p.b, c = std::sqrt(p.a * p.b);
   Fault fault;
-  const SdecCoefficients linear = SdecTable(p.poisson).at(ratio, p.psi, fault);
+  const theory::SdecCoefficients linear = theory::SdecTable(p.poisson).at(ratio, p.psi, fault);
   const double level = std::sqrt(random.logarithmic(0.05, 6.0) * random.logarithmic(0.05, 6.0));
   const double unit = level * p.friction * p.normal_force / (p.shear_modulus * c * c);
   const Direction to = random_direction(random);

@@ -18,7 +18,7 @@ struct Patch {
   double a, b, psi;                   ///< semi-axes (a along rolling) and shape number
   double poisson, shear_modulus;      ///< of both bodies
   double friction, normal_force, p0;  ///< p0: peak pressure
-  Creepage creepage;                  ///< about the joint of the half ellipses
+  tangential::Creepage creepage;      ///< about the joint of the half ellipses
   std::vector<Strip> strips;          ///< the patch; none: it is the SDEC itself
 };
 

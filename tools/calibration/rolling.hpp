@@ -14,11 +14,11 @@ namespace wrc::calibration {
 class Rolling {
  public:
   /// An SDEC is cut into `strips` strips, other patches keep theirs.
-  Rolling(const Patch& p, const MarchGrid& grid, int strips) : table_(p.poisson) {
+  Rolling(const Patch& p, const tangential::MarchGrid& grid, int strips) : table_(p.poisson) {
     const std::size_t count = p.strips.empty() ? static_cast<std::size_t>(strips) : p.strips.size();
     memory_.resize(5 * count);
     double* const m = memory_.data();
-    Strips& s = contact.region;
+    patch::Strips& s = contact.region;
     s = {static_cast<std::int32_t>(count),
          static_cast<std::int32_t>(count),
          m,
@@ -27,7 +27,7 @@ class Rolling {
          m + 3 * count,
          m + 4 * count};
     if (p.strips.empty()) {
-      sdec_strips({p.a, p.b, p.psi}, 0.0, 0.0, p.normal_force, strips, s);
+      patch::sdec_strips({p.a, p.b, p.psi}, 0.0, 0.0, p.normal_force, strips, s);
     } else {
       for (std::size_t j = 0; j < count; ++j) {
         s.y[j] = p.strips[j].y;
@@ -49,20 +49,20 @@ class Rolling {
   Rolling(const Rolling&) = delete;
   Rolling& operator=(const Rolling&) = delete;
 
-  RollingContact contact;
+  tangential::RollingContact contact;
 
  private:
-  SdecTable table_;
+  theory::SdecTable table_;
   std::vector<double> memory_;
 };
 
 /// A march grid with its memory.
 struct OwnedGrid {
   explicit OwnedGrid(int cells)
-      : memory(march_grid_size(cells)),
-        grid(make_march_grid(cells, memory.data(), kernels_for(InstructionSet::baseline))) {}
+      : memory(tangential::march_grid_size(cells)),
+        grid(tangential::make_march_grid(cells, memory.data(), kernels_for(InstructionSet::baseline))) {}
   std::vector<double> memory;
-  MarchGrid grid;
+  tangential::MarchGrid grid;
 };
 
 }  // namespace wrc::calibration

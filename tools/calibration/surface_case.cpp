@@ -25,14 +25,17 @@ constexpr double G = 82e9, poisson = 0.28, tape_circle_y = 0.75, rail_y = 0.7605
 /// An S1002 and a UIC60, with all the memory a solve needs.
 class Pair {
  public:
-  Pair() : ellipse_(poisson), march_memory_(march_grid_size(8)) {
-    wheel_memory_.resize(5 * s1002_nodes);
-    rail_memory_.resize(5 * uic60_benchmark_nodes);
-    SurfaceBodies bodies;
-    grid_ = make_march_grid(8, march_memory_.data(), kernels_for(InstructionSet::baseline));
-    tabulate(influence_);
-    if (sample_s1002(profile_memory(s1002_nodes, wheel_memory_.data()), bodies.wheel).failed() ||
-        sample_uic60_benchmark(profile_memory(uic60_benchmark_nodes, rail_memory_.data()), bodies.rail)
+  Pair() : ellipse_(poisson), march_memory_(tangential::march_grid_size(8)) {
+    wheel_memory_.resize(5 * geometry::s1002_nodes);
+    rail_memory_.resize(5 * geometry::uic60_benchmark_nodes);
+    surface::SurfaceBodies bodies;
+    grid_ = tangential::make_march_grid(8, march_memory_.data(), kernels_for(InstructionSet::baseline));
+    normal::tabulate(influence_);
+    if (geometry::sample_s1002(geometry::profile_memory(geometry::s1002_nodes, wheel_memory_.data()),
+                               bodies.wheel)
+            .failed() ||
+        geometry::sample_uic60_benchmark(
+            geometry::profile_memory(geometry::uic60_benchmark_nodes, rail_memory_.data()), bodies.rail)
             .failed())
       throw std::string("the profiles cannot be made");
     bodies.rail_origin_y = rail_y;
@@ -43,55 +46,58 @@ class Pair {
     bodies.ellipse = &ellipse_;
     bodies.grid = &grid_;
     model_memory_.resize(
-        surface_model_bytes(bodies.wheel.count, bodies.rail.count, 0, 0, {}) / sizeof(double) + 1);
-    if (make_surface_model(bodies, model_memory_.data(), model_).failed())
+        surface::surface_model_bytes(bodies.wheel.count, bodies.rail.count, 0, 0, {}) / sizeof(double) + 1);
+    if (surface::make_surface_model(bodies, model_memory_.data(), model_).failed())
       throw std::string("the wheel on the rail cannot be made");
-    workspace_.resize(
-        static_cast<std::size_t>(surface_workspace_bytes(bodies.wheel.count, {}, grid_.cells, false)) /
-            sizeof(double) +
-        1);
+    workspace_.resize(static_cast<std::size_t>(
+                          surface::surface_workspace_bytes(bodies.wheel.count, {}, grid_.cells, false)) /
+                          sizeof(double) +
+                      1);
   }
 
-  const SurfaceModel& model() const { return *model_; }
+  const surface::SurfaceModel& model() const { return *model_; }
 
   /// Height of the wheel under the load, no friction; false where there is none.
-  bool press(WheelOnRail& in) {
-    SurfaceState state;
-    Wrench wrench;
+  bool press(surface::WheelOnRail& in) {
+    surface::SurfaceState state;
+    surface::Wrench wrench;
     in.load_prescribed = true;
     in.friction = 0.0;
-    if (solve_wheel_on_rail(*model_, in, false, state, workspace_.data(), wrench).status != WRC_OK)
+    if (surface::solve_wheel_on_rail(*model_, in, false, state, workspace_.data(), wrench).status != WRC_OK)
       return false;
     in.wheel.position[2] = wrench.height;
     return true;
   }
 
   /// Strips in contact at that height, without slips; their points of the wheel.
-  std::vector<SurfaceStrip> strips(const WheelOnRail& in, std::vector<std::array<double, 3>>& points) {
-    constexpr std::int32_t most = most_overlapping_strips;
-    RelativePose pose;
+  std::vector<SurfaceStrip> strips(const surface::WheelOnRail& in,
+                                   std::vector<std::array<double, 3>>& points) {
+    constexpr std::int32_t most = surface::most_overlapping_strips;
+    surface::RelativePose pose;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) pose.rotation[i][k] = in.wheel.rotation[i][k];
     }
     pose.y = in.wheel.position[1] - rail_y;
     pose.z = in.wheel.position[2];
-    const auto cut = [&](Arena arena, Overlaps& o, OverlapScratch& scratch, StripPressure& p) {
-      o = cut_overlaps(arena, most, false);
-      scratch = cut_overlap_scratch(arena, most_curve_pieces(s1002_nodes), most_strips_of_a_rail);
+    const auto cut = [&](Arena arena, surface::Overlaps& o, surface::OverlapScratch& scratch,
+                         surface::StripPressure& p) {
+      o = surface::cut_overlaps(arena, most, false);
+      scratch = surface::cut_overlap_scratch(arena, surface::most_curve_pieces(geometry::s1002_nodes),
+                                             surface::most_strips_of_a_rail);
       arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
       return arena.doubles();
     };
-    Overlaps memory;
-    OverlapScratch scratch;
-    StripPressure p;
+    surface::Overlaps memory;
+    surface::OverlapScratch scratch;
+    surface::StripPressure p;
     std::vector<double> doubles(static_cast<std::size_t>(cut(Arena(), memory, scratch, p)));
     cut(Arena(doubles.data()), memory, scratch, p);
-    const Overlaps o =
-        find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, memory);
-    std::vector<double> normal(static_cast<std::size_t>(pressure_doubles(o.capacity)));
-    auto state = std::make_unique<SurfaceState>();
-    PressureStart start{state->length_squared, state->shift, state->depth};
-    solve_pressure(pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
+    const surface::Overlaps o =
+        surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, memory);
+    std::vector<double> normal(static_cast<std::size_t>(surface::pressure_doubles(o.capacity)));
+    auto state = std::make_unique<surface::SurfaceState>();
+    surface::PressureStart start{state->length_squared, state->shift, state->depth};
+    surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
     std::vector<SurfaceStrip> found;
     points.clear();
     for (std::int32_t i = 0; i < o.count; ++i) {
@@ -106,11 +112,11 @@ class Pair {
   }
 
  private:
-  KalkerTable ellipse_;
-  InfluenceTables influence_;
+  theory::KalkerTable ellipse_;
+  normal::InfluenceTables influence_;
   std::vector<double> march_memory_, wheel_memory_, rail_memory_, model_memory_, workspace_;
-  MarchGrid grid_;
-  const SurfaceModel* model_ = nullptr;
+  tangential::MarchGrid grid_;
+  const surface::SurfaceModel* model_ = nullptr;
 };
 
 Pair& pair_of_bodies() {
@@ -131,8 +137,8 @@ double mean(const std::vector<SurfaceStrip>& strips, double SurfaceStrip::*of) {
 
 /// Slips of the wheel rolling at 1 m/s with the tape circle's free rolling speed, and their means; then what
 /// the draw makes of them.
-void set_slips(SurfaceCase& c, const WheelOnRail& in, const std::vector<std::array<double, 3>>& points,
-               Random& random) {
+void set_slips(SurfaceCase& c, const surface::WheelOnRail& in,
+               const std::vector<std::array<double, 3>>& points, Random& random) {
   double turning[3];  // about the axle
   for (int k = 0; k < 3; ++k) turning[k] = -in.wheel.rotation[k][1] / radius;
   double area = 0.0, longest = 0.0;
@@ -184,13 +190,13 @@ SurfaceForces on_grid(const SurfaceCase& c, int nx, int ny) {
   std::vector<double> memory(5 * c.strips.size());
   const auto count = static_cast<std::ptrdiff_t>(c.strips.size());
   double* const m = memory.data();
-  const Strips strips{static_cast<std::int32_t>(count),
-                      static_cast<std::int32_t>(count),
-                      m,
-                      m + count,
-                      m + 2 * count,
-                      m + 3 * count,
-                      m + 4 * count};
+  const patch::Strips strips{static_cast<std::int32_t>(count),
+                             static_cast<std::int32_t>(count),
+                             m,
+                             m + count,
+                             m + 2 * count,
+                             m + 3 * count,
+                             m + 4 * count};
   for (std::ptrdiff_t j = 0; j < count; ++j) {
     const SurfaceStrip& s = c.strips[static_cast<std::size_t>(j)];
     strips.y[j] = s.place;
@@ -257,7 +263,7 @@ SurfaceCase random_surface_case(std::uint64_t seed, std::uint64_t row) {
     c.load = random.logarithmic(8e3, 140e3);
     if (c.shift > 6.4e-3) c.load *= random.uniform(0.2, 1.0);
     c.friction = random.uniform(0.1, 0.55);
-    WheelOnRail in;
+    surface::WheelOnRail in;
     const double cy = std::cos(c.yaw), sy = std::sin(c.yaw), cr = std::cos(c.roll), sr = std::sin(c.roll);
     const double rotation[3][3] = {{cy, -sy, 0.0}, {cr * sy, cr * cy, -sr}, {sr * sy, sr * cy, cr}};
     for (int i = 0; i < 3; ++i) {
@@ -306,19 +312,21 @@ SurfaceForces exact_forces(const SurfaceCase& c) {
   return f;
 }
 
-SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
-                           const StripCoefficientTable& coefficients, const SurfaceCalibration& calibration,
-                           SurfaceRollingMethod method) {
+SurfaceForces strip_forces(const SurfaceCase& c, const tangential::MarchGrid& grid,
+                           const surface::StripCoefficientTable& coefficients,
+                           const surface::SurfaceCalibration& calibration,
+                           surface::SurfaceRollingMethod method) {
   const std::size_t n = c.strips.size();
   const std::size_t cells = n * static_cast<std::size_t>(grid.cells);
-  std::vector<double> memory(12 * n + surface_rolling_workspace(static_cast<std::int32_t>(n)) + 4 * cells);
+  std::vector<double> memory(12 * n + surface::surface_rolling_workspace(static_cast<std::int32_t>(n)) +
+                             4 * cells);
   double* d = memory.data();
   const auto copied = [&](double SurfaceStrip::*of) {
     double* const begin = d;
     for (const SurfaceStrip& s : c.strips) *d++ = s.*of;
     return begin;
   };
-  SurfaceRollingInput in;
+  surface::SurfaceRollingInput in;
   in.count = static_cast<std::int32_t>(n);
   in.place = copied(&SurfaceStrip::place);
   in.width = copied(&SurfaceStrip::width);
@@ -335,16 +343,16 @@ SurfaceForces strip_forces(const SurfaceCase& c, const MarchGrid& grid,
   in.grid = &grid;
   in.method = method;
   in.calibration = &calibration;
-  TangentialFields fields;
-  if (method == SurfaceRollingMethod::fastrip) {
+  tangential::TangentialFields fields;
+  if (method == surface::SurfaceRollingMethod::fastrip) {
     for (double** field : {&fields.traction_x, &fields.traction_y, &fields.slip_x, &fields.slip_y})
       *field = std::exchange(d, d + cells);
   }
-  SurfaceRollingForces rolled;
+  surface::SurfaceRollingForces rolled;
   rolled.fx = std::exchange(d, d + n);
   rolled.fy = std::exchange(d, d + n);
   rolled.mz = std::exchange(d, d + n);
-  const SurfaceRollingTotals totals = roll_on_surface(in, d, fields, rolled);
+  const surface::SurfaceRollingTotals totals = surface::roll_on_surface(in, d, fields, rolled);
   SurfaceForces f{};
   const double middle = mean(c.strips, &SurfaceStrip::place);
   for (std::size_t j = 0; j < n; ++j) {

@@ -50,9 +50,10 @@ SurfaceCase random_surface_case(std::uint64_t seed, std::uint64_t row);
 SurfaceForces exact_forces(const SurfaceCase& rolling);
 
 /// What the strips of the library make of it.
-SurfaceForces strip_forces(const SurfaceCase& rolling, const MarchGrid& grid,
-                           const StripCoefficientTable& coefficients, const SurfaceCalibration& calibration,
-                           SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim);
+SurfaceForces strip_forces(
+    const SurfaceCase& rolling, const tangential::MarchGrid& grid,
+    const surface::StripCoefficientTable& coefficients, const surface::SurfaceCalibration& calibration,
+    surface::SurfaceRollingMethod method = surface::SurfaceRollingMethod::strip_fastsim);
 
 std::string text_of(const SurfaceCase& rolling);
 std::string text_of(const ExactSurfaceCase& c);

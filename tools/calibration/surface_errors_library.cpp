@@ -26,17 +26,18 @@ const OwnedGrid& grid() {
 
 #define EXPORTED extern "C" __attribute__((visibility("default")))
 
-EXPORTED int calibration_quantities() { return SurfaceCalibration::quantities; }
-EXPORTED int calibration_terms() { return SurfaceCalibration::terms; }
+EXPORTED int calibration_quantities() { return surface::SurfaceCalibration::quantities; }
+EXPORTED int calibration_terms() { return surface::SurfaceCalibration::terms; }
 /// 1 where a constant may be fitted when a fit starts from zero: linear theory is not fitted.
 EXPORTED int calibration_allowed(int quantity, int term) {
-  if (quantity < SurfaceCalibration::turning) return term >= SurfaceCalibration::longitudinal;
-  if (quantity == SurfaceCalibration::turning) return 1;
-  return term <=
-         (quantity == SurfaceCalibration::torsion ? SurfaceCalibration::pull : SurfaceCalibration::spin);
+  if (quantity < surface::SurfaceCalibration::turning)
+    return term >= surface::SurfaceCalibration::longitudinal;
+  if (quantity == surface::SurfaceCalibration::turning) return 1;
+  return term <= (quantity == surface::SurfaceCalibration::torsion ? surface::SurfaceCalibration::pull
+                                                                   : surface::SurfaceCalibration::spin);
 }
 EXPORTED void calibration_fitted(double* constants) {
-  for (const auto& row : fitted_surface_calibration.constants) {
+  for (const auto& row : surface::fitted_surface_calibration.constants) {
     for (double value : row) *constants++ = value;
   }
 }
@@ -55,9 +56,9 @@ EXPORTED int calibration_load(const char* path) {
 /// Per case: adhesion, then errors of Fx, of the lateral force along the contact's mean tangent (over mu N),
 /// of Mz (over mu N c) and of the power (relative).
 EXPORTED void calibration_errors(const double* constants, double* out) {
-  static const StripCoefficientTable coefficients{
-      KalkerTable(loaded.empty() ? 0.28 : loaded[0].rolling.poisson)};
-  SurfaceCalibration calibration{};
+  static const surface::StripCoefficientTable coefficients{
+      theory::KalkerTable(loaded.empty() ? 0.28 : loaded[0].rolling.poisson)};
+  surface::SurfaceCalibration calibration{};
   for (auto& row : calibration.constants) {
     for (double& value : row) value = *constants++;
   }

@@ -27,9 +27,9 @@ namespace {
 using namespace wrc;
 
 struct Case {
-  Sdec patch;
+  patch::Sdec patch;
   double normal_force = 0.0, friction = 0.0, poisson = 0.0;
-  Creepage creepage;
+  tangential::Creepage creepage;
 
   double limit() const { return friction * normal_force; }
   double size() const { return std::sqrt(patch.a * patch.b); }
@@ -65,25 +65,25 @@ Case random_case(Random& random, double poisson) {
   double y = rest * std::sin(angle);
   if (kind >= 0.4 && kind < 0.6 && y * spin > 0.0) y = -y;
   Fault fault;
-  const SdecCoefficients linear = SdecTable(c.poisson).at(ratio, c.patch.psi, fault);
+  const theory::SdecCoefficients linear = theory::SdecTable(c.poisson).at(ratio, c.patch.psi, fault);
   const double unit = random.logarithmic(0.1, 6.0) * c.limit() / (shear_modulus * size * size);
   c.creepage = {x * unit / linear.c11, y * unit / linear.c22, spin * unit / (linear.c23 * size)};
   return c;
 }
 
-TangentialForces exact(const Case& c) {
+tangential::TangentialForces exact(const Case& c) {
   const halfspace::SdecPatch patch{c.patch.a, c.patch.b, c.patch.psi};
   const auto on = [&](int cells) {
     const halfspace::Grid grid = halfspace::grid_over(patch, cells, cells);
     halfspace::RollingProblem problem;
-    problem.pressure = halfspace::sdec_pressure(patch, peak_pressure(c.patch, c.normal_force), grid,
+    problem.pressure = halfspace::sdec_pressure(patch, patch::peak_pressure(c.patch, c.normal_force), grid,
                                                 halfspace::CellPressure::mean);
     problem.friction = {c.friction};
     problem.creepage = c.creepage;
     return halfspace::RollingSolver(grid, {shear_modulus, c.poisson}).solve(problem).forces;
   };
-  const TangentialForces coarse = on(24), fine = on(48);
-  TangentialForces f;
+  const tangential::TangentialForces coarse = on(24), fine = on(48);
+  tangential::TangentialForces f;
   f.fx = 2.0 * fine.fx - coarse.fx;
   f.fy = 2.0 * fine.fy - coarse.fy;
   f.mz = 2.0 * fine.mz - coarse.mz;
@@ -100,18 +100,18 @@ void print(const char* what, std::vector<double> errors) {
               100.0 * errors[n * 95 / 100], 100.0 * errors[n - 1]);
 }
 
-void report_errors(ForceTable& table, int patches, double poisson) {
+void report_errors(tangential::ForceTable& table, int patches, double poisson) {
   Random random;
   std::vector<double> force, moment, power, adhesion;
   for (int k = 0; k < patches; ++k) {
     const Case c = random_case(random, poisson);
-    adapt_to_poisson(c.poisson, table);
+    tangential::adapt_to_poisson(c.poisson, table);
     Fault fault;
-    const TangentialForces ours =
-        table_forces(table, c.patch, c.normal_force, shear_modulus, c.friction, c.creepage, fault);
-    const TangentialForces e = exact(c);
+    const tangential::TangentialForces ours = tangential::table_forces(
+        table, c.patch, c.normal_force, shear_modulus, c.friction, c.creepage, fault);
+    const tangential::TangentialForces e = exact(c);
     force.push_back(std::hypot(ours.fx - e.fx, ours.fy - e.fy) / c.limit());
-    const double centre = pressure_centre(c.patch);
+    const double centre = tangential::pressure_centre(c.patch);
     moment.push_back(std::abs(ours.mz + centre * ours.fx - e.mz - centre * e.fx) / (c.limit() * c.size()));
     adhesion.push_back(std::abs(ours.adhesion_fraction - e.adhesion_fraction));
     if (e.adhesion_fraction < 0.9) power.push_back(std::abs(ours.power_per_speed / e.power_per_speed - 1.0));
@@ -182,7 +182,7 @@ double median(std::vector<double> values) {
 }
 
 // Interleaved: a busy machine slows all three.
-void report_speed(const ForceTable& table, const char* file) {
+void report_speed(const tangential::ForceTable& table, const char* file) {
   Random random;
   std::vector<Case> scattered, neighbours;
   for (int k = 0; k < 300; ++k) scattered.push_back(random_case(random, 0.0));
@@ -195,7 +195,9 @@ void report_speed(const ForceTable& table, const char* file) {
   double sum = 0.0;
   const auto look_up = [&](const Case& c) {
     Fault fault;
-    sum += table_forces(table, c.patch, c.normal_force, shear_modulus, c.friction, c.creepage, fault).fx;
+    sum +=
+        tangential::table_forces(table, c.patch, c.normal_force, shear_modulus, c.friction, c.creepage, fault)
+            .fx;
   };
   std::vector<double> anywhere, near, call, sdec;
   for (int repeat = 0; repeat < 51; ++repeat) {
@@ -223,13 +225,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   const int patches = argc > 2 ? std::atoi(argv[2]) : 2000;
-  ForceTable table;
-  if (read_force_table_axes(argv[1], table.axes).failed()) return 1;
-  std::vector<float> coefficients(force_table_size(table.axes));
-  if (read_force_table(argv[1], table.axes, coefficients.data()).failed()) return 1;
+  tangential::ForceTable table;
+  if (tangential::read_force_table_axes(argv[1], table.axes).failed()) return 1;
+  std::vector<float> coefficients(tangential::force_table_size(table.axes));
+  if (tangential::read_force_table(argv[1], table.axes, coefficients.data()).failed()) return 1;
   table.coefficients = coefficients.data();
 
-  adapt_to_poisson(0.25, table);
+  tangential::adapt_to_poisson(0.25, table);
   report_speed(table, argv[1]);
   std::printf("%d patches, Poisson's ratio 0.25 to 0.30\n", patches);
   report_errors(table, patches, 0.0);

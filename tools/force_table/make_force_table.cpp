@@ -26,15 +26,15 @@ namespace {
 
 using namespace wrc;
 
-constexpr ForceTableAxes axes{.ratios = 11,
-                              .shapes = 3,
-                              .elevations = 11,
-                              .azimuths = 24,
-                              .saturations = 17,
-                              .largest_ratio = 10.0,
-                              .largest_shape_number = 0.8,
-                              .half_saturation = 1.5,
-                              .poisson = 0.27};
+constexpr tangential::ForceTableAxes axes{.ratios = 11,
+                                          .shapes = 3,
+                                          .elevations = 11,
+                                          .azimuths = 24,
+                                          .saturations = 17,
+                                          .largest_ratio = 10.0,
+                                          .largest_shape_number = 0.8,
+                                          .half_saturation = 1.5,
+                                          .poisson = 0.27};
 
 // Error of the forces on n x n cells: about 25 % of mu N / n, mostly of first order. Extrapolated from these
 // two it is 0.1 % (median) and 0.35 % (95th percentile).
@@ -42,7 +42,7 @@ constexpr int coarse_cells = 16, fine_cells = 32;
 constexpr int linear_theory_cells = 32;
 
 struct Values {
-  double v[force_table_values] = {};
+  double v[tangential::force_table_values] = {};
 };
 
 // All nodes of one shape; element (elevation, azimuth, saturation).
@@ -65,8 +65,8 @@ class ShapeSolver {
  public:
   ShapeSolver(double ratio, double psi)
       : patch_{.a = std::sqrt(ratio), .b = 1.0 / std::sqrt(ratio), .psi = psi},
-        centre_(pressure_centre({patch_.a, patch_.b, psi})),
-        scale_(creepage_scale(ratio)),
+        centre_(tangential::pressure_centre({patch_.a, patch_.b, psi})),
+        scale_(tangential::creepage_scale(ratio)),
         linear_(halfspace::LinearTheory(ratio, axes.poisson, linear_theory_cells).at(psi).value),
         coarse_(grid(coarse_cells), {1.0, axes.poisson}),
         fine_(grid(fine_cells), {1.0, axes.poisson}) {}
@@ -74,11 +74,11 @@ class ShapeSolver {
   // Of one direction (unit vector of scaled creepages), for all saturations.
   void solve(const double direction[3], Shape& shape, int elevation, int azimuth, int& unfinished) {
     const int last = axes.saturations - 1;
-    const Creepage unit{direction[0] / scale_.longitudinal, direction[1] / scale_.lateral,
-                        direction[2] / scale_.spin};
+    const tangential::Creepage unit{direction[0] / scale_.longitudinal, direction[1] / scale_.lateral,
+                                    direction[2] / scale_.spin};
     shape.at(elevation, azimuth, 0) = linear(unit);
     for (int i = 1; i < last; ++i) {
-      const double t = node_saturation(axes, i), r = axes.half_saturation * t / (1.0 - t);
+      const double t = tangential::node_saturation(axes, i), r = axes.half_saturation * t / (1.0 - t);
       shape.at(elevation, azimuth, i) =
           partial({r * unit.longitudinal, r * unit.lateral, r * unit.spin}, t, unfinished);
     }
@@ -89,8 +89,8 @@ class ShapeSolver {
   halfspace::Grid grid(int cells) const { return halfspace::grid_over(patch_, cells, cells); }
 
   // Force / t for t -> 0: v = half_saturation * t.
-  Values linear(const Creepage& unit) const {
-    const Creepage joint = at_joint(unit);
+  Values linear(const tangential::Creepage& unit) const {
+    const tangential::Creepage joint = at_joint(unit);
     const double nx = joint.longitudinal, ny = joint.lateral, phi = joint.spin;
     const double fx = -(linear_.c11 * nx + linear_.c13 * phi);
     const double fy = -(linear_.c22 * ny + linear_.c23 * phi);
@@ -98,7 +98,7 @@ class ShapeSolver {
     return {{axes.half_saturation * fx, axes.half_saturation * fy, axes.half_saturation * mz, 1.0}};
   }
 
-  Values partial(const Creepage& creepage, double t, int& unfinished) {
+  Values partial(const tangential::Creepage& creepage, double t, int& unfinished) {
     const auto on = [&](halfspace::RollingSolver& solver) {
       halfspace::RollingProblem problem;
       problem.pressure =
@@ -121,8 +121,8 @@ class ShapeSolver {
   }
 
   // Friction against the rigid slip, by the midpoint rule in the angles of the two half ellipses.
-  Values full_slip(const Creepage& unit) const {
-    const Creepage c = at_joint(unit);
+  Values full_slip(const tangential::Creepage& unit) const {
+    const tangential::Creepage c = at_joint(unit);
     constexpr int n = 256;
     double fx = 0.0, fy = 0.0, mz = 0.0;
     for (int side = -1; side <= 1; side += 2) {
@@ -147,21 +147,21 @@ class ShapeSolver {
     return {{fx, fy, mz + centre_ * fx, 0.0}};
   }
 
-  Creepage at_joint(const Creepage& c) const {
+  tangential::Creepage at_joint(const tangential::Creepage& c) const {
     return {c.longitudinal + c.spin * centre_, c.lateral, c.spin};
   }
 
   static constexpr double peak_ = 1.5 / pi;
   halfspace::SdecPatch patch_;
   double centre_;
-  CreepageScale scale_;
+  tangential::CreepageScale scale_;
   halfspace::LinearCoefficients linear_;
   halfspace::RollingSolver coarse_, fine_;
 };
 
 Shape solve_shape(int ratio, int shape_number, int& unfinished) {
-  const double psi = node_shape_number(axes, shape_number);
-  ShapeSolver solver(node_ratio(axes, ratio), psi);
+  const double psi = tangential::node_shape_number(axes, shape_number);
+  ShapeSolver solver(tangential::node_ratio(axes, ratio), psi);
   Shape shape;
   const int n = axes.azimuths, top = axes.elevations - 1;
   for (int e = 0; e <= top; ++e) {
@@ -341,7 +341,7 @@ void filter_elevation(const Eigen::MatrixXd& matrix, Shape& shape, int azimuth, 
 void filter_direction(Shape& shape) {
   const Eigen::MatrixXd around = closed_filter(axes.azimuths), up = closed_filter(4 * (axes.elevations - 1)),
                         along = open_filter(axes.saturations);
-  for (int value = 0; value < force_table_values; ++value) {
+  for (int value = 0; value < tangential::force_table_values; ++value) {
     for (int e = 0; e < axes.elevations; ++e) {
       for (int k = 0; k < axes.azimuths; ++k)
         filter(along, [&](int i) -> double& { return shape.at(e, k, i).v[value]; });
@@ -367,7 +367,7 @@ std::vector<float> coefficients(const Progress& progress) {
   }
   const Eigen::MatrixXd over_ratio = open_filter(axes.ratios), over_shape = open_filter(axes.shapes);
   for (std::size_t node = 0; node < shapes.front().all().size(); ++node) {
-    for (int value = 0; value < force_table_values; ++value) {
+    for (int value = 0; value < tangential::force_table_values; ++value) {
       const auto element = [&](int i, int j) -> double& { return shape_at(i, j).all()[node].v[value]; };
       for (int i = 0; i < axes.ratios; ++i)
         filter(over_shape, [&](int j) -> double& { return element(i, j); });
@@ -391,7 +391,7 @@ std::vector<float> coefficients(const Progress& progress) {
 }
 
 bool write(const char* path, const std::vector<float>& numbers) {
-  ForceTableFileHeader header;
+  tangential::ForceTableFileHeader header;
   const std::int32_t nodes[5] = {axes.ratios, axes.shapes, axes.elevations, axes.azimuths, axes.saturations};
   std::copy_n(nodes, 5, header.nodes);
   header.largest_ratio = axes.largest_ratio;
@@ -399,7 +399,8 @@ bool write(const char* path, const std::vector<float>& numbers) {
   header.half_saturation = axes.half_saturation;
   header.poisson = axes.poisson;
   const std::size_t bytes = numbers.size() * sizeof(float);
-  header.checksum = file_checksum(numbers.data(), bytes, file_checksum(&header, sizeof header));
+  header.checksum =
+      tangential::file_checksum(numbers.data(), bytes, tangential::file_checksum(&header, sizeof header));
   std::FILE* file = std::fopen(path, "wb");
   if (file == nullptr) return false;
   const bool written = std::fwrite(&header, sizeof header, 1, file) == 1 &&

@@ -10,7 +10,7 @@
 namespace wrc::halfspace::report {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 constexpr double peak = 1e9;
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace {
 struct Row {
   int number = 0;
   SdecPatch patch;
-  Material material;
+  patch::Material material;
   double friction = 0.0, load = 0.0, peak = 0.0;
-  Creepage creepage;
+  tangential::Creepage creepage;
   double fx = 0.0, fy = 0.0, power = 0.0, adhesion = 0.0;
   int nx = 0, ny = 0;
 };

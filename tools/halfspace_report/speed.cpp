@@ -9,11 +9,11 @@
 namespace wrc::halfspace::report {
 namespace {
 
-constexpr Material steel{.shear_modulus = 82e9, .poisson = 0.28};
+constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.28};
 constexpr SdecPatch patch{.a = 4e-3, .b = 6e-3, .psi = 0.3};
 struct Case {
   const char* name;
-  Creepage creepage;
+  tangential::Creepage creepage;
 };
 constexpr Case cases[] = {
     {"mostly adhesion", {.longitudinal = 2e-4, .lateral = 0.0, .spin = 0.0}},

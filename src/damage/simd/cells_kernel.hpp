@@ -19,9 +19,9 @@ inline double largest_lane(Pack a) {
 }
 
 inline void assess_cells_kernel(const CellTask& task, CellExtremes& extremes) {
-  const Strips& region = *task.region;
-  const TangentialFields& fields = *task.fields;
-  const Pack against_slip = -task.speed, shear_yield = task.shear_yield, none = no_fatigue_index;
+  const patch::Strips& region = *task.region;
+  const tangential::TangentialFields& fields = *task.fields;
+  const Pack against_slip = -task.speed, shear_yield = task.shear_yield, none = damage::no_fatigue_index;
   Pack densest = 0.0, worst = none;
   for (std::int32_t first = 0; first < region.count; first += lanes) {
     const std::int32_t count = region.count - first < lanes ? region.count - first : lanes;

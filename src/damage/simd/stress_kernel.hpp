@@ -12,7 +12,7 @@ namespace {
 
 /// From some element on, the sums of the loads whose elements are alike modulo stress_parts.
 struct StressSum {
-  StressOf<Pack> sum;
+  damage::StressOf<Pack> sum;
 
   StressSum(const StressParts& parts, std::int32_t at)
       : sum{load_pack(parts.part[0] + at), load_pack(parts.part[1] + at), load_pack(parts.part[2] + at),
@@ -25,7 +25,7 @@ struct StressSum {
     store_pack(parts.part[4] + at, sum.yz);
     store_pack(parts.part[5] + at, sum.zx);
   }
-  WRC_IN_LOOP void add(const StressOf<Pack>& s) {
+  WRC_IN_LOOP void add(const damage::StressOf<Pack>& s) {
     sum.xx += s.xx;
     sum.yy += s.yy;
     sum.zz += s.zz;
@@ -43,9 +43,9 @@ inline void stress_of_points_kernel(const PointLoads& loads, StressParts& stress
       const Pack x = Pack(loads.x) - Pack(loads.half_length) * load_pack(loads.place + k);
       const Mask left_out = magnitude(x) < spared;
       const Pack normal = select(left_out, none, Pack(loads.scale) * load_pack(loads.weight + k));
-      sum.add(point_force_stress_of(loads.poisson, select(left_out, spared, x), y, z, normal,
-                                    normal * load_pack(loads.along + k),
-                                    normal * load_pack(loads.across + k)));
+      sum.add(damage::point_force_stress_of(loads.poisson, select(left_out, spared, x), y, z, normal,
+                                            normal * load_pack(loads.along + k),
+                                            normal * load_pack(loads.across + k)));
     }
     sum.keep(stress, part);
   }
@@ -56,8 +56,8 @@ inline void stress_of_corners_kernel(const CornerLoads& loads, StressParts& stre
   for (std::int32_t part = 0; part < stress_parts; part += lanes) {
     StressSum sum(stress, part);
     for (std::int32_t k = part; k < loads.count; k += stress_parts) {
-      const CellStressOf<Pack> s =
-          corner_stress_of(loads.poisson, load_pack(loads.x + k), load_pack(loads.y + k), z);
+      const damage::CellStressOf<Pack> s =
+          damage::corner_stress_of(loads.poisson, load_pack(loads.x + k), load_pack(loads.y + k), z);
       const Pack p = load_pack(loads.pressure + k), qx = load_pack(loads.along + k),
                  qy = load_pack(loads.across + k);
       const auto of = [&](Pack pressed, Pack pulled, Pack pushed) {

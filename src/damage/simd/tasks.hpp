@@ -12,9 +12,9 @@ namespace wrc::simd {
 /// A patch whose cells are to be assessed, and where the results go; arrays over cells are laid out as the
 /// tangential fields.
 struct CellTask {
-  const Strips* region;
-  const TangentialFields* fields;  ///< all four set
-  const CellMiddles* middles;
+  const patch::Strips* region;
+  const tangential::TangentialFields* fields;  ///< all four set
+  const tangential::CellMiddles* middles;
   std::int32_t cells;
   double speed;           ///< V, rolling [m/s]
   double shear_yield;     ///< k [Pa]

@@ -28,14 +28,16 @@ struct FramePoints {
 };
 
 /// y, z relative to the contact point in track axes; (ty, tz) the tangent; dy_dt of the curve's parameter.
-inline FramePoints turned(const ContactPoint& contact, Pack y, Pack z, Pack ty, Pack tz, Pack dy_dt) {
+inline FramePoints turned(const geometry::ContactPoint& contact, Pack y, Pack z, Pack ty, Pack tz,
+                          Pack dy_dt) {
   const Pack c = contact.cosine, s = contact.sine;
   const Pack run = c * ty + s * tz;
   return {c * y + s * z, c * z - s * y, (c * tz - s * ty) / run, run / ty * dy_dt};
 }
 
 /// A profile at one place per lane; outside the nodes the end tangent continues. `piece` as in evaluate().
-inline ProfilePointOf<Pack> evaluate_lanes(const Profile& profile, Pack y, std::int32_t& piece) {
+inline geometry::ProfilePointOf<Pack> evaluate_lanes(const geometry::Profile& profile, Pack y,
+                                                     std::int32_t& piece) {
   double at[lanes], from[lanes], z[lanes], slope[lanes], square[lanes], cube[lanes];
   store_pack(at, y);
   const std::int32_t last = profile.count - 1;
@@ -50,8 +52,8 @@ inline ProfilePointOf<Pack> evaluate_lanes(const Profile& profile, Pack y, std::
     square[k] = outside ? 0.0 : profile.square[node];
     cube[k] = outside ? 0.0 : profile.cube[node];
   }
-  return evaluate_cubic(load_pack(z), load_pack(slope), load_pack(square), load_pack(cube),
-                        y - load_pack(from));
+  return geometry::evaluate_cubic(load_pack(z), load_pack(slope), load_pack(square), load_pack(cube),
+                                  y - load_pack(from));
 }
 
 /// The rail's profile as a curve; its parameter is y of the track.
@@ -59,10 +61,10 @@ struct RailOutline {
   const RowsTask* task;
   std::int32_t piece;
 
-  const Profile& profile() const { return task->rail->profile; }
+  const geometry::Profile& profile() const { return task->rail->profile; }
   FramePoints at(Pack y) {
-    const ContactPoint& contact = *task->contact;
-    const ProfilePointOf<Pack> p = evaluate_lanes(profile(), y, piece);
+    const geometry::ContactPoint& contact = *task->contact;
+    const geometry::ProfilePointOf<Pack> p = evaluate_lanes(profile(), y, piece);
     return turned(contact, y - contact.y, p.z - contact.z, 1.0, p.slope, 1.0);
   }
 };
@@ -71,12 +73,12 @@ struct RailOutline {
 struct WheelOutline {
   const RowsTask* task;
   std::int32_t piece;
-  OutlinePointOf<Pack> point;  ///< where at() was last
+  geometry::OutlinePointOf<Pack> point;  ///< where at() was last
 
-  const Profile& profile() const { return task->wheel->wheel->profile; }
+  const geometry::Profile& profile() const { return task->wheel->wheel->profile; }
   FramePoints at(Pack s) {
-    const ContactPoint& contact = *task->contact;
-    point = outline_at(*task->wheel, s, evaluate_lanes(profile(), s, piece));
+    const geometry::ContactPoint& contact = *task->contact;
+    point = geometry::outline_at(*task->wheel, s, evaluate_lanes(profile(), s, piece));
     return turned(contact, point.y - contact.y, point.z + contact.vertical_gap - contact.z, point.normal_z,
                   -point.normal_y, point.dy_ds);
   }
@@ -98,7 +100,7 @@ struct Outwards {
 
   /// z at the places `row` of frame y, which are rows `first`.. of the block.
   Pack height(std::int32_t first, Pack row, bool& converged) {
-    const Profile& profile = curve.profile();
+    const geometry::Profile& profile = curve.profile();
     const Pack least = least_advance;
     Pack low = profile.y[0],
          high = profile.y[profile.count - 1];  // the row lies between; y rises with the parameter
@@ -142,7 +144,7 @@ struct Outwards {
 /// Rows from, from + direction, .. , `count` of them.
 inline bool fill_outwards(const RowsTask& task, std::int32_t from, std::int32_t direction,
                           std::int32_t count) {
-  const ContactPoint& contact = *task.contact;
+  const geometry::ContactPoint& contact = *task.contact;
   Outwards<RailOutline> rail({&task, task.rail_piece}, contact.y);
   Outwards<WheelOutline> wheel({&task, task.wheel_piece, {}}, contact.wheel_s);
   bool converged = true;
@@ -156,9 +158,10 @@ inline bool fill_outwards(const RowsTask& task, std::int32_t from, std::int32_t 
     for (std::int32_t k = 0; k < rows; k += lanes) {
       const Pack row = load_pack(y + k);
       store_pack(height + k, rail.height(k, row, converged) - wheel.height(k, row, converged));
-      const OutlinePointOf<Pack>& point = wheel.curve.point;
+      const geometry::OutlinePointOf<Pack>& point = wheel.curve.point;
       store_pack(centre + k, point.x - contact.x);
-      store_pack(curvature + k, longitudinal_curvature(*task.wheel, point, contact.cosine, contact.sine));
+      store_pack(curvature + k,
+                 geometry::longitudinal_curvature(*task.wheel, point, contact.cosine, contact.sine));
     }
     for (std::int32_t k = 0; k < rows; ++k) {
       const std::int32_t j = from + direction * (first + k);

@@ -7,23 +7,23 @@
 #include "geometry/placement.hpp"
 #include "geometry/silhouette.hpp"
 
-namespace wrc {
+namespace wrc::geometry {
 
 struct GapRowMemory;
 
-}  // namespace wrc
+}  // namespace wrc::geometry
 
 namespace wrc::simd {
 
 /// Rows of a gap that are to be filled: row j lies at low + j step.
 struct RowsTask {
-  const Rail* rail;
-  const PosedWheel* wheel;
-  const ContactPoint* contact;
+  const geometry::Rail* rail;
+  const geometry::PosedWheel* wheel;
+  const geometry::ContactPoint* contact;
   std::int32_t rail_piece, wheel_piece;  ///< pieces of the profiles at the contact point
   double low, step;                      ///< [m]
   std::int32_t count;
-  const GapRowMemory* memory;
+  const geometry::GapRowMemory* memory;
 };
 
 }  // namespace wrc::simd

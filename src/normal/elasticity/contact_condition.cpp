@@ -10,7 +10,7 @@
 #include "normal/elasticity/octave_axis.hpp"
 #include "normal/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// Int_0^t ln(s) ds for the signed t: odd in t.
@@ -74,8 +74,8 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
   return width * rest - 2.0 * l * (integral_of_log(y_to / l) - integral_of_log(y_from / l));
 }
 
-double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
-                       Strips& strips) noexcept {
+double impose_approach(const Kernels& kernels, double approach, const patch::Material& material, double x,
+                       double y, patch::Strips& strips) noexcept {
   // Displacement at the point by each strip. The array of the pressures, found last, holds it until then.
   kernels.normal.displacements_at({&line_table[0].c0, x, y, strips.count},
                                   {strips.y, strips.width, strips.centre, strips.half_length}, strips.peak);
@@ -101,4 +101,4 @@ double impose_approach(const Kernels& kernels, double approach, const Material& 
   return peak_per_length * load;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

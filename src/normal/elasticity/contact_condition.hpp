@@ -5,7 +5,7 @@
 #include "patch/material.hpp"
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Int sqrt(1 - (x/l)^2) / sqrt(x^2 + y^2) dx over |x| < l, y != 0: displacement at the distance y from a
 /// line of semi-elliptic pressure, on its middle plane [-]. Closed: 2 l D / sqrt(l^2 + y^2), modulus
@@ -27,7 +27,7 @@ double strip_displacement(double half_length, double y_from, double y_to) noexce
 ///
 /// Strips whose middle is shifted in x by s count by the factor sqrt((l^2 + dy^2) / (l^2 + dy^2 + s^2)): the
 /// leading effect of s both near the strip and far from it; right for the skew yaw gives a patch, s < l / 2.
-double impose_approach(const Kernels& kernels, double approach, const Material& material, double x, double y,
-                       Strips& strips) noexcept;
+double impose_approach(const Kernels& kernels, double approach, const patch::Material& material, double x,
+                       double y, patch::Strips& strips) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

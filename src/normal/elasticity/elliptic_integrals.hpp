@@ -16,7 +16,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// K, E and D of one modulus k:
 ///   K = Int_0^{pi/2} (1 - k^2 sin^2 t)^{-1/2} dt,  E = Int (1 - k^2 sin^2 t)^{1/2} dt,  D = (K - E) / k^2 .
@@ -89,4 +89,4 @@ constexpr EllipticDerivatives by_parameter(const CompleteElliptic& at,
   return {b / (2.0 * mc), d};
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

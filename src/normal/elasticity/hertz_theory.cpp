@@ -9,7 +9,7 @@
 #include "normal/elasticity/octave_axis.hpp"
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 constexpr double least_ratio = 1e-8;
@@ -147,4 +147,4 @@ HertzEllipse hertz_ellipse(const HertzShape& shape, double coefficient_x, double
   return ellipse;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

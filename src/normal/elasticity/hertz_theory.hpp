@@ -1,7 +1,7 @@
 /// Hertz's elliptic contact: pure theory, for all normal methods.
 #pragma once
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Contact of two bodies whose undeformed gap is h = A x^2 + B y^2; all members follow from A / B.
 ///
@@ -36,4 +36,4 @@ HertzEllipse hertz_ellipse(const HertzShape& shape, double coefficient_x, double
 HertzEllipse hertz_ellipse(double coefficient_x, double coefficient_y, double approach,
                            double normal_compliance) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

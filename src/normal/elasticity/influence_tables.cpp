@@ -7,7 +7,7 @@
 #include "normal/elasticity/contact_condition.hpp"
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// asinh, odd.
@@ -137,4 +137,4 @@ void tabulate(InfluenceTables& influence) noexcept {
   tabulate_anywhere(influence);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

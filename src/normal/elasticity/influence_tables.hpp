@@ -24,7 +24,7 @@
 #include "normal/elasticity/octave_axis.hpp"
 #include "normal/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Two positive numbers in the place of one, to 21 bits: the upper halves of their bits. A table of them
 /// gives twice as much for one access.
@@ -102,4 +102,4 @@ void tabulate(InfluenceTables& influence) noexcept;
 /// J by quadrature, tau > 0, from which the tables are made [-].
 double line_potential(double tau, double xi) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -10,7 +10,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Nodes x > 0 at equal distances within each octave.
 struct OctaveAxis {
@@ -126,4 +126,4 @@ constexpr Cubic hermite_cubic(Slope from, Slope to, double length) {
   return {from.value, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

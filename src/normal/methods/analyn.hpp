@@ -11,12 +11,13 @@
 
 #include "normal/methods/local_hertz.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
-inline Fault solve_analyn(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+inline Fault solve_analyn(const NormalProblem& problem, patch::Strips& strips,
+                          NormalSolution& solution) noexcept {
   return solve_local_hertz(
       problem, [](double) { return 0.3e-3; }, strips, solution);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -9,7 +9,7 @@
 #include "normal/penetration/overlap_regions.hpp"
 #include "normal/penetration/penetration.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const LateralCurvature& lateral,
@@ -23,13 +23,13 @@ PenetrationScale penetration_scale(EkpScale kind, double coefficient_x, const La
 
 }  // namespace
 
-Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
+Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, patch::Strips& strips,
                 NormalSolution& solution) noexcept {
   FirstTouch touch;
   const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
-  const GapRows& rows = problem.gap;
+  const patch::GapRows& rows = problem.gap;
   // A from the row of first touch [1/m].
   const double coefficient_x = 0.5 * touch.row.curvature;
 
@@ -58,4 +58,4 @@ Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips&
   return solve_by_search(problem, touch.lowest, coefficient_x, scale_at, force, at_edge, strips, solution);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

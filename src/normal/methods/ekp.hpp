@@ -19,7 +19,7 @@
 
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Rule by which eps follows from eps_x and eps_y.
 enum class EkpScale {
@@ -37,7 +37,7 @@ struct EkpOptions {
 };
 
 /// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
-Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, Strips& strips,
+Fault solve_ekp(const NormalProblem& problem, const EkpOptions& options, patch::Strips& strips,
                 NormalSolution& solution) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

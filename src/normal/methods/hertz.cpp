@@ -6,9 +6,9 @@
 #include "normal/penetration/penetration.hpp"
 #include "patch/sdec.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
-Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+Fault solve_hertz(const NormalProblem& problem, patch::Strips& strips, NormalSolution& solution) noexcept {
   FirstTouch touch;
   Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
@@ -32,10 +32,10 @@ Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& 
   if (fault.failed()) return fault;
 
   // The ellipse of the last trial, cut into strips that carry the load exactly.
-  sdec_strips({ellipse.a, ellipse.b, 0.0}, touch.row.centre, touch.lowest.y, solution.normal_force,
-              problem.strips, strips);
+  patch::sdec_strips({ellipse.a, ellipse.b, 0.0}, touch.row.centre, touch.lowest.y, solution.normal_force,
+                     problem.strips, strips);
   complete_solution(strips, touch.lowest, at_edge, solution, fault);
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

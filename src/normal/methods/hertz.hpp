@@ -11,10 +11,10 @@
 
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Solves the problem and cuts the ellipse into strips (patch/sdec.hpp: their load is the ellipse's,
 /// exactly). Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
-Fault solve_hertz(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept;
+Fault solve_hertz(const NormalProblem& problem, patch::Strips& strips, NormalSolution& solution) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -7,20 +7,20 @@
 #include "normal/penetration/load_search.hpp"
 #include "normal/penetration/penetration.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
-Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options, Strips& strips,
-                           NormalSolution& solution) noexcept {
+Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options,
+                           patch::Strips& strips, NormalSolution& solution) noexcept {
   FirstTouch touch;
   const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
-  const GapRows& rows = problem.gap;
+  const patch::GapRows& rows = problem.gap;
   const PenetrationScale scale{.at_centre = options.penetration_scale};
 
   // Load [N] at a trial approach.
   bool at_edge = false;
-  GapReader gap(rows);
+  patch::GapReader gap(rows);
   const auto scale_at = [&](double) { return scale; };
   const auto force = [&](double approach, const PenetrationScale&, const Span& span) {
     at_edge = span.at_edge;
@@ -39,4 +39,4 @@ Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOpti
                          solution);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

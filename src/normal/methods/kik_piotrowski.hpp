@@ -13,14 +13,14 @@
 
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 struct KikPiotrowskiOptions {
   double penetration_scale = 0.55;  ///< eps [-], above 0, at most 1
 };
 
 /// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
-Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options, Strips& strips,
-                           NormalSolution& solution) noexcept;
+Fault solve_kik_piotrowski(const NormalProblem& problem, const KikPiotrowskiOptions& options,
+                           patch::Strips& strips, NormalSolution& solution) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

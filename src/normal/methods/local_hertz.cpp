@@ -7,7 +7,7 @@
 #include "normal/penetration/load_search.hpp"
 #include "normal/penetration/penetration.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 constexpr double flat = 0.1;  // least B [1/m]
@@ -15,7 +15,7 @@ constexpr double flat = 0.1;  // least B [1/m]
 /// The curvatures of the gap at y, and Hertz's eps_y for them as the scale of the penetration.
 class LocalCurvature {
  public:
-  LocalCurvature(const GapRows& rows, double reach)
+  LocalCurvature(const patch::GapRows& rows, double reach)
       : here_(rows), below_(rows), above_(rows), reach_(reach), inverse_(1.0 / (reach * reach)) {}
 
   /// A, B of the gap there and its height.
@@ -24,7 +24,7 @@ class LocalCurvature {
     HertzShape shape() const { return tabulated_hertz_shape(coefficient_x / coefficient_y); }
   };
   Place place(double y) {
-    const GapRow row = here_.at(y);
+    const patch::GapRow row = here_.at(y);
     // B = h''/2, h'' the second difference over the reach.
     const double second = below_.height(y - reach_) + above_.height(y + reach_) - 2.0 * row.height;
     return {row.height, 0.5 * row.curvature, std::max(0.5 * second * inverse_, flat), row.centre};
@@ -32,19 +32,19 @@ class LocalCurvature {
   double at(double y) { return place(y).shape().eps_y; }
 
  private:
-  GapReader here_, below_, above_;
+  patch::GapReader here_, below_, above_;
   double reach_, inverse_;
 };
 
 }  // namespace
 
-Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Strips& strips,
+Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, patch::Strips& strips,
                         NormalSolution& solution) noexcept {
   FirstTouch touch;
   const Fault fault = begin_solution(problem, strips, solution, touch);
   if (fault.status != WRC_OK) return fault;
 
-  const GapRows& rows = problem.gap;
+  const patch::GapRows& rows = problem.gap;
   const double compliance = problem.material.normal_compliance();
   bool at_edge = false;
   const auto scale_at = [&](double approach) {
@@ -79,4 +79,4 @@ Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Stri
                          solution);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -10,12 +10,12 @@
 
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Solves the problem with B taken as half the second difference of the gap over +-reach(approach, lateral
 /// half width at half the approach) [m]; B is floored at 0.1 1/m, below which a wheel counts as flat.
 using CurvatureReach = double (*)(double half_width);
-Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, Strips& strips,
+Fault solve_local_hertz(const NormalProblem& problem, CurvatureReach reach, patch::Strips& strips,
                         NormalSolution& solution) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

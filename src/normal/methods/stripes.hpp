@@ -14,12 +14,13 @@
 
 #include "normal/methods/local_hertz.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Real-time: no allocation; at most problem.max_iterations + 10 evaluations.
-inline Fault solve_stripes(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+inline Fault solve_stripes(const NormalProblem& problem, patch::Strips& strips,
+                           NormalSolution& solution) noexcept {
   return solve_local_hertz(
       problem, [](double half_width) { return 0.5 * half_width; }, strips, solution);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -5,7 +5,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// Cube root by Newton's rule from a power of two: the C library's bits are its own, and a first guess
@@ -28,7 +28,7 @@ double first_guess(const NormalProblem& problem, double coefficient_x) noexcept 
   return cube_root(force * force * 2.0 * coefficient_x);
 }
 
-bool join_gradually(const BeforeJump& before, double target, Strips& strips) noexcept {
+bool join_gradually(const BeforeJump& before, double target, patch::Strips& strips) noexcept {
   // Load [N] of the strips of the patch before the jump, and of those that join it.
   double inside = 0.0, joining = 0.0;
   const auto joins = [&](std::int32_t j) {
@@ -55,7 +55,8 @@ bool join_gradually(const BeforeJump& before, double target, Strips& strips) noe
   return true;
 }
 
-Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept {
+Fault continue_beyond(const NormalProblem& problem, patch::Strips& strips,
+                      NormalSolution& solution) noexcept {
   const bool load = problem.prescribed == Prescribed::load;
   const double deepest = solution.approach, most = solution.normal_force;
   // Slope of the line: within 1 and steepest_power times the chord. A jump just before the end is not to be
@@ -82,9 +83,9 @@ Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSoluti
              "did you pass mm?");
 }
 
-void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
-                       Fault& fault) noexcept {
-  const StripTotals sum = totals(strips);
+void complete_solution(const patch::Strips& strips, const patch::GapMinimum& lowest, bool at_edge,
+                       NormalSolution& solution, Fault& fault) noexcept {
+  const patch::StripTotals sum = patch::totals(strips);
   solution.peak_pressure = sum.peak_pressure;
   solution.area = sum.area;
   solution.y_contact = lowest.y;
@@ -92,4 +93,4 @@ void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_e
     keep_worst(fault, Fault::patch_at_edge("gap", {lowest.y, "m"}, "give the gap over a wider range"));
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

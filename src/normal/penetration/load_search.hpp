@@ -7,7 +7,7 @@
 #include "normal/penetration/penetration.hpp"
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// First guess of the approach for a load: the sphere of curvature 2 A [1/m] in x, Hertz's
 /// delta^3 = (3 pi c N / 4)^2 2 A with the pair's compliance c; wheel and rail lie within a factor of two of
@@ -15,13 +15,13 @@ namespace wrc {
 double first_guess(const NormalProblem& problem, double coefficient_x) noexcept;
 
 /// Fills peak pressure and area of the strips and the place of first touch, and flags a patch at the edge.
-void complete_solution(const Strips& strips, const GapMinimum& lowest, bool at_edge, NormalSolution& solution,
-                       Fault& fault) noexcept;
+void complete_solution(const patch::Strips& strips, const patch::GapMinimum& lowest, bool at_edge,
+                       NormalSolution& solution, Fault& fault) noexcept;
 
 /// Goes on from the solution at the deepest approach the rows describe to the load or approach prescribed
 /// beyond it: linearly, with its stiffness there, every pressure in proportion to the load. Takes approach,
 /// normal_force and stiffness of the solution, and the strips; returns WRC_FLAG_BEYOND_GAP.
-Fault continue_beyond(const NormalProblem& problem, Strips& strips, NormalSolution& solution) noexcept;
+Fault continue_beyond(const NormalProblem& problem, patch::Strips& strips, NormalSolution& solution) noexcept;
 
 /// A straightened measure of the load: N grows like approach^1.5 on elliptic gaps and like approach^1.4 on
 /// worn ones, so N^{11/16} grows almost like the approach itself and the secant rule on it needs four
@@ -40,7 +40,7 @@ struct BeforeJump {
   Span span;                  ///< of the patch
   double normal_force = 0.0;  ///< [N]
 };
-bool join_gradually(const BeforeJump& before, double target, Strips& strips) noexcept;
+bool join_gradually(const BeforeJump& before, double target, patch::Strips& strips) noexcept;
 
 /// A state of the search.
 struct Trial {
@@ -57,7 +57,7 @@ struct RowRange {
 /// deepest, on the side where the overlap, that of the patch `after`, falls and rises most.
 template <class Scale>
 RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span& after) noexcept {
-  const GapRows& rows = overlap.rows;
+  const patch::GapRows& rows = overlap.rows;
   const auto rows_below = [&](double y) {
     return static_cast<std::int32_t>(std::lower_bound(rows.y, rows.y + rows.count, y) - rows.y);
   };
@@ -90,7 +90,7 @@ RowRange barrier_between(Overlap<Scale>& overlap, const Span& before, const Span
 /// barrier, from the extents. The next approach is that of a secant on that overlap, or of bisection where
 /// the secant does not converge.
 template <class ScaleAt>
-void narrow_jump(const GapRows& rows, const GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
+void narrow_jump(const patch::GapRows& rows, const patch::GapMinimum& lowest, ScaleAt&& scale_at, Trial& low,
                  Trial& high) noexcept {
   constexpr int secants = 6;  // 3 to 5 are used
   constexpr int cap = 40;
@@ -145,8 +145,8 @@ inline bool jumps_between(const Trial& low, const Trial& high) noexcept {
 template <class ScaleAt, class Force>
 class LoadSearch {
  public:
-  LoadSearch(const NormalProblem& problem, const GapMinimum& lowest, ScaleAt& scale_at, Force& force,
-             Strips& strips, NormalSolution& solution) noexcept
+  LoadSearch(const NormalProblem& problem, const patch::GapMinimum& lowest, ScaleAt& scale_at, Force& force,
+             patch::Strips& strips, NormalSolution& solution) noexcept
       : problem_(problem),
         lowest_(lowest),
         scale_at_(scale_at),
@@ -308,10 +308,10 @@ class LoadSearch {
   }
 
   const NormalProblem& problem_;
-  const GapMinimum& lowest_;
+  const patch::GapMinimum& lowest_;
   ScaleAt& scale_at_;
   Force& force_;
-  Strips& strips_;
+  patch::Strips& strips_;
   NormalSolution& solution_;
   const double ceiling_;  ///< the deepest approach that is solved [m]
   const double target_ = problem_.normal_force, x_target_ = straightened(target_);
@@ -336,8 +336,9 @@ class LoadSearch {
 /// target: join_gradually(), or where that is not possible the patch after the jump, scaled to the load.
 /// WRC_FLAG_ITERATION_CAP if the cap ended the search: the patch is then that of the last trial, scaled.
 template <class ScaleAt, class Force>
-Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, double start,
-                      ScaleAt&& scale_at, Force&& force, Strips& strips, NormalSolution& solution) noexcept {
+Fault search_approach(const NormalProblem& problem, const patch::GapMinimum& lowest, double start,
+                      ScaleAt&& scale_at, Force&& force, patch::Strips& strips,
+                      NormalSolution& solution) noexcept {
   LoadSearch search(problem, lowest, scale_at, force, strips, solution);
   return problem.prescribed == Prescribed::approach ? search.at_approach() : search.for_load(start);
 }
@@ -345,8 +346,8 @@ Fault search_approach(const NormalProblem& problem, const GapMinimum& lowest, do
 /// A method as a whole whose `force` fills the strips: the search, started from the sphere of curvature
 /// 2 coefficient_x [1/m], and complete_solution(). `at_edge`: `force` came to the end of the rows.
 template <class ScaleAt, class Force>
-Fault solve_by_search(const NormalProblem& problem, const GapMinimum& lowest, double coefficient_x,
-                      ScaleAt&& scale_at, Force&& force, const bool& at_edge, Strips& strips,
+Fault solve_by_search(const NormalProblem& problem, const patch::GapMinimum& lowest, double coefficient_x,
+                      ScaleAt&& scale_at, Force&& force, const bool& at_edge, patch::Strips& strips,
                       NormalSolution& solution) noexcept {
   Fault fault = search_approach(problem, lowest, first_guess(problem, coefficient_x), scale_at, force, strips,
                                 solution);
@@ -358,4 +359,4 @@ Fault solve_by_search(const NormalProblem& problem, const GapMinimum& lowest, do
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -4,7 +4,7 @@
 
 #include "patch/split.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// The chord may grow like this power of the depth at once. An elliptic gap has 1/2; the load, which grows
@@ -17,8 +17,8 @@ constexpr double entry = 0.6;
 
 /// Distance of the outermost border of all regions below `depth` above the lowest point, in one direction (+1
 /// or -1) from the contact point, less the lengths that do not count yet [m]; `least` if no row lies below.
-double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, double depth, int direction,
-                            double least) {
+double reach_of_all_regions(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth,
+                            int direction, double least) {
   const PenetrationScale whole{.at_centre = 1.0};
   const auto height = [&](std::int32_t j) { return rows.height[j] - lowest.height; };
   const auto distance = [&](double y) { return (y - lowest.y) * direction; };
@@ -61,7 +61,7 @@ double reach_of_all_regions(const GapRows& rows, const GapMinimum& lowest, doubl
 
 }  // namespace
 
-LateralCurvature curvature_of_all_regions(const GapRows& rows, const GapMinimum& lowest,
+LateralCurvature curvature_of_all_regions(const patch::GapRows& rows, const patch::GapMinimum& lowest,
                                           double approach) noexcept {
   // The chord at half the approach, its ends moved out to all regions.
   const PenetrationScale half;
@@ -72,8 +72,9 @@ LateralCurvature curvature_of_all_regions(const GapRows& rows, const GapMinimum&
   return lateral_curvature(chord, approach);
 }
 
-OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, const PenetrationScale& scale,
-                               double approach, const Span& main, std::int32_t most) noexcept {
+OverlapRegions overlap_regions(const patch::GapRows& rows, const patch::GapMinimum& lowest,
+                               const PenetrationScale& scale, double approach, const Span& main,
+                               std::int32_t most) noexcept {
   OverlapRegions regions;
   regions.of[0] = main;
   regions.count = 1;
@@ -92,9 +93,9 @@ OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, co
   return regions;
 }
 
-void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_regions(const Kernels& kernels, const patch::GapRows& rows, const patch::GapMinimum& lowest,
                     const PenetrationScale& scale, double approach, const OverlapRegions& regions,
-                    std::int32_t count, Strips& strips) noexcept {
+                    std::int32_t count, patch::Strips& strips) noexcept {
   if (regions.count == 1)
     return divide_span(kernels, rows, lowest, scale, approach, regions.of[0], count, strips);
   constexpr double least = 1e-6;  // of a width: no strip is made of less
@@ -106,7 +107,7 @@ void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimu
   const auto fill = [&](double from, double to, std::int32_t parts) {
     parts = std::min(parts, count - strips.count);
     if (parts <= 0) return;
-    Strips part = slice(strips, strips.count, strips.count + parts);
+    patch::Strips part = patch::slice(strips, strips.count, strips.count + parts);
     divide_span(kernels, rows, lowest, scale, approach, {from, to, false}, parts, part);
     strips.count += parts;
   };
@@ -131,4 +132,4 @@ void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimu
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -13,13 +13,13 @@
 #include "kernels/kernels.hpp"
 #include "normal/penetration/penetration.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Calls `take(span)` for the regions of overlap beyond `y` in one direction (+1 or -1), outwards; `y` is a
 /// border of the overlap, or the end of the rows.
 template <class Scale, class Take>
 void regions_beyond(Overlap<Scale>& overlap, double y, int direction, Take&& take) {
-  const GapRows& rows = overlap.rows;
+  const patch::GapRows& rows = overlap.rows;
   const auto above = static_cast<std::int32_t>(std::upper_bound(rows.y, rows.y + rows.count, y) - rows.y);
   bool inside = false;
   double from = y, y_before = y, g_before = 0.0;
@@ -39,7 +39,7 @@ void regions_beyond(Overlap<Scale>& overlap, double y, int direction, Take&& tak
 }
 
 /// The chord of lateral_curvature() over all regions below half the approach.
-LateralCurvature curvature_of_all_regions(const GapRows& rows, const GapMinimum& lowest,
+LateralCurvature curvature_of_all_regions(const patch::GapRows& rows, const patch::GapMinimum& lowest,
                                           double approach) noexcept;
 
 /// Regions of overlap at increasing y.
@@ -51,13 +51,14 @@ struct OverlapRegions {
 };
 
 /// The region `main` round the contact point and the others, `most` of them at most.
-OverlapRegions overlap_regions(const GapRows& rows, const GapMinimum& lowest, const PenetrationScale& scale,
-                               double approach, const Span& main, std::int32_t most) noexcept;
+OverlapRegions overlap_regions(const patch::GapRows& rows, const patch::GapMinimum& lowest,
+                               const PenetrationScale& scale, double approach, const Span& main,
+                               std::int32_t most) noexcept;
 
 /// divide_span() over several regions: strips of one width over all of them together, and where one would lie
 /// across a border, its parts on either side; no more than `count`. Area and load then move with the borders.
-void divide_regions(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_regions(const Kernels& kernels, const patch::GapRows& rows, const patch::GapMinimum& lowest,
                     const PenetrationScale& scale, double approach, const OverlapRegions& regions,
-                    std::int32_t count, Strips& strips) noexcept;
+                    std::int32_t count, patch::Strips& strips) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -2,11 +2,11 @@
 
 #include "normal/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
-void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_span(const Kernels& kernels, const patch::GapRows& rows, const patch::GapMinimum& lowest,
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
-                 Strips& strips) noexcept {
+                 patch::Strips& strips) noexcept {
   // The interval of the rows that holds the first border.
   const auto above = std::upper_bound(rows.y, rows.y + rows.count, span.y_from) - rows.y;
   const std::int32_t interval = std::clamp(static_cast<std::int32_t>(above) - 1, 0, rows.count - 2);
@@ -22,8 +22,8 @@ LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept 
   return {PenetrationScale{}.at_centre * approach / (half_width * half_width), chord.middle(), chord.at_edge};
 }
 
-double deepest_approach(const GapRows& rows, const GapMinimum& lowest) noexcept {
+double deepest_approach(const patch::GapRows& rows, const patch::GapMinimum& lowest) noexcept {
   return *std::max_element(rows.height, rows.height + rows.count) - lowest.height;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

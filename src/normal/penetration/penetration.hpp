@@ -10,7 +10,7 @@
 #include "patch/gap.hpp"
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// The scale eps(y) of the virtual penetration: a parabola about `centre`, kept within 0.05..1 (not 0: a
 /// contact point far from the middle must stay inside its own patch).
@@ -38,11 +38,11 @@ struct Span {
 /// g(y) for a scale: PenetrationScale, or any type with `double at(double y)`.
 template <class Scale>
 struct Overlap {
-  const GapRows& rows;
-  const GapMinimum& lowest;
+  const patch::GapRows& rows;
+  const patch::GapMinimum& lowest;
   Scale scale;
   double approach;
-  GapReader gap{rows};
+  patch::GapReader gap{rows};
 
   double of(double y, double height) { return scale.at(y) * approach - (height - lowest.height); }
   double at_row(std::int32_t j) { return of(rows.y[j], rows.height[j]); }
@@ -78,7 +78,7 @@ double border_between(Overlap<Scale>& overlap, double y_in, double g_in, double 
 /// Walks from the minimum over the rows in one direction (+1 or -1) to the first without overlap.
 template <class Scale>
 double border_from_minimum(Overlap<Scale>& overlap, int direction, bool& at_edge) {
-  const GapRows& rows = overlap.rows;
+  const patch::GapRows& rows = overlap.rows;
   double y_in = overlap.lowest.y;
   double g_in = overlap.at(y_in);
   if (g_in <= 0.0) return y_in;
@@ -98,7 +98,8 @@ double border_from_minimum(Overlap<Scale>& overlap, int direction, bool& at_edge
 /// Finds the borders as roots of g on the interpolated gap, so that they move smoothly with approach and
 /// pose. A lobe that rises and falls between two rows is not seen.
 template <class Scale>
-Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale, double approach) noexcept {
+Span penetration_span(const patch::GapRows& rows, const patch::GapMinimum& lowest, Scale scale,
+                      double approach) noexcept {
   Overlap<Scale> overlap{rows, lowest, scale, approach};
   Span span;
   span.y_from = border_from_minimum(overlap, -1, span.at_edge);
@@ -109,9 +110,9 @@ Span penetration_span(const GapRows& rows, const GapMinimum& lowest, Scale scale
 /// Divides the span into `count` strips of equal width; at each strip's middle the half length is that of the
 /// overlap of the row's parabola, sqrt(2 g / curvature). Pressures are left to the caller. Area and load
 /// are smooth because the strips are fitted to the span, not cut out of a fixed grid.
-void divide_span(const Kernels& kernels, const GapRows& rows, const GapMinimum& lowest,
+void divide_span(const Kernels& kernels, const patch::GapRows& rows, const patch::GapMinimum& lowest,
                  const PenetrationScale& scale, double approach, const Span& span, std::int32_t count,
-                 Strips& strips) noexcept;
+                 patch::Strips& strips) noexcept;
 
 /// Half widths of chords below this are taken for it [m]: down to none at all they lie between the numbers
 /// that y can be, as in a needle of a gap, and no patch is to be found there.
@@ -126,12 +127,12 @@ struct LateralCurvature {
   bool at_edge = false;
 };
 LateralCurvature lateral_curvature(const Span& chord, double approach) noexcept;
-inline LateralCurvature lateral_curvature(const GapRows& rows, const GapMinimum& lowest,
+inline LateralCurvature lateral_curvature(const patch::GapRows& rows, const patch::GapMinimum& lowest,
                                           double approach) noexcept {
   return lateral_curvature(penetration_span(rows, lowest, PenetrationScale{}, approach), approach);
 }
 
 /// Deepest approach the rows can describe: where the overlap covers all of them [m].
-double deepest_approach(const GapRows& rows, const GapMinimum& lowest) noexcept;
+double deepest_approach(const patch::GapRows& rows, const patch::GapMinimum& lowest) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -18,7 +18,7 @@ struct Places {
 /// input.
 template <int lowest_exponent, int octaves, int bits_per_octave>
 Places locate(Pack x) {
-  constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
+  constexpr normal::OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
   constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
   constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
   constexpr double low = axis.node(0), high = std::bit_cast<double>(end - 1);
@@ -33,7 +33,7 @@ Places locate(Pack x) {
 
 /// A table over the distance axis.
 inline Pack read(const double* table, Pack tau) {
-  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
   const Neighbours value = pick(table, indices(place.interval));
   return value.at + place.fraction * (value.behind - value.at);
@@ -58,7 +58,7 @@ struct MiddlePlaneCells {
 };
 
 WRC_IN_LOOP void find_cells(Pack tau, MiddlePlaneCells& cells) {
-  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau);
   keep_indices(place.interval, cells.first);
   cells.fraction = place.fraction;
@@ -110,11 +110,11 @@ struct LineRows {
 
 /// At places on the rows' axis; those outside are taken to its ends.
 inline LineRows line_rows_at(Pack place) {
-  constexpr double last = InfluenceTables::line_rows.last();
+  constexpr double last = normal::InfluenceTables::line_rows.last();
   // The whole part selects the row; adding index_origin puts it into the lower bits.
   const Pack inside = smaller(larger(place, 0.0), last);
   const Pack row = whole_part(inside);
-  return {bits_of(row * static_cast<double>(InfluenceTables::columns) + index_origin), inside - row};
+  return {bits_of(row * static_cast<double>(normal::InfluenceTables::columns) + index_origin), inside - row};
 }
 
 /// x > 0 in octaves from 1 on: see LogAxis.
@@ -136,14 +136,16 @@ inline Octaves octaves_of(Pack x) {
 
 /// The place on any LogAxis, from x = 1 on; that of a quotient is the difference of two.
 inline Pack place_from_one(Pack x) {
-  static_assert(LogAxis::per_octave == 8);
+  static_assert(normal::LogAxis::per_octave == 8);
   const Octaves o = octaves_of(x);
   const Pack t = o.within;
-  return o.whole + t * (LogAxis::first + t * (LogAxis::second + t * (LogAxis::third + t * LogAxis::fourth)));
+  return o.whole +
+         t * (normal::LogAxis::first +
+              t * (normal::LogAxis::second + t * (normal::LogAxis::third + t * normal::LogAxis::fourth)));
 }
 
 inline LineRows line_rows(Pack tau) {
-  constexpr double origin = InfluenceTables::line_rows.origin();
+  constexpr double origin = normal::InfluenceTables::line_rows.origin();
   return line_rows_at(place_from_one(tau) + origin);
 }
 
@@ -162,7 +164,7 @@ struct LineCells {
 
 /// xi - 1 >= -1.
 WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cells) {
-  constexpr OctaveAxis axis = InfluenceTables::from_end;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::from_end;
   constexpr int mantissa_bits = 52;
   constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
   constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
@@ -171,7 +173,7 @@ WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cell
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
   constexpr std::uint64_t outside = (0 - (first >> shift)) & 0xffffffff;  // indices are the lower halves
-  constexpr std::uint64_t inside = outside + InfluenceTables::inside;
+  constexpr std::uint64_t inside = outside + normal::InfluenceTables::inside;
   constexpr double outside_bits = std::bit_cast<double>(outside), inside_bits = std::bit_cast<double>(inside);
   // Row, side of the line's end, and interval of the distance from it add up to the cell.
   const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));

@@ -10,7 +10,7 @@ namespace {
 
 /// The slope of the height at y, by the parabola through the row `before` and the two behind it [-]:
 /// row_slope of patch/gap.cpp, operation by operation.
-inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
+inline Pack row_slope(const patch::GapRows& rows, const Indices& before, Pack y) {
   const Neighbours y_left = pick(rows.y, before), y_right = pick(rows.y + 1, before);
   const Neighbours height_left = pick(rows.height, before), height_right = pick(rows.height + 1, before);
   // Intervals, rises, and the parabola's slope at the middle row with its second derivative.
@@ -24,7 +24,7 @@ inline Pack row_slope(const GapRows& rows, const Indices& before, Pack y) {
 
 /// NormalKernels::divide_span.
 void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
-  const GapRows& rows = task.rows;
+  const patch::GapRows& rows = task.rows;
   const std::int32_t last = rows.count - 1;
   std::int64_t interval = task.first_interval;
   for (std::int32_t first = 0; first < task.count; first += lanes) {
@@ -66,7 +66,7 @@ void divide_span_kernel(const SpanTask& task, const StripArrays& strips) {
 
 /// NormalKernels::displacements_at.
 void displacements_at_kernel(const PointTask& task, const StripArrays& strips, double* displacement) {
-  constexpr OctaveAxis axis = line_axis;
+  constexpr normal::OctaveAxis axis = normal::line_axis;
   constexpr double half_pi = 1.57079632679489661923;
   for (std::int32_t first = 0; first < task.count; first += lanes) {
     const std::int32_t count = task.count - first < lanes ? task.count - first : lanes;

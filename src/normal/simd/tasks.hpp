@@ -67,7 +67,7 @@ struct EliminationTask {
 /// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an
 /// overlap, divided into `count` strips of `width`.
 struct SpanTask {
-  const GapRows& rows;
+  const patch::GapRows& rows;
   double lowest_height, approach;
   double scale_at_centre, scale_bend, scale_centre;
   double y_from, width;

@@ -6,7 +6,7 @@
 
 #include "normal/penetration/penetration.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// The gap's section below a level.
@@ -15,7 +15,7 @@ struct Volume {
   double width = 0.0;  ///< d area / d level [m]
 };
 
-Volume volume_below(const GapRows& rows, double level) {
+Volume volume_below(const patch::GapRows& rows, double level) {
   Volume volume;
   for (std::int32_t j = 0; j + 1 < rows.count; ++j) {
     // A trapezium between two rows, cut where the height crosses the level.
@@ -40,7 +40,7 @@ struct Extent {
   bool at_edge = false;  ///< it goes on beyond the first or the last row
 };
 
-Extent extent_below(const GapRows& rows, const GapMinimum& lowest, double depth) {
+Extent extent_below(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth) {
   const double level = lowest.height + depth;
   // The stretch around the minimum, which may lie between two rows that are both above the level.
   const Span around = penetration_span(rows, lowest, PenetrationScale{.at_centre = 1.0}, depth);
@@ -70,11 +70,11 @@ struct Samples {
   std::array<double, samples + 1> density;  ///< strips per length, up to a factor
 };
 
-void sample(const GapRows& rows, const Extent& extent, double depth, Samples& s) {
+void sample(const patch::GapRows& rows, const Extent& extent, double depth, Samples& s) {
   const double length = extent.y_to - extent.y_from;
   s.y_from = extent.y_from;
   s.step = length / samples;
-  GapReader gap(rows);
+  patch::GapReader gap(rows);
   for (int i = 0; i < static_cast<int>(s.height.size()); ++i)
     s.height[static_cast<std::size_t>(i)] = gap.height(s.y_from + (i - curvature_reach) * s.step);
 
@@ -185,7 +185,7 @@ void cut_stretches(const WeightLine& line, std::int32_t count, CollocationGrid& 
 
 }  // namespace
 
-double foundation_approach(const GapRows& rows, double lowest_height, double normal_compliance,
+double foundation_approach(const patch::GapRows& rows, double lowest_height, double normal_compliance,
                            double normal_force, double guess) noexcept {
   // Load of the foundation: N = area(level) / (2 c), level = 0.6 approach. The area grows like level^1.4 to
   // 1.5; for Newton's rule area^(3/4) is almost a straight line.
@@ -208,8 +208,8 @@ double foundation_approach(const GapRows& rows, double lowest_height, double nor
   return level / 0.6;
 }
 
-void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
-                            CollocationGrid& grid) noexcept {
+void build_collocation_grid(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth,
+                            std::int32_t count, CollocationGrid& grid) noexcept {
   const Extent extent = extent_below(rows, lowest, depth);
   grid.at_edge = extent.at_edge;
   Samples s;
@@ -217,4 +217,4 @@ void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, doubl
   cut_stretches(weigh(s, lowest.height + depth), count, grid);
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

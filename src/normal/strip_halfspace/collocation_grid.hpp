@@ -5,7 +5,7 @@
 #include "patch/gap.hpp"
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Stretches a grid may have.
 inline constexpr std::int32_t most_regions = 8;
@@ -23,14 +23,14 @@ struct CollocationGrid {
 /// Approach of the load by an elastic foundation with q = (0.6 approach - height) / (2 c) per unit of width,
 /// c the compliance: within 3 % of Hertz for a sphere, within 30 % for wheel and rail. It sees every spot of
 /// the gap, and moves smoothly when spots join. The search begins at `guess` > 0 [m].
-double foundation_approach(const GapRows& rows, double lowest_height, double normal_compliance,
+double foundation_approach(const patch::GapRows& rows, double lowest_height, double normal_compliance,
                            double normal_force, double guess) noexcept;
 
 /// Spreads `count` strips over all stretches where the height lies less than `depth` over the lowest, with
 /// widths inversely proportional to the root of the lateral curvature (the width of a contact is proportional
 /// to the root of its radius). Curvature is the second difference over 4 % of the whole extent: shorter
 /// waves of a profile do not move the strips. `grid` has memory for `count`.
-void build_collocation_grid(const GapRows& rows, const GapMinimum& lowest, double depth, std::int32_t count,
-                            CollocationGrid& grid) noexcept;
+void build_collocation_grid(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth,
+                            std::int32_t count, CollocationGrid& grid) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -5,7 +5,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 struct Run {
@@ -23,7 +23,7 @@ Run run_from(const SolvedStrips& solved, std::int32_t first) {
 
 /// Fills strips first .. first + count - 1 from the run; returns its load.
 double cut(const SolvedStrips& solved, const Run& run, std::int32_t first, std::int32_t count,
-           Strips& strips) {
+           patch::Strips& strips) {
   const double width = (run.y_to - run.y_from) / count;
   // Load of the run in the solution [N]; that of the new strips is scaled to it below.
   double carried = 0.0, load = 0.0;
@@ -67,7 +67,7 @@ double cut(const SolvedStrips& solved, const Run& run, std::int32_t first, std::
 
 }  // namespace
 
-double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& strips) noexcept {
+double resample_strips(const SolvedStrips& solved, std::int32_t count, patch::Strips& strips) noexcept {
   // Widths [m] of all patches.
   double total_width = 0.0;
   std::int32_t runs = 0;
@@ -95,4 +95,4 @@ double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& s
   return load;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

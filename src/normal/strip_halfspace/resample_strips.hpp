@@ -3,7 +3,7 @@
 
 #include "patch/strips.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Strips in contact, ordered by y; neighbours with the same `region` touch each other.
 struct SolvedStrips {
@@ -20,6 +20,6 @@ struct SolvedStrips {
 /// the last one to the border of the patch, where it vanishes, l^2 is linear; so is p / l. `count` strips are
 /// shared out by the patches' width, at least four each while they last; pressures are scaled so that each
 /// patch keeps its load. Returns the total [N].
-double resample_strips(const SolvedStrips& solved, std::int32_t count, Strips& strips) noexcept;
+double resample_strips(const SolvedStrips& solved, std::int32_t count, patch::Strips& strips) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -5,7 +5,7 @@
 
 #include "normal/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// Lists the active strips as sources of displacement.
@@ -135,8 +135,8 @@ double move_edges(const NormalProblem& problem, const InfluenceTables& influence
   return moved / area;
 }
 
-void fit_ends(const GapRows& rows, double lowest_height, StripSystem& s) noexcept {
-  GapReader gap(rows);
+void fit_ends(const patch::GapRows& rows, double lowest_height, StripSystem& s) noexcept {
+  patch::GapReader gap(rows);
   const auto refit = [&](std::int32_t j, double y, double width, double half_length) {
     // The strip at its new place and width; its shift against the gap's centre stays.
     const double centre_before = s.gap_centre[j];
@@ -179,4 +179,4 @@ void fit_ends(const GapRows& rows, double lowest_height, StripSystem& s) noexcep
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

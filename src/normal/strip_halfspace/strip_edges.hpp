@@ -6,7 +6,7 @@
 #include "normal/problem.hpp"
 #include "normal/strip_halfspace/strip_system.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Moves lengths and centres towards the edge conditions; returns the part of the area that moved [-].
 ///
@@ -22,6 +22,6 @@ double move_edges(const NormalProblem& problem, const InfluenceTables& influence
 /// last two strips, vanishes. The outermost strip may stretch to one and a half of its cell: beyond, the next
 /// one is in contact. Without it a strip the border runs through counts as wholly in contact, and area jumps
 /// by cells.
-void fit_ends(const GapRows& rows, double lowest_height, StripSystem& s) noexcept;
+void fit_ends(const patch::GapRows& rows, double lowest_height, StripSystem& s) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -12,7 +12,7 @@
 #include "normal/strip_halfspace/strip_pressures.hpp"
 #include "normal/strip_halfspace/strip_system.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// Contact lies where the height is below about 0.73 approach (eps_y of Hertz for a / b = 0.1); the rest is
@@ -58,11 +58,11 @@ Started started(const StripHalfspaceStart& start, double y) {
 
 /// Places the strips and gives them a first half length: that of the last solution where it had contact, half
 /// the virtual penetration elsewhere.
-void place(const NormalProblem& problem, const GapMinimum& lowest, double approach, double depth,
+void place(const NormalProblem& problem, const patch::GapMinimum& lowest, double approach, double depth,
            std::int32_t count, const StripHalfspaceStart& start, StripSystem& s) {
   build_collocation_grid(problem.gap, lowest, depth, count, s.grid);
   s.skewed = false;
-  GapReader gap(problem.gap);
+  patch::GapReader gap(problem.gap);
   s.active_count = 0;
   for (std::int32_t j = 0; j < s.grid.count; ++j) {
     s.cell_y[j] = s.grid.y[j];
@@ -94,7 +94,7 @@ void place(const NormalProblem& problem, const GapMinimum& lowest, double approa
 /// dN / d(approach) is the load of a flat punch on the contact area, whose pressure is singular at the edge.
 /// The derivative of the strips' own, semi-elliptic pressure comes out smaller, on Hertz's ellipse by the
 /// factor fitted here in z = ln(a / b), a / b = 0.1 .. 18, to 1 %; on S1002/UIC60 patches it holds to 3 %.
-double punch_stiffness(double stiffness, const StripTotals& sum) {
+double punch_stiffness(double stiffness, const patch::StripTotals& sum) {
   const double z = natural_log(pi * sum.length * sum.length / (4.0 * sum.area));
   return stiffness * (1.27 + z * (0.0777 + 0.0078 * z));
 }
@@ -106,7 +106,7 @@ bool touches_the_grids_end(const StripSystem& s) {
 
 /// A spot where the undeformed bodies overlap has its lowest point too high for a grid of that depth to give
 /// it strips.
-bool spot_above(const GapRows& rows, const GapMinimum& lowest, double depth, double approach) {
+bool spot_above(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth, double approach) {
   for (std::int32_t j = 1; j + 1 < rows.count; ++j) {
     const double height = rows.height[j] - lowest.height;
     const bool lower = rows.height[j] < rows.height[j - 1] && rows.height[j] <= rows.height[j + 1];
@@ -126,7 +126,7 @@ struct State {
 /// Iterates on a grid of `count` strips, from `start` if that has any, until less of the area moves than the
 /// tolerance. The grid is widened if contact reaches its end.
 void solve_on_grid(const NormalProblem& problem, const StripHalfspaceOptions& options,
-                   const InfluenceTables& influence, const GapMinimum& lowest, std::int32_t count,
+                   const InfluenceTables& influence, const patch::GapMinimum& lowest, std::int32_t count,
                    StripHalfspaceStart& start, StripSystem& s, State& state) {
   const double guess = state.approach;
   // Depth of the grid below the surface of first touch [m].
@@ -187,7 +187,7 @@ void remember(const StripSystem& s, StripHalfspaceStart& start) {
 }
 
 /// Cuts the strips in contact into the caller's strips; returns their load [N].
-double hand_out(StripSystem& s, std::int32_t count, Strips& strips) {
+double hand_out(StripSystem& s, std::int32_t count, patch::Strips& strips) {
   for (std::int32_t a = 0; a < s.active_count; ++a) {
     const std::int32_t j = s.active[a];
     // Moved to the front, in order: a <= j.
@@ -210,7 +210,8 @@ std::int64_t strip_halfspace_workspace(std::int32_t strips) noexcept { return st
 
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
                             const InfluenceTables& influence, NormalWorkspace& workspace,
-                            StripHalfspaceStart& start, Strips& strips, NormalSolution& solution) noexcept {
+                            StripHalfspaceStart& start, patch::Strips& strips,
+                            NormalSolution& solution) noexcept {
   solution = {};
   Fault fault = check_normal_problem(problem, strips);
   if (fault.status != WRC_OK) return fault;
@@ -218,8 +219,8 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
     return Fault::buffer("workspace", {workspace.bytes});
 
   // Lowest point, and the deepest approach the rows describe [m].
-  const GapRows& rows = problem.gap;
-  const GapMinimum lowest = minimum(rows);
+  const patch::GapRows& rows = problem.gap;
+  const patch::GapMinimum lowest = patch::minimum(rows);
   const double ceiling = deepest_approach(rows, lowest);
   const bool load = problem.prescribed == Prescribed::load;
   // First guess of the approach: prescribed, or that of an elastic foundation under the load.
@@ -228,7 +229,7 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   if (load)
     state.approach =
         foundation_approach(rows, lowest.height, problem.material.normal_compliance(), problem.normal_force,
-                            first_guess(problem, 0.5 * rows.curvature[lowest_row(rows)]));
+                            first_guess(problem, 0.5 * rows.curvature[patch::lowest_row(rows)]));
   StripSystem s = lay_out_strips(workspace.memory, problem.strips);
   const std::int32_t count = collocation_strips(problem.strips);
   if (start.count == 0 && count >= 2 * fewest_coarse_strips) {
@@ -262,10 +263,10 @@ Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOp
   // Peak, area and stiffness follow from the strips handed out.
   const bool at_edge = s.grid.at_edge && touches_the_grids_end(s);
   complete_solution(strips, lowest, at_edge, solution, fault);
-  solution.stiffness = punch_stiffness(state.stiffness, totals(strips));
+  solution.stiffness = punch_stiffness(state.stiffness, patch::totals(strips));
   if (!state.converged)
     keep_worst(fault, Fault::iteration_cap("config.planar.max_sweeps", {options.max_sweeps, "sweeps"}));
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

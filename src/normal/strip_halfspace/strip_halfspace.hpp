@@ -26,7 +26,7 @@
 #include "normal/elasticity/influence_tables.hpp"
 #include "normal/problem.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 struct StripHalfspaceOptions {
   std::int32_t max_sweeps = 16;  ///< iterations at most: config.planar.max_sweeps
@@ -58,6 +58,7 @@ struct StripHalfspaceStart {
 /// when max_sweeps ended it: the patch is then that of the last iteration, in equilibrium with the load.
 Fault solve_strip_halfspace(const NormalProblem& problem, const StripHalfspaceOptions& options,
                             const InfluenceTables& influence, NormalWorkspace& workspace,
-                            StripHalfspaceStart& start, Strips& strips, NormalSolution& solution) noexcept;
+                            StripHalfspaceStart& start, patch::Strips& strips,
+                            NormalSolution& solution) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -8,7 +8,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// A strip enters when the bodies would overlap by this part of the approach: rounding must not decide.
@@ -175,4 +175,4 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
   return approach;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

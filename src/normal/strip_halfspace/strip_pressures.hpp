@@ -6,7 +6,7 @@
 #include "normal/problem.hpp"
 #include "normal/strip_halfspace/strip_system.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Extent of the search for strips that overlap: a patch grows at its borders; other regions appear rarely,
 /// and are looked for when iterations begin and when they are about to end.
@@ -24,4 +24,4 @@ double solve_pressures(const NormalProblem& problem, const InfluenceTables& infl
 bool overlap_elsewhere(const NormalProblem& problem, const InfluenceTables& influence, double approach,
                        const StripSystem& s) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::normal

@@ -4,7 +4,7 @@
 
 #include "base/arena.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 namespace {
 
 /// Cuts the arrays for `capacity` strips, or counts them. Those of the sources begin with their empty strips.
@@ -48,4 +48,4 @@ std::int64_t strip_system_bytes(std::int32_t capacity) noexcept {
   return count.bytes();
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

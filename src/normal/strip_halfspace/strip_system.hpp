@@ -7,7 +7,7 @@
 #include "normal/strip_halfspace/collocation_grid.hpp"
 #include "patch/gap.hpp"
 
-namespace wrc {
+namespace wrc::normal {
 
 /// Strips first .. first + count - 1 of the grid.
 struct StripRange {
@@ -80,9 +80,9 @@ inline double height_at_centre(const StripSystem& s, std::int32_t j) noexcept {
 }
 
 /// Puts strip j at y, with the gap's row there.
-inline void put(GapReader& gap, double lowest_height, std::int32_t j, double y, double width,
+inline void put(patch::GapReader& gap, double lowest_height, std::int32_t j, double y, double width,
                 StripSystem& s) noexcept {
-  const GapRow row = gap.at(y);
+  const patch::GapRow row = gap.at(y);
   s.grid.y[j] = y;
   s.grid.width[j] = width;
   s.height[j] = row.height - lowest_height;
@@ -90,4 +90,4 @@ inline void put(GapReader& gap, double lowest_height, std::int32_t j, double y, 
   s.gap_centre[j] = row.centre;
 }
 
-}  // namespace wrc
+}  // namespace wrc::normal

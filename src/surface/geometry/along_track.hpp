@@ -13,7 +13,7 @@
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/varying_rail.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
 inline constexpr double least_curvature_left = 0.2;
@@ -109,4 +109,4 @@ void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, c
   o.curvature = o.curvature / smaller(larger(1.0 + bend, Number(least)), Number(most));
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

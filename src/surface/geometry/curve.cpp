@@ -5,7 +5,7 @@
 
 #include "base/natural_spline.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double nearest = 50e-6;         // [m] between points
@@ -106,4 +106,4 @@ Fault make_curve(std::int32_t points, const double* y, const double* z, const Cu
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -9,7 +9,7 @@
 #include "base/arena.hpp"
 #include "base/fault.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// View of the pieces; memory is the owner's. Piece k, from length s[k] to s[k + 1], is
 ///     y = y[0][k] + u (y[1][k] + u (y[2][k] + u y[3][k])),   u = s - s[k],
@@ -57,4 +57,4 @@ CurveArrays cut_curve(Arena& arena, std::int32_t points);
 Fault make_curve(std::int32_t points, const double* y, const double* z, const CurveArrays& arrays,
                  Curve& curve);
 
-}  // namespace wrc
+}  // namespace wrc::surface

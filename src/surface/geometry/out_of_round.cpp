@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t nodes = OutOfRound::nodes;
@@ -152,4 +152,4 @@ OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutO
   return wheel;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -20,7 +20,7 @@
 #include "base/number.hpp"
 #include "surface/geometry/varying_rail.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Deviations as given: row by row, at angles from 0 to 2 pi.
 struct RadiusTable {
@@ -99,4 +99,4 @@ Reach<Number> reach_at(const OutOfRound& wheel, const Number& y, const Number& a
   return {here.depth + part * (there.depth - here.depth), here.slope + part * (there.slope - here.slope)};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -9,7 +9,7 @@
 #include "base/number.hpp"
 #include "surface/geometry/overlap.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// e = R^T x_track over sqrt(e1^2 + e3^2).
 template <class Number>
@@ -161,4 +161,4 @@ WRC_IN_LOOP RayOverlap<Number> ray_overlap(const RelativePoseOf<OfPose>& pose, c
   return r;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

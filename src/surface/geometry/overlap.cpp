@@ -6,7 +6,7 @@
 #include "surface/geometry/outline.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Slope of a face that turns back, steeper than the outline in any pose.
@@ -90,4 +90,4 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   return o;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -26,7 +26,7 @@
 #include "surface/geometry/curve.hpp"
 #include "surface/geometry/rail_strips.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A wheel's profile: curve.y from the tape circle, curve.z below the axle: the radius [m]. Its knots, where
 /// pieces meet, in whole packs.
@@ -111,4 +111,4 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
                        const RelativePose& pose, double margin, const OverlapScratch& scratch,
                        const Overlaps& memory) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -1,6 +1,6 @@
 #include "surface/geometry/overlap_slopes.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// How far the end of a ray moves along the outline as the ray and the outline move: from miss(u) = 0, the
@@ -62,4 +62,4 @@ OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
   return s;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

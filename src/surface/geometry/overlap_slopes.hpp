@@ -5,7 +5,7 @@
 #include "base/dual.hpp"
 #include "surface/geometry/outline.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Motions of a wheel as a rail sees it: along rail y and z [m], about the x and z axes through its reference
 /// point [rad]. The turning about y follows from the axle's unit length, and about the axle nothing changes.
@@ -31,4 +31,4 @@ OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
 /// A pose that carries its derivatives by all PlaceInput.
 RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -11,7 +11,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A unit vector, track axes.
 template <class Number>
@@ -41,4 +41,4 @@ void turn_along_rail(const RailDirection<Number>& d, Number* v) {
   turn_into_track({d.x, -d.y, -d.z}, v);
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

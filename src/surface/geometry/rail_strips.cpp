@@ -6,7 +6,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Curvature is looked at over this length to both sides: roughness of measured points must not show in the
@@ -85,4 +85,4 @@ RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t m
   return strips;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -6,7 +6,7 @@
 
 #include "surface/geometry/curve.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A rail has at most so many faces that are cut on their own (varying_rail.hpp), and so many marks that pair
 /// its sections.
@@ -99,4 +99,4 @@ StripArrays cut_strips(Arena& arena, std::int32_t most);
 RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,
                     const StripArrays& arrays);
 
-}  // namespace wrc
+}  // namespace wrc::surface

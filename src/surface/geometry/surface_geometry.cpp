@@ -2,7 +2,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripArrays& arrays,
                  PlacedRail& rail) {
@@ -83,4 +83,4 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   return o;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

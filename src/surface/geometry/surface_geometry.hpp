@@ -7,7 +7,7 @@
 
 #include "surface/geometry/along_track.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// The surfaces of a wheel and a rail.
 struct SurfaceGeometry {
@@ -50,4 +50,4 @@ void follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const
   if (surfaces.out_of_round.rows > 0) follow_wheel(surfaces.out_of_round, pose, y, angle, o);
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -6,7 +6,7 @@
 #include "base/number.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double faces_apart = 1.0;          // [m] of arc length
@@ -374,4 +374,4 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
   return placed;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -25,7 +25,7 @@
 #include "kernels/kernels.hpp"
 #include "surface/geometry/rail_strips.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// One cross section, as given: right-hand, from its own origin, not canted.
 struct RailSection {
@@ -34,7 +34,7 @@ struct RailSection {
   std::int32_t face = 0;
   std::int32_t marks = 0;
   const double* mark = nullptr;  ///< y on its profile [m], increasing
-  Profile profile;
+  geometry::Profile profile;
 };
 
 struct RailFace {
@@ -162,4 +162,4 @@ void tangent_at(const VaryingRail& rail, const SectionBlend& b, std::int32_t str
   tz = dz * per_length;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
@@ -173,4 +173,4 @@ void solve_contact(const PressureProblem& problem, const StripSet& s, bool every
   // Rounds used up: strips may still pull. Their loads count as 0, and the next iteration goes on from there.
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

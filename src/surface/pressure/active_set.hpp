@@ -8,7 +8,7 @@
 
 #include "surface/pressure/pressure_scratch.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Solves the contact condition; starts from w.in_contact, leaves the strips in contact in w.active and their
 /// line loads in w.solution. No strip is active where none overlaps. `everywhere`: all strips may be
@@ -27,4 +27,4 @@ void forget_pairs(PressureScratch& w);
 /// Pairs of all strips with the active ones; kept from one iteration to the next.
 simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, PressureScratch& w);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -6,7 +6,7 @@
 #include "surface/pressure/active_set.hpp"
 #include "surface/pressure/smoothing.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Displacements at both edges of the active strips under their loads: w.u_leading, w.u_trailing [m].
@@ -97,4 +97,4 @@ void edge_residual(const PressureProblem& problem, const StripSet& s, PressureSc
     shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

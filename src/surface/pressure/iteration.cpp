@@ -7,7 +7,7 @@
 #include "surface/pressure/edge_condition.hpp"
 #include "surface/pressure/smoothing.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Preconditioner (precondition()). smooth_reach: over mean half length, the reach above which a residual is
@@ -291,4 +291,4 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, double toler
   return result;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -5,7 +5,7 @@
 #include "surface/pressure/pressure.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 inline constexpr double any_change = 1e300;  ///< for `farthest`
 
@@ -26,4 +26,4 @@ void precondition(const StripSet& s, double* step, PressureScratch& w);
 /// Makes `s` and `w` ready for evaluate(), as iterate() does.
 void begin_iterations(StripSet& s, PressureScratch& w);
 
-}  // namespace wrc
+}  // namespace wrc::surface

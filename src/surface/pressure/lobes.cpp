@@ -2,7 +2,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Valley over the higher hump below which two humps are apart, and above which they are one; valley over the
@@ -59,4 +59,4 @@ LobeCuts find_lobes(const double* place, const double* value, std::int32_t first
   return cuts;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -13,7 +13,7 @@
 #include <array>
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A valley.
 struct LobeCut {
@@ -51,4 +51,4 @@ void for_each_part(const LobeCuts& cuts, Take&& take) {
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -7,7 +7,7 @@
 #include "base/number.hpp"
 #include "surface/pressure/lobes.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t beyond = 3;  // rows added behind either end of a run, in which its patch ends
@@ -15,7 +15,7 @@ constexpr std::int32_t beyond = 3;  // rows added behind either end of a run, in
 struct Memory {
   double* place;                            ///< arc length of each candidate [m]
   double *y, *height, *centre, *curvature;  ///< rows of the gap
-  Strips strips;                            ///< the method's, of one patch
+  patch::Strips strips;                     ///< the method's, of one patch
 };
 
 Memory cut(Arena& arena, std::int32_t most, std::int32_t strips) {
@@ -41,7 +41,7 @@ struct Part {
 class Solver {
  public:
   Solver(const RailStrips& rail, const Overlaps& overlaps, const PlanarMethod& method,
-         const Material& material, const Kernels& kernels, Arena arena, const StripPressure& pressure)
+         const patch::Material& material, const Kernels& kernels, Arena arena, const StripPressure& pressure)
       : rail_(rail),
         overlaps_(overlaps),
         method_(method),
@@ -82,7 +82,7 @@ class Solver {
 
   /// Rows of the gap: the run, turned over and bent away beyond the part's borders, and a few rows that fall
   /// away behind it.
-  GapRows rows_of(const Run& run, const Part& part) {
+  patch::GapRows rows_of(const Run& run, const Part& part) {
     // Heights are negative overlaps [m].
     const std::int32_t n = run.end - run.first;
     double* const height = memory_.height + beyond;
@@ -119,18 +119,18 @@ class Solver {
 
   /// Lowest points of a patch as deep as its deepest but for 10 % of the overlap, and their weights.
   struct Points {
-    std::array<GapMinimum, most_points> of{};
+    std::array<patch::GapMinimum, most_points> of{};
     std::array<double, most_points> weight{};
     std::int32_t count = 0;
     double sum = 0.0;
   };
-  Points lowest_points(const GapRows& rows, double deepest) {
+  Points lowest_points(const patch::GapRows& rows, double deepest) {
     Points points;
     // Weights go to 0 at 90 % of the deepest overlap, smoothly: a lowest point comes and goes unnoticed.
     for (std::int32_t j = 1; j + 1 < rows.count; ++j) {
       const double* const h = rows.height + j;
       if (!(h[0] < h[-1] && h[0] <= h[1])) continue;
-      const GapMinimum point = minimum(rows, rows.y[j - 1], rows.y[j + 1]);
+      const patch::GapMinimum point = patch::minimum(rows, rows.y[j - 1], rows.y[j + 1]);
       const double t = smaller(10.0 * (-point.height / deepest - 0.9), 1.0);
       if (!(t > 0.0)) continue;
       if (points.count == most_points) {
@@ -147,11 +147,11 @@ class Solver {
 
   void solve_part(const Run& run, const Part& part) {
     // The patch as a problem over its unrolled plane, down to its deepest overlap.
-    NormalProblem problem;
+    normal::NormalProblem problem;
     problem.gap = rows_of(run, part);
-    const GapMinimum lowest = minimum(problem.gap);
+    const patch::GapMinimum lowest = patch::minimum(problem.gap);
     if (!(lowest.height < 0.0)) return;
-    problem.prescribed = Prescribed::approach;
+    problem.prescribed = normal::Prescribed::approach;
     problem.material = material_;
     problem.strips = method_.strips;
     problem.max_iterations = method_.max_iterations;
@@ -160,16 +160,16 @@ class Solver {
     // The method solves a patch about its lowest point; of several as deep the mean is taken.
     const Points points = lowest_points(problem.gap, -lowest.height);
     for (std::int32_t k = 0; k < points.count; ++k) {
-      const GapMinimum& touch = points.of[static_cast<std::size_t>(k)];
+      const patch::GapMinimum& touch = points.of[static_cast<std::size_t>(k)];
       problem.touch = &touch;
       problem.approach = -touch.height;
       solve_about(problem, run, part.share * points.weight[static_cast<std::size_t>(k)] / points.sum);
     }
   }
 
-  void solve_about(const NormalProblem& problem, const Run& run, double share) {
+  void solve_about(const normal::NormalProblem& problem, const Run& run, double share) {
     // A method that finds no contact about this point adds nothing, and nothing is wrong.
-    NormalSolution solution;
+    normal::NormalSolution solution;
     const Fault fault = method_.solve(problem, memory_.strips, solution);
     result_.iterations += static_cast<std::int32_t>(solution.iterations);
     if (fault.status == WRC_FLAG_NO_CONTACT) return;
@@ -180,7 +180,7 @@ class Solver {
   /// Lays the method's strips over the rail's: of each q = l peak [N/m] and l^2 by the part of a rail strip's
   /// width it covers, times `share`. Sums q c for the centres.
   void lay_over(const Run& run, double share) {
-    const Strips& patch = memory_.strips;
+    const patch::Strips& patch = memory_.strips;
     std::int32_t from = run.first;
     double lost = 0.0, all = 0.0;
     for (std::int32_t k = 0; k < patch.count; ++k) {
@@ -216,7 +216,7 @@ class Solver {
   const RailStrips& rail_;
   const Overlaps& overlaps_;
   const PlanarMethod& method_;
-  const Material& material_;
+  const patch::Material& material_;
   const Kernels& kernels_;
   const StripPressure& pressure_;
   Memory memory_;
@@ -232,10 +232,10 @@ std::int64_t planar_pressure_doubles(std::int32_t most, const PlanarMethod& meth
 }
 
 PlanarResult solve_planar_pressure(const RailStrips& rail, const Overlaps& overlaps,
-                                   const PlanarMethod& method, const Material& material,
+                                   const PlanarMethod& method, const patch::Material& material,
                                    const Kernels& kernels, double* workspace,
                                    const StripPressure& pressure) noexcept {
   return Solver(rail, overlaps, method, material, kernels, Arena(workspace), pressure).solve();
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

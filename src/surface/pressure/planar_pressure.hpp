@@ -26,10 +26,11 @@
 #include "surface/geometry/rail_strips.hpp"
 #include "surface/pressure/pressure.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 struct PlanarMethod {
-  Fault (*solve)(const NormalProblem& problem, Strips& strips, NormalSolution& solution) = nullptr;
+  Fault (*solve)(const normal::NormalProblem& problem, patch::Strips& strips,
+                 normal::NormalSolution& solution) = nullptr;
   std::int32_t strips = 0;  ///< to divide a patch into
   std::int32_t max_iterations = 0;
   double force_tolerance = 0.0;
@@ -49,8 +50,8 @@ std::int64_t planar_pressure_doubles(std::int32_t most, const PlanarMethod& meth
 
 /// Solves at the depths given; `overlaps` found with planar_margin.
 PlanarResult solve_planar_pressure(const RailStrips& rail, const Overlaps& overlaps,
-                                   const PlanarMethod& method, const Material& material,
+                                   const PlanarMethod& method, const patch::Material& material,
                                    const Kernels& kernels, double* workspace,
                                    const StripPressure& pressure) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

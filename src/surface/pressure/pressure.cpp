@@ -4,7 +4,7 @@
 #include "surface/pressure/pressure_scratch.hpp"
 #include "surface/pressure/start.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Part of the area that the first iteration from an earlier solution may move; beyond, the solve starts from
@@ -91,4 +91,4 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   return result;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -39,11 +39,11 @@
 #include "normal/elasticity/influence_tables.hpp"
 #include "surface/geometry/overlap.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Constants of a pair of bodies.
 struct PressureModel {
-  const InfluenceTables& influence;
+  const normal::InfluenceTables& influence;
   const Kernels& kernels;
   double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
 };
@@ -88,4 +88,4 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
                               const PressureOptions& options, double* workspace, PressureStart& start,
                               const StripPressure& pressure) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -7,7 +7,7 @@
 #include "surface/pressure/smoothing.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t inputs = place_inputs;
@@ -354,4 +354,4 @@ void differentiate_pressures(const PressureModel& model, double* workspace, cons
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

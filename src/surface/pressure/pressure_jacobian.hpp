@@ -24,7 +24,7 @@
 #include "surface/geometry/overlap_slopes.hpp"
 #include "surface/pressure/pressure.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Most strips in contact that are differentiated.
 inline constexpr std::int32_t most_differentiated_strips = 160;
@@ -43,4 +43,4 @@ std::int64_t pressure_jacobian_doubles(std::int32_t most);
 void differentiate_pressures(const PressureModel& model, double* workspace,
                              const PressedStrips& strips) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

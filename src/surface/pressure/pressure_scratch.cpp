@@ -1,6 +1,6 @@
 #include "surface/pressure/pressure_scratch.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   PressureScratch w;
@@ -33,4 +33,4 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   return w;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -24,7 +24,7 @@
 #include "kernels/kernels.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 inline constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
 
@@ -97,4 +97,4 @@ inline double overlap_at_centre(const StripSet& s, std::int32_t i) {
   return s.depth[i] - 0.5 * s.curvature[i] * s.shift[i] * s.shift[i];
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

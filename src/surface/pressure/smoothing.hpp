@@ -4,7 +4,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Least half length over a strip's width: a strip that enters has a place and no length.
 inline constexpr double least_half_length = 0.02;
@@ -35,4 +35,4 @@ inline double smoothing_weight(double t) {
   return near * near * near;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -2,7 +2,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double coarse_tolerance = 0.1;  ///< for the solution on pairs, part of the area
@@ -107,4 +107,4 @@ bool follow_overlaps(const Overlaps& o, const PressureStart& start, const StripS
   return moved <= farthest_followed * area;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

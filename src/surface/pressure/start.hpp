@@ -3,7 +3,7 @@
 
 #include "surface/pressure/iteration.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Start from the overlaps w.fine has, into its L and shift: of a solution on pairs of strips, which is half
 /// the resolution and a quarter of the work per iteration. Returns the iterations spent.
@@ -14,4 +14,4 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
 /// moved so little that this is a start.
 bool follow_overlaps(const Overlaps& overlaps, const PressureStart& start, const StripSet& s);
 
-}  // namespace wrc
+}  // namespace wrc::surface

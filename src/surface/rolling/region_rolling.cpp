@@ -11,7 +11,7 @@
 #include "patch/sdec.hpp"
 #include "surface/pressure/lobes.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double least_variance = 1e-12;        // [m^2]: of a load on one line
@@ -22,7 +22,7 @@ struct Scratch {
   double *load, *shares;      ///< part: load [N], friction over its mean [-]
   double *cold, *heat_share;  ///< part: coefficient of cold surfaces, and its share with heat [-]
   double* hot;                ///< coefficient of friction with heat [-], all strips
-  Strips strips;              ///< part: as the method sees them
+  patch::Strips strips;       ///< part: as the method sees them
   void* method;               ///< the method's own
 };
 
@@ -40,15 +40,15 @@ struct Means {
   double load = 0.0;   ///< [N]
   double place = 0.0;  ///< arc length [m]
   double along = 0.0;  ///< x [m]
-  Creepage creepage;
+  tangential::Creepage creepage;
   double friction = 0.0;  ///< [-]
-  Sdec shape;
+  patch::Sdec shape;
 };
 
 class Roller {
  public:
   Roller(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
-         const TangentialFields& fields, const SurfaceRollingForces& forces)
+         const tangential::TangentialFields& fields, const SurfaceRollingForces& forces)
       : in_(in), strips_(in.strips), method_(method), fields_(fields), forces_(forces) {
     Arena arena(workspace);
     scratch_ = cut(arena, strips_.count, method);
@@ -127,7 +127,7 @@ class Roller {
   /// shares of the friction.
   void fill_strips(std::int32_t first, std::int32_t end, const Means& m, double origin) {
     // The part's own strips: a width inside that carries the strip's load there.
-    Strips& strips = scratch_.strips;
+    patch::Strips& strips = scratch_.strips;
     strips.count = 0;
     for (std::int32_t j = first; j < end; ++j) {
       if (!(scratch_.load[j] > 0.0)) continue;
@@ -142,23 +142,23 @@ class Roller {
     contact_.friction = {m.friction, scratch_.shares};
     if (!method_.model.on_ellipse) return;
     // Methods on the equivalent ellipse get as many strips of that, with one coefficient of friction.
-    sdec_strips({m.shape.a, m.shape.b, 0.0}, 0.0, 0.0, m.load, strips.count, strips);
+    patch::sdec_strips({m.shape.a, m.shape.b, 0.0}, 0.0, 0.0, m.load, strips.count, strips);
     contact_.friction = {m.friction};
   }
 
   /// Solves the part by the method; with heat, as often as friction over temperature takes to settle.
-  TangentialForces solve() {
+  tangential::TangentialForces solve() {
     Fault fault;
-    TangentialForces found;
+    tangential::TangentialForces found;
     const auto once = [&] { found = method_.solve(contact_, fields_, fault, nullptr); };
     if (in_.heat) {
-      const Strips& region = contact_.region;
+      const patch::Strips& region = contact_.region;
       for (std::int32_t k = 0; k < region.count; ++k) scratch_.cold[k] = contact_.friction[k];
       const Fault unsettled =
-          solve_heated(*in_.heat, region, fields_, fields_.slip_x, scratch_.heat_share, [&] {
+          tangential::solve_heated(*in_.heat, region, fields_, fields_.slip_x, scratch_.heat_share, [&] {
             for (std::int32_t k = 0; k < region.count; ++k)
               scratch_.shares[k] = scratch_.cold[k] * scratch_.heat_share[k];
-            contact_.friction = shared_out(region, scratch_.shares);
+            contact_.friction = tangential::shared_out(region, scratch_.shares);
             once();
           });
       keep_worst(fault, unsettled);
@@ -183,10 +183,10 @@ class Roller {
     contact_.a = m.shape.a;
     contact_.b = m.shape.b;
     contact_.shape_number = m.shape.psi;
-    contact_.creepage = seen_from(origin, m.creepage);
+    contact_.creepage = tangential::seen_from(origin, m.creepage);
     contact_.normal_force = m.load;
-    TangentialForces found = solve();
-    refer_back(origin, found, nullptr);
+    tangential::TangentialForces found = solve();
+    tangential::refer_back(origin, found, nullptr);
     // Strips share force and moment by load. With heat a strip has the mean over its parts of their
     // coefficients; on the ellipse, whose strips are others, that of the whole part.
     std::int32_t k = 0;
@@ -205,10 +205,10 @@ class Roller {
   const RegionRollingInput& in_;
   const SurfaceRollingInput& strips_;
   const RegionRolling& method_;
-  const TangentialFields& fields_;
+  const tangential::TangentialFields& fields_;
   const SurfaceRollingForces& forces_;
   Scratch scratch_;
-  RollingContact contact_;
+  tangential::RollingContact contact_;
   Fault fault_;
 };
 
@@ -220,10 +220,10 @@ std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& meth
   return arena.doubles();
 }
 
-Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept {
+patch::Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept {
   // Skewness = psi (0.05 - psi^2 / 160) / (0.2 + 3/80 psi^2)^(3/2) grows with psi: Newton's method, whose
   // eight steps settle |psi| <= 0.95, of skewness up to 0.365.
-  Sdec shape;
+  patch::Sdec shape;
   const double spread = larger(variance, least_variance);
   const double skewness = third_moment / (spread * std::sqrt(spread));
   double psi = 0.0;
@@ -231,7 +231,7 @@ Sdec sdec_of_load(double mean_length_squared, double variance, double third_mome
     const double square = psi * psi, width = std::sqrt(0.2 + 0.0375 * square);
     const double off = psi * (0.05 - 0.00625 * square) - skewness * width * width * width;
     const double slope = 0.05 - 0.01875 * square - 0.1125 * skewness * width * psi;
-    psi = smaller(larger(psi - off / larger(slope, 0.01), -largest_psi), largest_psi);
+    psi = smaller(larger(psi - off / larger(slope, 0.01), -patch::largest_psi), patch::largest_psi);
   }
   shape.psi = psi;
   // a^2 = 5/4 <l^2>, b^2 = variance / (1/5 + 3/80 psi^2)
@@ -241,8 +241,9 @@ Sdec sdec_of_load(double mean_length_squared, double variance, double third_mome
 }
 
 Fault roll_by_region(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept {
+                     const tangential::TangentialFields& fields,
+                     const SurfaceRollingForces& forces) noexcept {
   return Roller(in, method, workspace, fields, forces).roll();
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -19,16 +19,17 @@
 #include "tangential/friction/heated_friction.hpp"
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 struct RegionRolling {
-  TangentialForces (*solve)(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
-                            TangentialSensitivities* sensitivities) = nullptr;
-  PatchModel model{};
-  TractionBound bound = TractionBound::parabolic;
-  FlexibilityForm form = FlexibilityForm::separate;
-  const SdecTable* linear_theory = nullptr;
-  const ForceTable* force_table = nullptr;
+  tangential::TangentialForces (*solve)(const tangential::RollingContact& contact,
+                                        const tangential::TangentialFields& fields, Fault& fault,
+                                        tangential::TangentialSensitivities* sensitivities) = nullptr;
+  tangential::PatchModel model{};
+  tangential::TractionBound bound = tangential::TractionBound::parabolic;
+  tangential::FlexibilityForm form = tangential::FlexibilityForm::separate;
+  const theory::SdecTable* linear_theory = nullptr;
+  const tangential::ForceTable* force_table = nullptr;
   std::int64_t workspace_bytes = 0;  ///< the method's working memory for as many strips as there may be
 };
 
@@ -36,9 +37,9 @@ struct RegionRolling {
 struct RegionRollingInput {
   const SurfaceRollingInput& strips;  ///< without its method, coefficients and curvatures
   const double* along;                ///< x of the strips' middles [m]
-  SlopeFall slope{};
+  tangential::SlopeFall slope{};
   double slope_reduction = 1.0;  ///< the factor that is in the shear modulus already [-]
-  HeatedFriction* heat =
+  tangential::HeatedFriction* heat =
       nullptr;            ///< friction over temperature; strips.friction is then that of cold surfaces
   double* hot = nullptr;  ///< with heat, result: coefficients of friction; may be strips.friction
 };
@@ -47,10 +48,10 @@ struct RegionRollingInput {
 std::int64_t region_rolling_doubles(std::int32_t most, const RegionRolling& method);
 
 /// The double ellipse of a load with these moments [m^2], [m^2], [m^3].
-Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept;
+patch::Sdec sdec_of_load(double mean_length_squared, double variance, double third_moment) noexcept;
 
 /// Rolls the strips forwards. `fields`: memory for as many strips, for methods that need it; not results.
 Fault roll_by_region(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
-                     const TangentialFields& fields, const SurfaceRollingForces& forces) noexcept;
+                     const tangential::TangentialFields& fields, const SurfaceRollingForces& forces) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

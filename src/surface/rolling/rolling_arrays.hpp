@@ -17,7 +17,7 @@
 #include "surface/rolling/surface_rolling.hpp"
 #include "tangential/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
 struct RollingMeans {
@@ -74,8 +74,8 @@ inline constexpr double least_strip_length = 1e-9;  ///< [m]: shorter strips car
 /// Those parts of a kernel's task that SurfaceMarchTask and SurfaceStripsTask have in common: the strips,
 /// their bounds and growths, and the arrays of results.
 template <class Task>
-Task surface_task(const SurfaceRollingInput& in, const RollingArrays& a, const TangentialFields& fields,
-                  const SurfaceRollingForces& forces) {
+Task surface_task(const SurfaceRollingInput& in, const RollingArrays& a,
+                  const tangential::TangentialFields& fields, const SurfaceRollingForces& forces) {
   Task task{};
   task.strips = in.count;
   task.cells = in.grid->cells;
@@ -102,8 +102,10 @@ SurfaceRollingTotals run(void (*kernel)(const Task&, simd::Sums&), const Task& t
 
 /// FASTSIM and FaStrip, from loads, coefficients and slips of the arrays (simplified_rolling.cpp).
 SurfaceRollingTotals roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& arrays,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces);
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces);
 SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& arrays,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces);
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces);
 
-}  // namespace wrc
+}  // namespace wrc::surface

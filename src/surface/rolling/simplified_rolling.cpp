@@ -14,28 +14,29 @@
 #include "tangential/methods/fastrip_strip.hpp"
 #include "tangential/methods/flexibility_form.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Slips that make tractions: along x the part that neighbours share, plus the local part times gain.
-Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::int32_t j) {
+tangential::Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays& a, std::int32_t j) {
   return {a.mean[RollingArrays::slip][j] + a.own[j], in.slip_y[j], in.spin[j]};
 }
 
 /// FASTSIM over all strips; `joint`: with the common flexibility in place of the separate ones.
 SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint,
-                           const TangentialFields& fields, const SurfaceRollingForces& forces) {
+                           const tangential::TangentialFields& fields, const SurfaceRollingForces& forces) {
   const double G = in.shear_modulus;
   const bool parabolic = in.parabolic && !joint;
   const double of_peak = parabolic ? 3.0 * pi / 8.0 : 1.0;  // parabola and semi-ellipse of one area
   for (std::int32_t j = 0; j < in.count; ++j) {
     // Flexibilities [m/Pa] as above. l13 plays no part: slip along x has the spin of each strip in it.
     const double l = std::max(in.half_length[j], least_strip_length);
-    const Creepage slips = slips_of(in, a, j);
-    Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]), 8.0 * l / (9.0 * G * a.c23[j])};
+    const tangential::Creepage slips = slips_of(in, a, j);
+    theory::Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]),
+                          8.0 * l / (9.0 * G * a.c23[j])};
     L.l13 = L.l11;
     if (joint) {
-      const double common = common_flexibility(L, l, l, 0.0, slips);
+      const double common = tangential::common_flexibility(L, l, l, 0.0, slips);
       L = {common, common, common, common};
     }
     // Growth of adhesion tractions (nu_x / L11, nu_y / L22 + phi x / L23) over bound / l, at the leading edge
@@ -62,32 +63,36 @@ SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a
 }  // namespace
 
 SurfaceRollingTotals roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces) {
   return march(in, a, false, fields, forces);
 }
 
 SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces) {
   constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
   // FASTSIM's tractions with the common flexibility: directions of slip, of strips that slip in part or as a
   // whole alike. roll_strip() reads them cell by cell where it then writes its own.
   march(in, a, true, {fields.traction_x, fields.traction_y, nullptr, nullptr}, forces);
-  const SlipDirections directions{fields.traction_x, fields.traction_y, fields.traction_x, fields.traction_y};
+  const tangential::SlipDirections directions{fields.traction_x, fields.traction_y, fields.traction_x,
+                                              fields.traction_y};
   const double G = in.shear_modulus;
-  RolledStrip total;
+  tangential::RolledStrip total;
   double balance = 0.0;  // power of the forces over the rolling speed [N]
   for (std::int32_t j = 0; j < in.count; ++j) {
     // closed form of the strip, about its own middle: growth of strip theory [Pa] against t' = mu p / l
     // [Pa/m]
     const double l = std::max(in.half_length[j], least_strip_length);
-    const Creepage slips = slips_of(in, a, j);
-    const StripGrowth growth{2.0 * G * a.c11[j] / (pi * pi) * slips.longitudinal, 0.0,
-                             2.0 * G * a.c22[j] / (pi * pi) * slips.lateral,
-                             3.0 * G * a.c23[j] / (2.0 * pi) * slips.spin, 1.0};
-    const StripSolution strip = solve_strip(growth, std::max(a.bound[j], least_stress) / l, 0.0, 0.0, l);
-    const Creepage rigid{in.slip_x[j], in.slip_y[j], in.spin[j]};
-    const RolledStrip rolled = roll_strip({l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid,
-                                          directions, in.count, j, fields);
+    const tangential::Creepage slips = slips_of(in, a, j);
+    const tangential::StripGrowth growth{2.0 * G * a.c11[j] / (pi * pi) * slips.longitudinal, 0.0,
+                                         2.0 * G * a.c22[j] / (pi * pi) * slips.lateral,
+                                         3.0 * G * a.c23[j] / (2.0 * pi) * slips.spin, 1.0};
+    const tangential::StripSolution strip =
+        tangential::solve_strip(growth, std::max(a.bound[j], least_stress) / l, 0.0, 0.0, l);
+    const tangential::Creepage rigid{in.slip_x[j], in.slip_y[j], in.spin[j]};
+    const tangential::RolledStrip rolled = tangential::roll_strip(
+        {l, in.width[j], 0.0, 0.0, a.bound[j], rigid}, strip, *in.grid, directions, in.count, j, fields);
     forces.fx[j] = rolled.fx;
     forces.fy[j] = rolled.fy;
     forces.mz[j] = rolled.mz;
@@ -97,8 +102,8 @@ SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const Rollin
   // Carter's form of slip, scaled to dissipate the power of forces and rigid slips
   balance = std::max(0.0, balance);
   const std::ptrdiff_t cells = static_cast<std::ptrdiff_t>(in.count) * in.grid->cells;
-  scale_slips(total.power > 0.0 ? balance / total.power : 0.0, cells, fields);
+  tangential::scale_slips(total.power > 0.0 ? balance / total.power : 0.0, cells, fields);
   return {balance, total.adhesion_fraction()};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -5,7 +5,7 @@
 
 #include "normal/elasticity/elliptic_integrals.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double narrowest = 0.05, widest = 60.0;  // a/b
@@ -24,12 +24,13 @@ double ratio_of(double m) {
 }  // namespace
 
 double hertz_relative_curvature(double ratio) {
-  if (ratio > 1.0) return 2.0 / ratio * complete_elliptic(1.0 / ratio).d;
-  const CompleteElliptic e = complete_elliptic(ratio);
+  if (ratio > 1.0) return 2.0 / ratio * normal::complete_elliptic(1.0 / ratio).d;
+  const normal::CompleteElliptic e = normal::complete_elliptic(ratio);
   return 2.0 * (e.k - e.d);
 }
 
-StripCoefficientTable::StripCoefficientTable(const KalkerTable& ellipse) : poisson_(ellipse.poisson()) {
+StripCoefficientTable::StripCoefficientTable(const theory::KalkerTable& ellipse)
+    : poisson_(ellipse.poisson()) {
   // Products with m, which hardly depend on it, and the slenderness, at the a/b that m stands for. Beyond the
   // ellipse's own tables its coefficients are asymptotes: no fault here.
   constexpr int steps = StripCoefficientNodes::steps, quantities = StripCoefficientNodes::quantities;
@@ -38,12 +39,12 @@ StripCoefficientTable::StripCoefficientTable(const KalkerTable& ellipse) : poiss
   for (int i = 0; i <= steps; ++i) {
     const double m = nodes_.low + i * nodes_.step, ratio = ratio_of(m);
     Fault beyond_the_tables;
-    const KalkerCoefficients c = ellipse.at(ratio, beyond_the_tables);
+    const theory::KalkerCoefficients c = ellipse.at(ratio, beyond_the_tables);
     auto& node = nodes_.node[i];
     node[0][0] = m * c.c11;
     node[1][0] = m * c.c22;
     node[2][0] = m * c.c23 / std::sqrt(ratio);
-    node[3][0] = ::wrc::slenderness(ratio);
+    node[3][0] = ::wrc::theory::slenderness(ratio);
   }
   // Slope at a node [per step]: that of the parabola through it and its neighbours, at an end of the table
   // through the last three nodes.
@@ -57,4 +58,4 @@ StripCoefficientTable::StripCoefficientTable(const KalkerTable& ellipse) : poiss
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

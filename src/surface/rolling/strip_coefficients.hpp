@@ -16,7 +16,7 @@
 #include "base/dual.hpp"
 #include "theory/kalker.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// m of Hertz's ellipse of the axis ratio a/b > 0:
 ///     m = 2 Int_0^{pi/2} cos^2 t / sqrt(cos^2 t + (a/b)^2 sin^2 t) dt.
@@ -77,7 +77,7 @@ StripCoefficientsOf<Number> coefficients_of(const Number (&product)[StripCoeffic
 class StripCoefficientTable {
  public:
   StripCoefficientTable() = default;
-  explicit StripCoefficientTable(const KalkerTable& ellipse);
+  explicit StripCoefficientTable(const theory::KalkerTable& ellipse);
 
   double poisson() const { return poisson_; }
   const StripCoefficientNodes& nodes() const { return nodes_; }
@@ -111,4 +111,4 @@ requires(n > 1) StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoeffici
   return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -9,7 +9,7 @@
 #include "patch/material.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
 
-namespace wrc::strip_numbers {
+namespace wrc::surface::strip_numbers {
 
 inline constexpr double least_limit2 = 1e-30;       // [-]: neither friction nor slips
 inline constexpr double least_variance = 1e-10;     // [m^2]: of the places of strips that have no neighbours
@@ -235,10 +235,11 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   // Flexibilities and turning as factors; at small slips those of creepages keep the forces of linear theory.
   constexpr int creepages[] = {SurfaceCalibration::flexibility_x, SurfaceCalibration::flexibility_y,
                                SurfaceCalibration::flexibility_spin_x};
-  for (const int quantity : creepages) fitted.of[quantity] = creepage_area * factor(fitted.of[quantity]);
+  for (const int quantity : creepages)
+    fitted.of[quantity] = tangential::creepage_area * tangential::factor(fitted.of[quantity]);
   fitted.of[SurfaceCalibration::flexibility_spin_y] =
-      factor(fitted.of[SurfaceCalibration::flexibility_spin_y]);
-  fitted.of[SurfaceCalibration::turning] = 1.4 * factor(fitted.of[SurfaceCalibration::turning]);
+      tangential::factor(fitted.of[SurfaceCalibration::flexibility_spin_y]);
+  fitted.of[SurfaceCalibration::turning] = 1.4 * tangential::factor(fitted.of[SurfaceCalibration::turning]);
   return fitted;
 }
 
@@ -294,7 +295,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     at.put(a.growth_x, stiff * c11 * (at.get(a.mean[slip]) / by_x + at.get(a.own) / by_spin_x));
     at.put(a.growth_y, stiff * c22 * slip_y / by_y);
     at.put(a.curvature, 16.0 / (3.0 * pi) * stiff * at.get(a.c23) * at.get(in.spin) * l / by_spin_y);
-    at.put(a.elastic, creepage_area * (soft_x - soft_y));
+    at.put(a.elastic, tangential::creepage_area * (soft_x - soft_y));
     at.put(a.turn_x, turning * soft_x);
     at.put(a.turn_y, turning * soft_y);
     at.put(a.edge_x, 2.0 * by_x * soft_x);
@@ -312,4 +313,4 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
   });
 }
 
-}  // namespace wrc::strip_numbers
+}  // namespace wrc::surface::strip_numbers

@@ -5,10 +5,10 @@
 
 #include "tangential/methods/saturation_terms.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 struct SurfaceCalibration {
-  using enum SaturationTerms::Term;
+  using enum tangential::SaturationTerms::Term;
   enum {
     unison_u = saturation_terms,  ///< u times the last of those
     spin_squared,                 ///< s^4 / Q^2
@@ -44,4 +44,4 @@ inline constexpr SurfaceCalibration fitted_surface_calibration = {{
 }};
 // clang-format on
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -5,11 +5,11 @@
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 SurfaceRollingTotals roll_by_strip_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
-                                           const TangentialFields& fields,
+                                           const tangential::TangentialFields& fields,
                                            const SurfaceRollingForces& forces) {
   auto task = surface_task<simd::SurfaceStripsTask>(in, a, fields, forces);
   task.inverse_weight = in.grid->inverse_weight;
@@ -38,7 +38,8 @@ std::size_t surface_rolling_workspace(std::int32_t capacity) {
 }
 
 SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* workspace,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces) {
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces) {
   Arena arena(workspace);
   const RollingArrays a = cut_rolling_arrays<double>(arena, in.count);
   const strip_numbers::Shared shared = strip_numbers::shared(in);
@@ -56,4 +57,4 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
   return roll_by_strip_fastsim(in, a, fields, forces);
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

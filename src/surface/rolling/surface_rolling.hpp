@@ -34,7 +34,7 @@
 #include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// How the strips are rolled. Every one takes the strips' own slips and coefficients.
 enum class SurfaceRollingMethod {
@@ -62,7 +62,7 @@ struct SurfaceRollingInputOf {
   double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
   const StripCoefficientTable* coefficients = nullptr;  ///< table of the bodies' Poisson ratio
-  const MarchGrid* grid = nullptr;                      ///< cells along each strip
+  const tangential::MarchGrid* grid = nullptr;          ///< cells along each strip
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
   bool parabolic = false;  ///< bound of FASTSIM
   const SurfaceCalibration* calibration = &fitted_surface_calibration;
@@ -90,6 +90,7 @@ std::size_t surface_rolling_workspace(std::int32_t capacity);
 /// (tangential/problem.hpp), or null pointers. Real-time: no memory but `workspace`, work proportional to
 /// strips times cells. Finite input within the stated ranges gives finite results.
 SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& input, void* workspace,
-                                     const TangentialFields& fields, const SurfaceRollingForces& forces);
+                                     const tangential::TangentialFields& fields,
+                                     const SurfaceRollingForces& forces);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -33,7 +33,7 @@ WRC_IN_LOOP void two_by_two(std::int32_t from, std::int32_t end, const Take& tak
 /// SurfaceKernels::pairs.
 inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& columns,
                           const SurfacePairs& pairs) {
-  constexpr double origin = InfluenceTables::line_rows.origin();
+  constexpr double origin = normal::InfluenceTables::line_rows.origin();
   // A vector may begin at any column: behind the last a vector of zeros, pairs without effect.
   for (std::int32_t first = 0; first < columns.count + native_lanes - 1; first += native_lanes) {
     if (first >= columns.count) {

@@ -49,7 +49,7 @@ template <int lowest_exponent, int octaves, int bits_per_octave>
 Pack fraction_slope(Pack x) {
   // An octave is divided evenly: the fraction grows by 2^bits intervals over the octave's width, which is the
   // power of two in the exponent's bits of x.
-  constexpr OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
+  constexpr normal::OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
   constexpr double low = axis.node(0), high = axis.node(axis.intervals());
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
   const Mask inside = (x >= low) & (x < high);
@@ -59,7 +59,7 @@ Pack fraction_slope(Pack x) {
 
 /// read() of line_tables.hpp.
 inline Sloped read_sloped(const double* table, const Sloped& tau) {
-  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours value = pick(table, indices(place.interval));
   // Linear between two nodes: the rise times the slope of the fraction is the derivative.
@@ -70,7 +70,7 @@ inline Sloped read_sloped(const double* table, const Sloped& tau) {
 
 /// read_middle_plane() of the same.
 inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sloped& tau) {
-  constexpr OctaveAxis axis = InfluenceTables::distance_axis;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours twins = pick(tables.on_middle_plane, indices(place.interval));
   const Pack slope = fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
@@ -86,13 +86,15 @@ inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sl
 /// influence_kernel.hpp.
 inline Sloped row_place(Pack distance, Pack inverse_length) {
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
-  constexpr double origin = InfluenceTables::line_rows.origin(), last = InfluenceTables::line_rows.last();
+  constexpr double origin = normal::InfluenceTables::line_rows.origin(),
+                   last = normal::InfluenceTables::line_rows.last();
   // Derivative of the axis's polynomial in 1 / l at the octave's own t; 1 / l is 0 behind the last source.
   const Mask some = inverse_length > 0.0;
   const Pack inverse = select(some, inverse_length, 1.0);
   const Pack t = octaves_of(inverse).within, octave = pack_of(bits_of(inverse) & exponent);
-  const Pack slope = (LogAxis::first + t * (2.0 * LogAxis::second +
-                                            t * (3.0 * LogAxis::third + t * (4.0 * LogAxis::fourth)))) /
+  const Pack slope = (normal::LogAxis::first +
+                      t * (2.0 * normal::LogAxis::second +
+                           t * (3.0 * normal::LogAxis::third + t * (4.0 * normal::LogAxis::fourth)))) /
                      octave;
   // By l, with d(1/l)/dl = -1/l^2; outside the table's rows the place is held and does not change.
   const Pack place = place_from_one(distance) + origin + place_from_one(inverse);
@@ -102,7 +104,7 @@ inline Sloped row_place(Pack distance, Pack inverse_length) {
 
 /// line_potential_at() of the same, xi >= 0.
 inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const Sloped& xi) {
-  constexpr OctaveAxis axis = InfluenceTables::from_end;
+  constexpr normal::OctaveAxis axis = normal::InfluenceTables::from_end;
   constexpr double least = axis.node(0);
   // Bilinear in (row, from_end = xi - 1); the axis of columns is of |xi - 1| + least, hence the sign.
   const LineRows rows = line_rows_at(row.v);

@@ -10,15 +10,15 @@ namespace {
 
 /// SurfaceKernels::outline.
 inline void outline_kernel(const OutlineTask& task) {
-  const WheelCurve& wheel = *task.wheel;
+  const surface::WheelCurve& wheel = *task.wheel;
   for (std::int32_t k = 0; k < wheel.knots; k += lanes) {
     const Pack slope = load_pack(wheel.knot_slope + k);
-    const OutlinePlace<Pack> o = outline_place<Pack>(*task.pose, task.attitude, load_pack(wheel.knot_y + k),
-                                                     load_pack(wheel.knot_radius + k), slope);
+    const surface::OutlinePlace<Pack> o = surface::outline_place<Pack>(
+        *task.pose, task.attitude, load_pack(wheel.knot_y + k), load_pack(wheel.knot_radius + k), slope);
     store_pack(task.scratch->y + k, o.y + task.pose->y);
     store_pack(task.scratch->z + k, o.z + task.pose->z);
     // theta exists where |e2 r' / Y'| stays well below 1, and the face does not turn back
-    const Mask seen = (magnitude(task.attitude.e2 * slope) < steepest_sine) & (slope < 1e200);
+    const Mask seen = (magnitude(task.attitude.e2 * slope) < surface::steepest_sine) & (slope < 1e200);
     store_pack(task.scratch->seen + k, select(seen, 1.0, 0.0));
   }
 }
@@ -63,16 +63,16 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
   constexpr double nowhere = -1.0;     // [m]
   constexpr double rounding = 1e-9;    // [m]
   constexpr double pressed_in = 4e-3;  // [m]: deeper than any overlap that is solved, and a piece's length
-  const RailStrips& rail = *task.rail;
-  const OverlapScratch scratch = *task.scratch;
+  const surface::RailStrips& rail = *task.rail;
+  const surface::OverlapScratch scratch = *task.scratch;
   const std::int32_t knots = task.wheel->knots;
   for (std::int32_t j = 0; j < rail.count; j += lanes)
     store(nowhere, scratch.overlap + j, rail.count - j < lanes ? rail.count - j : lanes);
   // Each range is walked on its own. Knots near it lie below its top and between its sides, by the margin.
   std::int32_t lowest = rail.count, highest = -1;
-  const double least = -margin - chord_sagitta - rounding;
+  const double least = -margin - surface::chord_sagitta - rounding;
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
-    const FaceStrips& range = rail.range[r];
+    const surface::FaceStrips& range = rail.range[r];
     const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
     const double left = range.leftmost - beside, right = range.rightmost + beside;
     RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};
@@ -132,11 +132,11 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
 }
 
 /// Pieces of the wheel's curve, one per lane.
-struct Pieces : PieceOf<Pack> {
+struct Pieces : surface::PieceOf<Pack> {
   Pack length;  ///< [m]
 };
 
-inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) {
+inline Pieces pieces_of(const surface::Curve& curve, const std::int32_t (&piece)[lanes]) {
   // rays of neighbouring strips may end on different pieces: gathered one by one
   double y[4][lanes], z[4][lanes], length[lanes];
   for (std::int32_t i = 0; i < lanes; ++i) {
@@ -157,9 +157,9 @@ inline Pieces pieces_of(const Curve& curve, const std::int32_t (&piece)[lanes]) 
 }
 
 /// SurfaceKernels::follow_rays. Newton's method within the piece whose chord the ray crosses.
-inline void follow_rays_kernel(const OutlineTask& task, const Overlaps& overlaps) {
+inline void follow_rays_kernel(const OutlineTask& task, const surface::Overlaps& overlaps) {
   constexpr int steps = 4;
-  const RailStrips& rail = *task.rail;
+  const surface::RailStrips& rail = *task.rail;
   for (std::int32_t first = 0; first < overlaps.count; first += lanes) {
     const std::int32_t count = overlaps.count - first < lanes ? overlaps.count - first : lanes;
     std::int32_t piece[lanes];
@@ -175,25 +175,27 @@ inline void follow_rays_kernel(const OutlineTask& task, const Overlaps& overlaps
     }
     const Pieces c = pieces_of(task.wheel->curve, piece);
     // the rays, from the wheel's reference point
-    const StripRay<Pack> ray{load_pack(y) - task.pose->y, load_pack(z) - task.pose->z, load_pack(ty),
-                             load_pack(tz)};
+    const surface::StripRay<Pack> ray{load_pack(y) - task.pose->y, load_pack(z) - task.pose->z, load_pack(ty),
+                                      load_pack(tz)};
 
     // Newton's step miss / (d miss / du), held within the piece; none where the outline runs along the ray.
     Pack u = load_pack(part) * c.length;
     for (int n = 0; n < steps; ++n) {
-      const OnProfile<Pack> p = on_profile(c, u);
-      const OutlinePlace<Pack> o = outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
-      const OutlineSlope<Pack> by_u = outline_slope(*task.pose, task.attitude, p, o);
+      const surface::OnProfile<Pack> p = surface::on_profile(c, u);
+      const surface::OutlinePlace<Pack> o =
+          surface::outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
+      const surface::OutlineSlope<Pack> by_u = surface::outline_slope(*task.pose, task.attitude, p, o);
       const Pack slope = by_u.y * ray.ty + by_u.z * ray.tz;
       const Mask steep = magnitude(slope) > 0.02;
-      const Pack step = select(steep, ray_miss(ray, o) / select(steep, slope, 1.0), 0.0);
+      const Pack step = select(steep, surface::ray_miss(ray, o) / select(steep, slope, 1.0), 0.0);
       u = smaller(larger(u - step, 0.0), c.length);
     }
 
-    const OnProfile<Pack> p = on_profile(c, u);
-    const OutlinePlace<Pack> place = outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
-    const RayOverlap<Pack> found = ray_overlap(*task.pose, ray, p, place);
-    const StripOverlap<Pack>& o = found.strip;
+    const surface::OnProfile<Pack> p = surface::on_profile(c, u);
+    const surface::OutlinePlace<Pack> place =
+        surface::outline_place(*task.pose, task.attitude, p.y, p.radius, p.slope);
+    const surface::RayOverlap<Pack> found = surface::ray_overlap(*task.pose, ray, p, place);
+    const surface::StripOverlap<Pack>& o = found.strip;
     // A wheel that looks away from the rail, or is hollow along x, has no overlap.
     const Mask faces = (found.facing > 0.2) & (o.curvature > 0.01);
     store(select(faces, o.depth, -1.0), overlaps.depth + first, count);

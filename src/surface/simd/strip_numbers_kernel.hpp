@@ -24,31 +24,32 @@ struct StripLanes {
   static bool positive(double x) { return x > 0.0; }
 };
 
-inline StripCoefficientsOf<Pack> coefficients_at(const StripCoefficientNodes& table, const Pack& m) {
+inline surface::StripCoefficientsOf<Pack> coefficients_at(const surface::StripCoefficientNodes& table,
+                                                          const Pack& m) {
   // Each lane reads its own step of the table: indices of the products at the node, one column after another.
-  constexpr int quantities = StripCoefficientNodes::quantities;
-  const PlaceInTable<Pack> place(table, m);
-  const Pack node = smaller(whole_part(place.inside), StripCoefficientNodes::steps - 1.0);
+  constexpr int quantities = surface::StripCoefficientNodes::quantities;
+  const surface::PlaceInTable<Pack> place(table, m);
+  const Pack node = smaller(whole_part(place.inside), surface::StripCoefficientNodes::steps - 1.0);
   const Pack t = place.inside - node;
   const double* const nodes = table.node[0][0];
   const Indices at = indices(2.0 * quantities * node);
   Pack product[quantities];
   for (int k = 0; k < quantities; ++k) {
     const Neighbours first = pick(nodes + 2 * k, at), second = pick(nodes + 2 * (quantities + k), at);
-    product[k] = between_nodes(first.at, first.behind, second.at, second.behind, t, place.beyond);
+    product[k] = surface::between_nodes(first.at, first.behind, second.at, second.behind, t, place.beyond);
   }
-  return coefficients_of(product, m);
+  return surface::coefficients_of(product, m);
 }
 
 /// SurfaceKernels::strip_numbers.
 inline void strip_numbers_kernel(const StripNumbersTask& task) {
   // Loads and their means' equations, coefficients and means; the numbers of the march where it is strip
   // FASTSIM's.
-  const SurfaceRollingInput& in = *task.in;
-  const RollingArrays& a = *task.arrays;
-  strip_numbers::link<StripLanes>(in, a);
-  strip_numbers::linear_theory<StripLanes>(in, *task.shared, a);
-  if (task.for_strip_fastsim) strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
+  const surface::SurfaceRollingInput& in = *task.in;
+  const surface::RollingArrays& a = *task.arrays;
+  surface::strip_numbers::link<StripLanes>(in, a);
+  surface::strip_numbers::linear_theory<StripLanes>(in, *task.shared, a);
+  if (task.for_strip_fastsim) surface::strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "normal/simd/tasks.hpp"
 #include "surface/geometry/outline.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 template <class Number>
 struct SurfaceRollingInputOf;
@@ -17,7 +17,7 @@ namespace strip_numbers {
 struct Shared;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface
 
 namespace wrc::simd {
 
@@ -130,18 +130,18 @@ struct SectionStripsTask {
 
 /// A wheel's outline, and the strips whose rays it may cross.
 struct OutlineTask {
-  const RailStrips* rail;
-  const WheelCurve* wheel;
-  const RelativePose* pose;
-  OutlineAttitude attitude;
-  const OverlapScratch* scratch;
+  const surface::RailStrips* rail;
+  const surface::WheelCurve* wheel;
+  const surface::RelativePose* pose;
+  surface::OutlineAttitude attitude;
+  const surface::OverlapScratch* scratch;
 };
 
 /// The numbers of strips that roll (surface/rolling/strip_numbers.hpp).
 struct StripNumbersTask {
-  const SurfaceRollingInputOf<double>* in;
-  const strip_numbers::Shared* shared;
-  const RollingArraysOf<double>* arrays;
+  const surface::SurfaceRollingInputOf<double>* in;
+  const surface::strip_numbers::Shared* shared;
+  const surface::RollingArraysOf<double>* arrays;
   bool for_strip_fastsim;  ///< its arrays, too
 };
 

@@ -13,7 +13,7 @@
 #include "surface/wrench/strip_mechanics.hpp"
 #include "surface/wrench/strip_rolling.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Is a strip the first or the last of its surface?
@@ -144,7 +144,7 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
     const StripMotion<double> m = motion_at(s.motion.velocity, strip_of(o, i), x, o.grade != nullptr);
 
     // p0 = lambda l = q / l and N = pi/2 w l p0, both times the damping factor
-    const double damped = damping_factor(m.approach, problem.in.damping);
+    const double damped = normal::damping_factor(m.approach, problem.in.damping);
     const double peak = damped * p.line_load[i] / l, N = 0.5 * pi * rail.width[j] * l * peak;
     if (!(N > 0.0)) continue;  // a region damped to nothing would have no middle
 
@@ -214,7 +214,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
 
   // slips are velocities over the speed of rolling, bounded below near standstill
   s.sums.rolling_speed = rolling_speed_of(s.motion, sums);
-  const RollingReference reference = rolling_reference(s.sums.rolling_speed);
+  const geometry::RollingReference reference = geometry::rolling_reference(s.sums.rolling_speed);
   const bool backwards = s.sums.rolling_speed < 0.0;
   s.sums.backwards = backwards ? 1.0 : 0.0;
   s.sums.speed = reference.divisor;
@@ -285,4 +285,4 @@ Fault solve_given_height(const HeightSolver& solver) {
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -3,7 +3,7 @@
 
 #include "surface/wrench/wheel_solution.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Solves at heights: the problem, where the normal problem starts, and where results go. A solve replaces
 /// the solution and the wrench as a whole, but for the iterations, which add up.
@@ -24,4 +24,4 @@ Fault solve_given_height(const HeightSolver& solver);
 /// Does a fault of a solve say that the bodies are apart, and not that the wheel is inside the rail?
 bool is_apart(const Fault& fault);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -5,7 +5,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// The distance that the wheel falls until it touches the nearest strip [m], by the strips' tangents; at most
@@ -101,4 +101,4 @@ double height_at_border(const WheelProblem& problem, double height, RelativeMoti
   return height;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

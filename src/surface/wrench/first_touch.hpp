@@ -3,7 +3,7 @@
 
 #include "surface/wrench/wheel_solution.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Overlaps are solved up to this deep [m]: several meganewtons, beyond any steel.
 inline constexpr double deepest_overlap = 2e-3;
@@ -21,4 +21,4 @@ double clearance(const WheelProblem& problem, Arena scratch);
 double height_at_border(const WheelProblem& problem, double height, RelativeMotion& motion,
                         WheelOverlaps& overlaps);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -9,7 +9,7 @@
 #include "surface/wrench/height_search.hpp"
 #include "surface/wrench/strip_friction.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
@@ -257,4 +257,4 @@ Fault solve_given_load(const HeightSolver& solver, double guess) {
   return solve_on_first_branch(solver, sample_descent(solver), searched, found);
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -3,7 +3,7 @@
 
 #include "surface/wrench/at_height.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Approach at which a wheel usually carries a load [m], [N]: the middle of random poses of several pairs of
 /// profiles.
@@ -18,4 +18,4 @@ double usual_approach(double load);
 /// that begins at first touch, in which the former goes over without a jump as the load grows.
 Fault solve_given_load(const HeightSolver& solver, double guess);
 
-}  // namespace wrc
+}  // namespace wrc::surface

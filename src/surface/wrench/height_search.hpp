@@ -9,7 +9,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Load to the power 2/3: in Hertz's contact in proportion to the approach [N^(2/3)].
 inline double straightened(double load) {
@@ -79,4 +79,4 @@ class HeightSearch {
   std::int32_t slow_ = 0;  ///< steps in a row that brought little
 };
 
-}  // namespace wrc
+}  // namespace wrc::surface

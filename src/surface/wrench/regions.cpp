@@ -7,7 +7,7 @@
 #include "base/number.hpp"
 #include "surface/wrench/strip_mechanics.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 double strip_power(const ContactArrays& strips, std::int32_t k, double speed) {
   return -speed *
@@ -119,4 +119,4 @@ Fault sum_regions(const WheelOnRail& in, const WheelSolution& s, Wrench& out) {
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

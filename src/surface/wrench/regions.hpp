@@ -3,7 +3,7 @@
 
 #include "surface/wrench/wheel_solution.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Frictional power of the k-th strip in contact [W], slips over `speed` [m/s].
 double strip_power(const ContactArrays& strips, std::int32_t k, double speed);
@@ -12,4 +12,4 @@ double strip_power(const ContactArrays& strips, std::int32_t k, double speed);
 /// strips side by side; the last of those listed takes all that follow.
 Fault sum_regions(const WheelOnRail& in, const WheelSolution& solution, Wrench& out);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -17,7 +17,7 @@
 #include "surface/geometry/varying_rail.hpp"
 #include "surface/surface_model.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// A wheel as a rigid body. The reference point is where the plane of the tape circle meets the axle.
 template <class Number>
@@ -144,4 +144,4 @@ RelativeMotionOf<Number> relative_motion(const SurfaceModel& model, const WheelM
   return m;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -3,7 +3,7 @@
 
 #include "surface/wrench/wheel_solution.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// The law's coefficient of overlap i at rest, a mean over its width on the profile that zones lie on, and
 /// its derivative by the strip's place on the wheel's profile [1/m].
@@ -14,10 +14,11 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& ove
 
 /// The law's factor of the sliding speed of the k-th strip in contact: the root mean square of its rigid slip
 /// times `speed`, the divisor of slips [m/s] (tangential/friction/friction.hpp).
-double strip_speed_factor(const FrictionLaw& law, const ContactArrays& strips, std::int32_t k, double speed);
+double strip_speed_factor(const tangential::FrictionLaw& law, const ContactArrays& strips, std::int32_t k,
+                          double speed);
 
 /// Fills the coefficients of cold strips: over their widths, at their sliding speeds.
 void set_cold_friction(const WheelProblem& problem, const Overlaps& overlaps, double speed,
                        const ContactStrips& strips);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -14,7 +14,7 @@
 #include "surface/geometry/overlap.hpp"
 #include "surface/wrench/relative_motion.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Velocities of the wheel over the rail at a strip: along x, along its lateral axis, towards the rail [m/s],
 /// and the spin about its normal [rad/s].
@@ -63,4 +63,4 @@ void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, cons
   moment[2] += x * Fy - o.wy * Fx + mz * o.nz;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -6,7 +6,7 @@
 
 #include "surface/surface_model.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// One column per quantity, each strip in its own axes, of right-hand bodies. Column: memory, or a pointer to
 /// it.
@@ -73,4 +73,4 @@ struct StripFields {
   double* of_strips = nullptr;                          ///< scratch: a number for each strip
 };
 
-}  // namespace wrc
+}  // namespace wrc::surface

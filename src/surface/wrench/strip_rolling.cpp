@@ -4,14 +4,14 @@
 
 #include "surface/wrench/strip_friction.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Tractions by the model's method; `heat`: of methods that roll by region, to which the strips' friction is
 /// cold, and hot afterwards.
 Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
-                    bool backwards, const RollingScratch& scratch, const TangentialFields& fields,
-                    SurfaceRollingForces forces, HeatedFriction* heat) {
+                    bool backwards, const RollingScratch& scratch, const tangential::TangentialFields& fields,
+                    SurfaceRollingForces forces, tangential::HeatedFriction* heat) {
   const SurfaceMethods& methods = model.methods;
   const std::int32_t count = strips.count;
   auto rolls = rolling_input<double>(model, in, strips);
@@ -54,21 +54,21 @@ bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in) {
 }
 
 Fault solve_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
-                      bool backwards, const RollingScratch& scratch, const TangentialFields& fields,
-                      const SurfaceRollingForces& forces) {
+                      bool backwards, const RollingScratch& scratch,
+                      const tangential::TangentialFields& fields, const SurfaceRollingForces& forces) {
   return solve_one_way(model, in, strips, backwards, scratch, fields, forces, nullptr);
 }
 
 Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
                              bool backwards, double speed, const RollingScratch& scratch,
                              const SurfaceRollingForces& forces, int more) {
-  HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
+  tangential::HeatedFriction heat(*in.law, model.effusivities, model.grid->cells, speed);
   const double* const cold = scratch.cold_friction;
   if (rolls_by_region(model, in)) {  // the method itself iterates, patch by patch
     std::copy_n(cold, strips.count, strips.friction);
     return solve_one_way(model, in, strips, backwards, scratch, {}, forces, &heat);
   }
-  Strips lengths;
+  patch::Strips lengths;
   lengths.count = strips.count;
   lengths.half_length = strips.half_length;
 
@@ -78,8 +78,8 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
     for (std::int32_t k = 0; k < strips.count; ++k) strips.friction[k] = cold[k] * scratch.heat_share[k];
     keep_worst(fault, solve_tractions(model, in, strips, backwards, scratch, scratch.fields, forces));
   };
-  const Fault unsettled =
-      solve_heated(heat, lengths, scratch.fields, scratch.fields.slip_x, scratch.heat_share, solve, more);
+  const Fault unsettled = tangential::solve_heated(heat, lengths, scratch.fields, scratch.fields.slip_x,
+                                                   scratch.heat_share, solve, more);
   keep_worst(fault, unsettled);
   return fault;
 }
@@ -113,4 +113,4 @@ Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const C
   return fault;
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

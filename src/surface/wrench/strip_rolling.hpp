@@ -4,7 +4,7 @@
 #include "surface/wrench/wheel_solution.hpp"
 #include "tangential/friction/heated_friction.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Input of rolling: the arrays of these names in `strips` but for the peaks, and the model's numbers.
 template <class Number, class Strips>
@@ -38,8 +38,8 @@ bool rolls_by_region(const SurfaceModel& model, const WheelOnRail& in);
 
 /// Tractions of the strips, cold. `fields`: over the cells, or without pointers.
 Fault solve_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
-                      bool backwards, const RollingScratch& scratch, const TangentialFields& fields,
-                      const SurfaceRollingForces& forces);
+                      bool backwards, const RollingScratch& scratch,
+                      const tangential::TangentialFields& fields, const SurfaceRollingForces& forces);
 
 /// The same under friction over temperature, `speed` that of rolling [m/s], from scratch.cold_friction;
 /// leaves the hot coefficients in the strips. `more`: number of further fixed-point iterations, from
@@ -53,4 +53,4 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
 Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
                   bool backwards, double speed, double reverse_share, Arena arena);
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -8,7 +8,7 @@
 #include "surface/wrench/regions.hpp"
 #include "surface/wrench/strip_rolling.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 /// Completes the results of the strips, of which a solve leaves slips, friction and forces there.
@@ -43,8 +43,8 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
 }
 
 /// Slips of strips without friction: nothing holds the rigid slip (xi_x, xi_y + phi x) back.
-void fill_free_slips(const MarchGrid& grid, const ContactStrips& strips, bool backwards,
-                     const TangentialFields& f) {
+void fill_free_slips(const tangential::MarchGrid& grid, const ContactStrips& strips, bool backwards,
+                     const tangential::TangentialFields& f) {
   const double ahead = backwards ? -1.0 : 1.0;
   for (std::int32_t i = 0; i < grid.cells; ++i)
     for (std::int32_t k = 0; k < strips.count; ++k) {
@@ -111,7 +111,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
                              std::int32_t count, void* workspace) noexcept {
   Arena arena(workspace);
   const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
-  const TangentialFields& f = scratch.fields;
+  const tangential::TangentialFields& f = scratch.fields;
   ContactStrips strips;
   static_cast<ContactArrays&>(strips) = ContactArrays(results, first);
   strips.count = count;
@@ -135,4 +135,4 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
   return {count, cells, f.traction_x, f.traction_y, f.slip_x, f.slip_y, scratch.other_fx};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -23,7 +23,7 @@
 #include "tangential/friction/friction.hpp"
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// The problem: bodies as placed, friction and load.
 struct WheelOnRail {
@@ -33,16 +33,16 @@ struct WheelOnRail {
       false;  ///< then `vertical_load` is given, and position[2] is read as a first guess alone
   double vertical_load = 0.0;  ///< the whole vertical force on the wheel, upwards positive [N]
   double friction = 0.3;       ///< coefficient; 0: frictionless
-  const FrictionLaw* law =
+  const tangential::FrictionLaw* law =
       nullptr;                  ///< in place of the coefficient: over a profile's y and the sliding speed
   bool zones_on_wheel = false;  ///< the law's zones lie on the wheel's profile, not on the rail's
   double distance =
       0.0;  ///< place of the wheel's reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;  ///< turn of the wheel about its axle, right-hand rule [rad]
   double slope_reduction =
-      1.0;               ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
-  SlopeFall slope;       ///< its fall as slip grows
-  double damping = 0.0;  ///< Hunt and Crossley [s/m]
+      1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
+  tangential::SlopeFall slope;  ///< its fall as slip grows
+  double damping = 0.0;         ///< Hunt and Crossley [s/m]
 };
 
 /// The motion with the wheel's reference point at this height [m].
@@ -116,4 +116,4 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, b
 StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, std::int32_t first,
                              std::int32_t count, void* workspace) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

@@ -7,7 +7,7 @@
 #include "surface/simd/tasks.hpp"
 #include "surface/wrench/wrench_jacobian.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t most = most_overlapping_strips;
@@ -67,4 +67,4 @@ std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
   return std::max({overlaps.bytes(), pressure.bytes(), rolling.bytes(), jacobian.bytes()});
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

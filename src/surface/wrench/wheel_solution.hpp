@@ -14,7 +14,7 @@
 #include "surface/wrench/strip_results.hpp"
 #include "surface/wrench/wheel_on_rail.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 /// Numbers that the size of the memory follows from.
 struct WorkSizes {
@@ -54,7 +54,7 @@ struct WheelSolution {
 
 /// Scratch of the tangential problem.
 struct RollingScratch {
-  TangentialFields fields;                 ///< over the cells
+  tangential::TangentialFields fields;     ///< over the cells
   double* rolling;                         ///< surface_rolling_workspace()
   double *slip_x, *spin;                   ///< mirrored, of rolling backwards
   double *other_fx, *other_fy, *other_mz;  ///< forces of rolling the other way
@@ -83,4 +83,4 @@ inline void find_wheel_overlaps(const WheelProblem& problem, const RelativeMotio
       overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle, margin, o.outline, o);
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

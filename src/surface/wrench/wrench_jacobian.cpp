@@ -14,7 +14,7 @@
 #include "surface/wrench/strip_rolling.hpp"
 #include "tangential/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 namespace {
 
 using Number = RailFrameDual;
@@ -251,7 +251,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
 
 /// Coefficients of cold strips at their sliding speeds: set_cold_friction() of strip_friction.cpp.
 void differentiate_friction(const Differentiation& d, const Number& speed) {
-  const FrictionLaw& law = *d.problem.in.law;
+  const tangential::FrictionLaw& law = *d.problem.in.law;
   const Overlaps& overlaps = d.solved.overlaps;
   const LoadedStrips& s = d.w.loaded;
   for (std::int32_t k = 0; k < s.count; ++k) {
@@ -262,9 +262,10 @@ void differentiate_friction(const Differentiation& d, const Number& speed) {
     const Number sliding = speed * root(slip2);
 
     // d mu = mu_rest f' d(V |xi|) + f d mu_rest/dy dy
-    const double falls = speed_factor(law, sliding.value);
+    const double falls = tangential::speed_factor(law, sliding.value);
     s.friction[k] =
-        s.friction_factor * (at_rest.value * sliding.chain(falls, speed_factor_slope(law, sliding.value)));
+        s.friction_factor *
+        (at_rest.value * sliding.chain(falls, tangential::speed_factor_slope(law, sliding.value)));
     if (d.problem.in.zones_on_wheel)
       s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
   }
@@ -473,13 +474,13 @@ class HeatedDifferences {
 void differentiate_rolling(const Differentiation& d, const Number& rolling_speed) {
   const LoadedStrips& s = d.w.loaded;
   // slips: velocities over the speed, which is bounded below near standstill
-  const RollingReferenceOf<Number> reference = rolling_reference(rolling_speed);
+  const geometry::RollingReferenceOf<Number> reference = geometry::rolling_reference(rolling_speed);
   const Number per_speed = Number(1.0) / reference.divisor;
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
 
   // friction first: tractions are bounded by it; heated, its share is found with them
-  const FrictionLaw* const law = d.problem.in.law;
+  const tangential::FrictionLaw* const law = d.problem.in.law;
   if (law) differentiate_friction(d, reference.divisor);
   const auto roll_one_way = [&](bool backwards, const DualForces& forces) {
     if (law && law->heated()) return HeatedDifferences(d, reference.divisor, backwards).differentiate(forces);
@@ -526,4 +527,4 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::surface

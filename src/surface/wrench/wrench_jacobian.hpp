@@ -9,7 +9,7 @@
 #include "base/fault.hpp"
 #include "surface/geometry/overlap_slopes.hpp"
 
-namespace wrc {
+namespace wrc::surface {
 
 struct WheelProblem;
 struct WheelSolution;
@@ -46,4 +46,4 @@ void count_wrench_jacobian(Arena& arena, const WorkSizes& sizes);
 Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& solved, JacobianBy by,
                            Arena arena, RailFrameJacobian& wrench) noexcept;
 
-}  // namespace wrc
+}  // namespace wrc::surface

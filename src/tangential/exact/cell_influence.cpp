@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 // x asinh(y / |x|), the corner function of IInt y^2/r^3; its limit at x = 0 is 0.
@@ -25,7 +25,7 @@ double coupling_corner(double x, double y) {
 //     IInt y^2/r^3 = [[ X ln(Y + r) ]],  IInt x^2/r^3 = [[ Y ln(X + r) ]],  IInt x y/r^3 = [[ -r ]],
 // double differences over the corners; 1/r is the sum of the first two. asinh(Y/|X|) replaces ln(Y + r): the
 // difference ln|X| does not depend on Y and drops out, and nothing cancels for negative Y.
-CellInfluence cell_influence(const Material& material, double x, double y, double dx, double dy) {
+CellInfluence cell_influence(const patch::Material& material, double x, double y, double dx, double dy) {
   // double differences over the corners of the cell
   const double xs[2] = {x - 0.5 * dx, x + 0.5 * dx};
   const double ys[2] = {y - 0.5 * dy, y + 0.5 * dy};
@@ -60,4 +60,4 @@ CouplingInfluence coupling_influence(double x, double y, double dx, double dy) {
   return sum;
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -14,7 +14,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Displacements per unit traction over the cell [m/Pa].
 struct CellInfluence {
@@ -33,6 +33,6 @@ CouplingInfluence coupling_influence(double x, double y, double dx, double dy);
 
 /// Influence of a cell of size dx x dy [m] at the point (x, y) [m] from its centre; any point, the cell's own
 /// included.
-CellInfluence cell_influence(const Material& material, double x, double y, double dx, double dy);
+CellInfluence cell_influence(const patch::Material& material, double x, double y, double dx, double dy);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

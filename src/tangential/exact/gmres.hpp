@@ -8,7 +8,7 @@
 
 #include "base/arena.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Right side, solution and working memory of gmres().
 struct Gmres {
@@ -96,4 +96,4 @@ void gmres(const Matrix& matrix, const Preconditioner& precondition, std::size_t
   precondition(combination, x);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -35,7 +35,7 @@
 
 #include "tangential/exact/gmres.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 enum class CellState : std::uint8_t { exterior, adhesion, slip };
 
@@ -378,4 +378,4 @@ NewtonEnd RollingNewton<Problem>::solve(const GoesOn& goes_on) {
   }
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -6,7 +6,7 @@
 #include "patch/material.hpp"
 #include "theory/sdec.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// Variable of the axis ratio: tanh(log(ratio) / 8), next to linear in the logarithm, without computing one.
@@ -177,18 +177,18 @@ double node_saturation(const ForceTableAxes& axes, std::int32_t i) {
 }
 
 void adapt_to_poisson(double poisson, ForceTable& table) {
-  const SdecTable wanted(poisson), given(table.axes.poisson);
+  const theory::SdecTable wanted(poisson), given(table.axes.poisson);
   for (std::int32_t i = 0; i < table.axes.ratios; ++i) {
     const double ratio = node_ratio(table.axes, i);
     Fault beyond_tables;  // dropped: only the coefficients' ratio is used
-    const SdecCoefficients ours = given.at(ratio, 0.0, beyond_tables);
-    const SdecCoefficients theirs = wanted.at(ratio, 0.0, beyond_tables);
+    const theory::SdecCoefficients ours = given.at(ratio, 0.0, beyond_tables);
+    const theory::SdecCoefficients theirs = wanted.at(ratio, 0.0, beyond_tables);
     table.stiffness[static_cast<std::size_t>(i)] = {theirs.c11 / ours.c11, theirs.c22 / ours.c22,
                                                     theirs.c23 / ours.c23};
   }
 }
 
-TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double normal_force,
+TangentialForces table_forces(const ForceTable& table, const patch::Sdec& patch, double normal_force,
                               double shear_modulus, double friction, const Creepage& creepage, Fault& fault) {
   // The patch within the table: mirrored to psi >= 0, shapes beyond its ends flagged and taken as the end.
   const ForceTableAxes& axes = table.axes;
@@ -244,4 +244,4 @@ TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double
   return forces;
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -31,7 +31,7 @@
 #include "patch/sdec.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Nodes per axis, and where they lie.
 struct ForceTableAxes {
@@ -67,7 +67,7 @@ double node_shape_number(const ForceTableAxes& axes, std::int32_t i);
 double node_saturation(const ForceTableAxes& axes, std::int32_t i);
 
 /// Lateral position of the centre of pressure, about which the table's creepages and moments are [m].
-inline double pressure_centre(const Sdec& patch) { return 0.75 * patch.psi * patch.b; }
+inline double pressure_centre(const patch::Sdec& patch) { return 0.75 * patch.psi * patch.b; }
 
 /// A table as a model holds it.
 struct ForceTable {
@@ -84,7 +84,7 @@ void adapt_to_poisson(double poisson, ForceTable& table);
 /// Forces on the patch under normal_force [N]; creepages and moment about the joint, power by the energy
 /// balance -(F_x nu_x + F_y nu_y + M_z phi). Beyond the table's shapes its end is used, with
 /// WRC_FLAG_TABLE_RANGE.
-TangentialForces table_forces(const ForceTable& table, const Sdec& patch, double normal_force,
+TangentialForces table_forces(const ForceTable& table, const patch::Sdec& patch, double normal_force,
                               double shear_modulus, double friction, const Creepage& creepage, Fault& fault);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 struct Close {
@@ -102,4 +102,4 @@ Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coef
   return {};
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

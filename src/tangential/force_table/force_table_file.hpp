@@ -11,7 +11,7 @@
 #include "base/fault.hpp"
 #include "tangential/force_table/force_table.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 struct ForceTableFileHeader {
   char name[8] = {'w', 'r', 'c', 'f', 'o', 'r', 'c', 'e'};
@@ -34,4 +34,4 @@ Fault read_force_table_axes(const char* path, ForceTableAxes& axes);
 /// before. Checks the length, the checksum and that every number is finite.
 Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coefficients);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -5,7 +5,7 @@
 
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 double power_three_halves(double d) { return d > 0.0 ? d * std::sqrt(d) : 0.0; }
@@ -20,7 +20,7 @@ FlashWeights::FlashWeights(std::int32_t cells) {
   }
 }
 
-void flash_rise(const Strips& region, const TangentialFields& fields, std::int32_t cells, double speed,
+void flash_rise(const patch::Strips& region, const TangentialFields& fields, std::int32_t cells, double speed,
                 const Effusivities& bodies, const FlashWeights& weights, double* rise) {
   const std::int32_t strips = region.count;
   // Heat over the speed q / V = -s.p [N/m^2], not negative, though the march may leave a trace of the other
@@ -55,4 +55,4 @@ double heat_by_touching(const Effusivities& bodies, double difference, double sp
   return 2.0 * bodies.wheel * bodies.rail / bodies.sum() * difference * std::sqrt(speed * length / pi);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

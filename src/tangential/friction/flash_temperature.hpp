@@ -21,7 +21,7 @@
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// How bodies take up heat, beta = sqrt(lambda rho c) [W s^(1/2) / (m^2 K)].
 struct Effusivities {
@@ -54,11 +54,11 @@ struct FlashWeights {
 /// Fills `rise` (cell i, strip j at i * region.count + j) with the rise over the temperature at entry at the
 /// cells' middles [K]. fields: tractions [Pa] and slips, cell 0 at the leading edge; speed [m/s]. Work
 /// proportional to strips times cells^2.
-void flash_rise(const Strips& region, const TangentialFields& fields, std::int32_t cells, double speed,
+void flash_rise(const patch::Strips& region, const TangentialFields& fields, std::int32_t cells, double speed,
                 const Effusivities& bodies, const FlashWeights& weights, double* rise);
 
 /// Heat that passes from a body at `difference` [K] above the other into it by their touching alone, over a
 /// strip of that length, per width [W/m].
 double heat_by_touching(const Effusivities& bodies, double difference, double speed, double length);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -6,7 +6,7 @@
 #include "base/elementary.hpp"
 #include "base/flush_subnormals.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// Integral of a straight line through (y0, c0) and (y1, c1) over the part of [from, to] within [y0, y1].
@@ -19,7 +19,7 @@ double integral_between(double y0, double c0, double y1, double c1, double from,
 
 }  // namespace
 
-StripFriction shared_out(const Strips& strips, double* coefficients) {
+StripFriction shared_out(const patch::Strips& strips, double* coefficients) {
   // mean = sum of mu_j N_j over N; loads without their common factor pi / 2
   double limit = 0.0, load = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j) {
@@ -96,7 +96,7 @@ double zone_friction(const FrictionZones& zones, double y) {
   return zones.coefficient[behind - 1] + t * (zones.coefficient[behind] - zones.coefficient[behind - 1]);
 }
 
-StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const FrictionFrame& frame,
+StripFriction evaluate(const FrictionLaw& law, const patch::Strips& strips, const FrictionFrame& frame,
                        const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares) {
   const double patch_x = creepage.longitudinal - creepage.spin * frame.origin;
   const double patch_slip = std::sqrt(patch_x * patch_x + creepage.lateral * creepage.lateral);
@@ -128,4 +128,4 @@ StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const Frict
   return shared_out(strips, shares);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

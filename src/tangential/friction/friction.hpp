@@ -31,7 +31,7 @@
 #include "tangential/friction/strip_friction.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Coefficient over y, linear between breakpoints and constant beyond them; two at the same y make a step.
 /// Without padding, as the law: it is part of a contact's saved state.
@@ -101,12 +101,12 @@ enum class SlidingSpeed {
 };
 
 /// Coefficients of strips as their mean over the load and each strip's share of it, which takes their place.
-StripFriction shared_out(const Strips& strips, double* coefficients);
+StripFriction shared_out(const patch::Strips& strips, double* coefficients);
 
 /// Evaluates the law of cold surfaces, mu_0 f. creepage: at the origin of the contact frame; speed: V [m/s].
 /// Fills `shares` (strips.count numbers, which must outlive the result); where friction is the same
 /// everywhere with ones.
-StripFriction evaluate(const FrictionLaw& law, const Strips& strips, const FrictionFrame& frame,
+StripFriction evaluate(const FrictionLaw& law, const patch::Strips& strips, const FrictionFrame& frame,
                        const Creepage& creepage, double speed, SlidingSpeed sliding, double* shares);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::tangential {
 
 HeatedFriction::HeatedFriction(const FrictionLaw& law, const Effusivities& bodies, std::int32_t cells,
                                double speed)
@@ -21,8 +21,8 @@ HeatedFriction::HeatedFriction(const FrictionLaw& law, const Effusivities& bodie
   }
 }
 
-double HeatedFriction::settle(const Strips& region, const TangentialFields& fields, bool keep, double* rise,
-                              double* share) {
+double HeatedFriction::settle(const patch::Strips& region, const TangentialFields& fields, bool keep,
+                              double* rise, double* share) {
   // temperatures of all cells, then the share of each strip by itself
   constexpr double least_share = 1e-6;  // below, there is no heat to go by
   flash_rise(region, fields, cells_, speed_, bodies_, flash_, rise);
@@ -64,4 +64,4 @@ double HeatedFriction::settled(double* rise, std::int32_t strips, double before)
   return f;
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

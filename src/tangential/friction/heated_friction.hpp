@@ -14,7 +14,7 @@
 #include "tangential/friction/flash_temperature.hpp"
 #include "tangential/friction/friction.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Solutions of the tractions from cold surfaces.
 inline constexpr int heat_solutions = 6;
@@ -30,7 +30,8 @@ class HeatedFriction {
   /// Replaces the shares that `fields` were solved with by settled ones; returns the largest change. `keep`:
   /// the old ones stay. `rise`: work space over the cells, may be one of the slips. Reads count and half
   /// lengths of `region`.
-  double settle(const Strips& region, const TangentialFields& fields, bool keep, double* rise, double* share);
+  double settle(const patch::Strips& region, const TangentialFields& fields, bool keep, double* rise,
+                double* share);
 
  private:
   double settled(double* rise, std::int32_t strips, double before) const;
@@ -47,8 +48,8 @@ class HeatedFriction {
 /// stay. `further`: number of further iterations from the shares as they are; 0: heat_solutions from those at
 /// entry. Flags shares that still move by more than a thousandth.
 template <class Solve>
-Fault solve_heated(HeatedFriction& heat, const Strips& region, const TangentialFields& fields, double* rise,
-                   double* share, Solve&& solve, int further = 0) {
+Fault solve_heated(HeatedFriction& heat, const patch::Strips& region, const TangentialFields& fields,
+                   double* rise, double* share, Solve&& solve, int further = 0) {
   const int solutions = further > 0 ? further : heat_solutions;
   for (std::int32_t j = 0; j < region.count && further == 0; ++j) share[j] = heat.share_at_entry();
   // after the last solution the shares are only compared: they must be those of its tractions
@@ -63,4 +64,4 @@ Fault solve_heated(HeatedFriction& heat, const Strips& region, const TangentialF
                               "friction over temperature has not settled: this is its last change");
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Result of the friction law (friction.hpp): the mean over the load, of which Coulomb's limit of the whole
 /// patch is made, and each strip's share of it. One number serves as friction everywhere.
@@ -19,4 +19,4 @@ struct StripFriction {
   double operator[](std::int32_t j) const { return mean * share(j); }
 };
 
-}  // namespace wrc
+}  // namespace wrc::tangential

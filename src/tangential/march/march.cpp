@@ -6,7 +6,7 @@
 #include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// Sets the bound at the middle of a strip, mu times its peak pressure, or a scale times its half length or
@@ -19,12 +19,12 @@ void set_bound(const TangentialProblem& problem, simd::MarchTask& task) {
     return;
   }
   double integral = 0.0;
-  const Strips& strips = problem.region;
+  const patch::Strips& strips = problem.region;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double l = strips.half_length[j];
     integral += task.parabolic ? 4.0 / 3.0 * l * l * l * strips.width[j] : 0.5 * pi * l * l * strips.width[j];
   }
-  const double scale = integral > 0.0 ? problem.friction.mean * normal_force(strips) / integral : 0.0;
+  const double scale = integral > 0.0 ? problem.friction.mean * patch::normal_force(strips) / integral : 0.0;
   (task.parabolic ? task.per_length_square : task.per_length) = scale;
 }
 
@@ -34,7 +34,7 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   // growths g_x = nu_x / L11 - phi y / L13 and g_y = nu_y / L22 + phi x / L23 [Pa/m], with their derivatives
   // by nu_x, nu_y, phi
   const Creepage& c = problem.creepage;
-  const Flexibility& L = problem.flexibility;
+  const theory::Flexibility& L = problem.flexibility;
   simd::MarchTask task{};
   task.strips = problem.region.count;
   task.cells = grid.cells;
@@ -66,8 +66,8 @@ TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
   kernel(task, sums);
   if (sensitivities)
     *sensitivities =
-        sensitivities_of(sums, problem.creepage, problem.friction.mean, normal_force(problem.region));
+        sensitivities_of(sums, problem.creepage, problem.friction.mean, patch::normal_force(problem.region));
   return forces_of(sums);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -31,7 +31,7 @@
 #include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Solves the problem on the grid. Fields are written where their pointers are set. Any finite creepages,
 /// friction >= 0 and flexibilities > 0 give finite results; an empty region gives zeros. Real-time: no
@@ -40,4 +40,4 @@ namespace wrc {
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
                        const TangentialFields& fields = {}, TangentialSensitivities* sensitivities = nullptr);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

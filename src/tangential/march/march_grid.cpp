@@ -7,7 +7,7 @@
 #include "base/arena.hpp"
 #include "base/elementary.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 namespace {
 
@@ -63,4 +63,4 @@ MarchGrid make_march_grid(std::int32_t cells, double* memory, const Kernels& ker
           &kernels};
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

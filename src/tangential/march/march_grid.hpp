@@ -7,7 +7,7 @@
 #include "kernels/kernels.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// A traction bound over a strip relative to its value at the strip's middle: 1 - s^2 (parabolic) or
 /// sqrt(1 - s^2) (elliptic), s = (x - centre) / half_length.
@@ -48,4 +48,4 @@ std::size_t march_grid_size(std::int32_t cells);
 /// Fills memory (march_grid_size(cells) doubles, owned by the caller) and returns the view of it. At init.
 MarchGrid make_march_grid(std::int32_t cells, double* memory, const Kernels& kernels);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

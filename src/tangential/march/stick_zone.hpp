@@ -10,7 +10,7 @@
 
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Growth of the adhesion tractions along a strip.
 template <class Number>
@@ -82,4 +82,4 @@ Number onset_elliptic(const AdhesionGrowth<Number>& g, const Number& E, const Nu
   return length * (one - s);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

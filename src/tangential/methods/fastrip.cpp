@@ -10,12 +10,12 @@
 #include "tangential/methods/fastrip_strip.hpp"
 #include "tangential/methods/flexibility_form.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 StripGrowth growth_on_ellipse(const RollingContact& contact, Fault& fault) {
   // strip theory with Kalker's coefficients; k13 = 3 G c C23 / (2 pi a (1 - nu)), w = 1 - nu
-  const KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
+  const theory::KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
   const Creepage& creep = contact.creepage;
   const double G = contact.shear_modulus, c = std::sqrt(contact.a * contact.b);
   const double spin = 3.0 * G * c * k.c23 / (2.0 * pi * contact.a) * creep.spin;
@@ -27,7 +27,7 @@ StripGrowth growth_on_ellipse(const RollingContact& contact, Fault& fault) {
 StripGrowth growth_on_sdec(const RollingContact& contact, Fault& fault) {
   // the double ellipse's: k13 = 3 G c^3 K13 / (4 pi a b^2), w = 1
   const double a = contact.a, b = contact.b;
-  const SdecCoefficients s = contact.linear_theory->at(a / b, contact.shape_number, fault);
+  const theory::SdecCoefficients s = contact.linear_theory->at(a / b, contact.shape_number, fault);
   const Creepage& creep = contact.creepage;
   const double G = contact.shear_modulus, c = std::sqrt(a * b);
   return {2.0 * G * s.c11 / (pi * pi) * creep.longitudinal,
@@ -45,7 +45,7 @@ std::array<double*, 4> cut(Arena& arena, std::int64_t cells) {
 
 /// FASTSIM's tractions with separate flexibilities, and with the common one, in the contact's workspace.
 SlipDirections directions_of(const RollingContact& contact, Fault& fault) {
-  const Flexibility separate = linear_flexibility(contact, fault);
+  const theory::Flexibility separate = linear_flexibility(contact, fault);
   const double common =
       common_flexibility(separate, contact.a, contact.b, contact.elastic_shape_number(), contact.creepage);
   TangentialProblem problem{contact.region, contact.creepage, separate, contact.friction,
@@ -70,7 +70,7 @@ TangentialForces solve(const RollingContact& contact, const StripGrowth& growth,
                        const SlipDirections& directions, const TangentialFields& fields) {
   // each strip in closed form where it sticks, along FASTSIM's direction where it slips
   constexpr double least_stress = 1e-6;  // [Pa]: strips without friction or pressure slip
-  const Strips& strips = contact.region;
+  const patch::Strips& strips = contact.region;
   RolledStrip total;
   for (std::int32_t j = 0; j < strips.count; ++j) {
     const double bound = contact.friction[j] * strips.peak[j];
@@ -106,4 +106,4 @@ TangentialForces fastrip(const RollingContact& contact, const TangentialFields& 
   return solve(contact, growth, directions, fields);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -39,7 +39,7 @@
 
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Memory the method works in [bytes], aligned as doubles.
 std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells);
@@ -49,4 +49,4 @@ std::int64_t fastrip_workspace(std::int32_t strips, std::int32_t cells);
 /// not used.
 TangentialForces fastrip(const RollingContact& contact, const TangentialFields& fields, Fault& fault);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

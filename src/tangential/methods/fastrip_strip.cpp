@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// The mean over a cell of sqrt((u - u_s) / u) weighted by sqrt(u), u running from `ahead` cells down to
@@ -109,4 +109,4 @@ RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, 
           power_sum * cell};
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

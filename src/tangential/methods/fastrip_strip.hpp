@@ -7,7 +7,7 @@
 #include "tangential/march/march_grid.hpp"
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Growth of a strip's tractions with the creepages in strip theory, corrected to the linear theory of the
 /// patch [Pa, Pa/m].
@@ -65,4 +65,4 @@ RolledStrip roll_strip(const SlidingStrip& sliding, const StripSolution& strip, 
                        const SlipDirections& directions, std::int32_t strips, std::int32_t j,
                        const TangentialFields& fields);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

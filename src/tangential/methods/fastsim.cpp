@@ -7,7 +7,7 @@
 #include "tangential/march/march.hpp"
 #include "tangential/methods/flexibility_form.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// C11 of the patch model's linear theory.
@@ -27,7 +27,7 @@ double slope_factor(const RollingContact& contact) {
   const double with_spin = c.lateral + c.spin * contact.a;
   const double lateral = std::max(std::fabs(with_spin), std::fabs(c.lateral));
   const double slip = std::sqrt(c.longitudinal * c.longitudinal + lateral * lateral);
-  const double limit = contact.friction.mean * normal_force(contact.region);
+  const double limit = contact.friction.mean * patch::normal_force(contact.region);
   const double eps =
       contact.shear_modulus * pi * contact.a * contact.b * c11 * slip / (4.0 * std::max(limit, least_force));
   return contact.slope.limit + (1.0 - contact.slope.limit) / (1.0 + contact.slope.rate * eps);
@@ -35,7 +35,7 @@ double slope_factor(const RollingContact& contact) {
 
 TangentialForces roll(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                       TangentialSensitivities* sensitivities) {
-  const Flexibility flexibility = in_form(linear_flexibility(contact, fault), contact);
+  const theory::Flexibility flexibility = in_form(linear_flexibility(contact, fault), contact);
   return march({contact.region, contact.creepage, flexibility, contact.friction, contact.bound},
                *contact.grid, fields, sensitivities);
 }
@@ -53,4 +53,4 @@ TangentialForces fastsim(const RollingContact& contact, const TangentialFields& 
   return roll(softened, fields, fault, sensitivities);
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -25,10 +25,10 @@
 
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// contact.region: the strips contact.model asks for, about the origin of contact.creepage.
 TangentialForces fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                          TangentialSensitivities* sensitivities = nullptr);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

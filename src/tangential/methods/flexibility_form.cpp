@@ -5,7 +5,7 @@
 
 #include "patch/material.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// The creepages nu_y and nu_x [-] that make, in full adhesion and with the same flexibilities, the forces
@@ -18,7 +18,7 @@ double square(double value) { return value * value; }
 
 }  // namespace
 
-double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+double single_flexibility(const theory::Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage) {
   const double x = std::fabs(creepage.longitudinal), y = std::fabs(creepage.lateral);
   const double s = std::sqrt(a * b) * std::fabs(creepage.spin);
@@ -30,7 +30,7 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
   return (x * separate.l11 + y * separate.l22 + s * l3) / size;
 }
 
-double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+double common_flexibility(const theory::Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage) {
   // L_c = sum n^2 / sum (n^2 / L), n = nu_x, nu_y, (3 pi a / 32) phi with L23, (3 b psi / 4) phi with L13
   const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
@@ -41,8 +41,8 @@ double common_flexibility(const Flexibility& separate, double a, double b, doubl
   return stiffness > 0.0 ? (x2 + y2 + across2 + along2) / stiffness : separate.l11;
 }
 
-Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
-                                const Creepage& creepage, double limit) {
+theory::Flexibility blended_flexibility(const theory::Flexibility& separate, double a, double b,
+                                        double shape_number, const Creepage& creepage, double limit) {
   const double x2 = square(creepage.longitudinal), y2 = square(creepage.lateral);
   const double common = common_flexibility(separate, a, b, shape_number, creepage);
   // nu_i* = 3 mu N L_ii / (8 a^2 b) saturates the patch; w = min(1, f / 3)
@@ -53,14 +53,15 @@ Flexibility blended_flexibility(const Flexibility& separate, double a, double b,
   return {blend(separate.l11), blend(separate.l13), blend(separate.l22), blend(separate.l23)};
 }
 
-Flexibility linear_flexibility(const RollingContact& contact, Fault& fault) {
-  return contact.model.of_sdec ? sdec_flexibility(contact.a, contact.b, contact.shape_number,
-                                                  contact.shear_modulus, *contact.linear_theory, fault)
-                               : ellipse_flexibility(contact.a, contact.b, contact.shear_modulus,
-                                                     contact.linear_theory->ellipse(), fault);
+theory::Flexibility linear_flexibility(const RollingContact& contact, Fault& fault) {
+  return contact.model.of_sdec
+             ? theory::sdec_flexibility(contact.a, contact.b, contact.shape_number, contact.shear_modulus,
+                                        *contact.linear_theory, fault)
+             : theory::ellipse_flexibility(contact.a, contact.b, contact.shear_modulus,
+                                           contact.linear_theory->ellipse(), fault);
 }
 
-Flexibility in_form(const Flexibility& separate, const RollingContact& contact) {
+theory::Flexibility in_form(const theory::Flexibility& separate, const RollingContact& contact) {
   const double shape_number = contact.elastic_shape_number();
   switch (contact.form) {
     case FlexibilityForm::separate:
@@ -72,9 +73,9 @@ Flexibility in_form(const Flexibility& separate, const RollingContact& contact) 
     case FlexibilityForm::blended:
       return blended_flexibility(
           separate, contact.a, contact.b, shape_number, contact.creepage,
-          contact.slope_reduction * contact.friction.mean * normal_force(contact.region));
+          contact.slope_reduction * contact.friction.mean * patch::normal_force(contact.region));
   }
   return separate;
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

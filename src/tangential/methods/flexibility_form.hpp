@@ -8,7 +8,7 @@
 
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Kalker's single flexibility (1982) [m/Pa],
 ///     L = (|nu_x| L11 + |nu_y| L22 + c |phi| L3) / sqrt(nu_x^2 + nu_y^2 + c^2 phi^2),   c = sqrt(a b),
@@ -16,7 +16,7 @@ namespace wrc {
 /// larger than each of them. For a double ellipse L3 is the mean of L23 and L13 weighted as spin makes forces
 /// through them, F_y : F_x = 3 pi a / 32 : 3 b |psi| / 4 in full adhesion (own definition); psi = 0 or
 /// L13 = L23 leave Kalker's.
-double single_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+double single_flexibility(const theory::Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage);
 
 /// The common flexibility at large creepages [m/Pa] (Vollebregt and Voltr, VSD 61 (2023) 309-317; the
@@ -24,7 +24,7 @@ double single_flexibility(const Flexibility& separate, double a, double b, doubl
 ///     L_c = sum of n_k^2 / sum of n_k^2 / L_k over n = nu_x, nu_y, (3 pi a / 32) phi,
 /// a mean of them. For a double ellipse n has a fourth member, (3 b psi / 4) phi with L13: the creepage whose
 /// longitudinal force equals that of spin in full adhesion (own definition).
-double common_flexibility(const Flexibility& separate, double a, double b, double shape_number,
+double common_flexibility(const theory::Flexibility& separate, double a, double b, double shape_number,
                           const Creepage& creepage);
 
 /// Flexibilities between separate and common (same source):
@@ -32,13 +32,13 @@ double common_flexibility(const Flexibility& separate, double a, double b, doubl
 ///     f^2 = (nu_x^2 + nu_y^2) / (nu_x*^2 + nu_y*^2),   nu_i* = 3 mu N L_ii / (8 a^2 b).
 /// limit: mu N, times the slope reduction k where `separate` is that of bodies softened by it (L_i / k): the
 /// weight is that of clean bodies, as in the reference program [N].
-Flexibility blended_flexibility(const Flexibility& separate, double a, double b, double shape_number,
-                                const Creepage& creepage, double limit);
+theory::Flexibility blended_flexibility(const theory::Flexibility& separate, double a, double b,
+                                        double shape_number, const Creepage& creepage, double limit);
 
 /// The flexibilities of linear theory, separate, of the shape the contact's patch model has.
-Flexibility linear_flexibility(const RollingContact& contact, Fault& fault);
+theory::Flexibility linear_flexibility(const RollingContact& contact, Fault& fault);
 
 /// `separate`, those of linear_flexibility(), in the form the contact asks for.
-Flexibility in_form(const Flexibility& separate, const RollingContact& contact);
+theory::Flexibility in_form(const theory::Flexibility& separate, const RollingContact& contact);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

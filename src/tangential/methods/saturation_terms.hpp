@@ -12,7 +12,7 @@
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Linear force of the tractions sqrt(v/u) / 2 over that of v, integrated over a double ellipse: FASTSIM's
 /// flexibilities of creepages times this keep the forces of linear theory.
@@ -43,4 +43,4 @@ struct SaturationTerms {
   };
 };
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -4,7 +4,7 @@
 
 #include "tangential/methods/saturation_terms.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 struct StripCalibration {
   using enum SaturationTerms::Term;
@@ -39,4 +39,4 @@ inline constexpr StripCalibration fitted_calibration = {{
 }};
 // clang-format on
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -12,7 +12,7 @@
 #include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 /// With derivatives with respect to nu_x, nu_y, phi.
@@ -43,7 +43,7 @@ struct Equivalent {
 };
 
 Equivalent equivalent(const RollingContact& c) {
-  const Strips& strips = c.region;
+  const patch::Strips& strips = c.region;
   // Int p dy [N/m], Int l dy [m^2] and their first moments; p and l of a strip are its peak and half length
   double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
   for (std::int32_t j = 0; j < strips.count; ++j) {
@@ -53,7 +53,7 @@ Equivalent equivalent(const RollingContact& c) {
     length += l;
     length_y += l * strips.y[j];
   }
-  const double load = normal_force(strips);
+  const double load = patch::normal_force(strips);
   if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
   // a = 3 N / (4 Int p dy), area pi a b = 2 Int l dy, and psi from the centre 8 / (3 pi) psi b of a double
   // ellipse's length, here midway between the centroids of area and of stiffness (peaks)
@@ -62,7 +62,7 @@ Equivalent equivalent(const RollingContact& c) {
   patch.b = 2.0 * length / (pi * patch.a);
   patch.y_stiff = pressure_y / pressure;
   const double centre = 0.5 * (patch.y_stiff + length_y / length) / patch.b;
-  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -largest_psi, largest_psi);
+  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -patch::largest_psi, patch::largest_psi);
   patch.pressure_per_length = pressure / length;
   patch.normal_force = load;
   return patch;
@@ -101,10 +101,11 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   // The equivalent double ellipse, its coefficients of linear theory and its flexibilities. The fault of a
   // shape beyond the tables is reported once.
   const Equivalent patch = equivalent(c);
-  const double a = patch.a, b = patch.b, psi = patch.shape_number, u = slenderness(a / b);
-  const SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
+  const double a = patch.a, b = patch.b, psi = patch.shape_number, u = theory::slenderness(a / b);
+  const theory::SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
   Fault reported;
-  const Flexibility flexibility = sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
+  const theory::Flexibility flexibility =
+      theory::sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
 
   // Forces of linear theory and the friction limit mu N [N].
   const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
@@ -198,7 +199,7 @@ Creepage away_from_rest(const RollingContact& contact) {
   const Creepage& c = contact.creepage;
   const double ab = contact.a * contact.b;
   const double saturating =
-      contact.friction.mean * normal_force(contact.region) / (contact.shear_modulus * ab);
+      contact.friction.mean * patch::normal_force(contact.region) / (contact.shear_modulus * ab);
   const double size =
       std::sqrt(c.longitudinal * c.longitudinal + c.lateral * c.lateral + ab * c.spin * c.spin);
   if (size >= least * saturating) return c;
@@ -233,7 +234,7 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
     const Model<Number> m = model<Number>(shifted, calibration, Number::input(c.longitudinal, 0),
                                           Number::input(c.lateral, 1), Number::input(c.spin, 2), fault);
     kernels.tangential.strip_fastsim_sensitivities(task_of(shifted, m, fields), sums);
-    *sensitivities = sensitivities_of(sums, c, contact.friction.mean, normal_force(contact.region));
+    *sensitivities = sensitivities_of(sums, c, contact.friction.mean, patch::normal_force(contact.region));
     const Creepage& asked = contact.creepage;
     if (c.longitudinal != asked.longitudinal || c.lateral != asked.lateral || c.spin != asked.spin)
       forces(sums);
@@ -262,4 +263,4 @@ StripMarch strip_march(const RollingContact& contact, const Creepage& c, Fault& 
           .b = patch.b};
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -44,7 +44,7 @@
 #include "tangential/methods/strip_calibration.hpp"
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// contact.region: the strips of the actual patch. contact.bound is not used, the bound is mu p_n; nor, but
 /// for a patch without pressure, are a, b and shape_number. With sensitivities no fields are written.
@@ -79,4 +79,4 @@ struct StripMarch {
 
 StripMarch strip_march(const RollingContact& contact, const Creepage& creepage, Fault& fault);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -6,7 +6,7 @@
 #include "base/elementary.hpp"
 #include "tangential/methods/strip_fastsim.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 namespace {
 
 constexpr std::int32_t cells = 16;                           // along a strip
@@ -286,7 +286,7 @@ PatchStep::PatchStep(const RollingContact& contact, Memory& memory)
       memory_(memory),
       written_(memory.list(1 - memory.present) + memory.written) {
   // the patch's width in the coordinate of the memory, and its longest strip
-  const Strips& region = contact.region;
+  const patch::Strips& region = contact.region;
   double low = 0.0, high = 0.0;
   for (std::int32_t j = 0; j < region.count; ++j) {
     length_ = std::max(length_, 2.0 * region.half_length[j]);
@@ -312,7 +312,7 @@ PatchStep::PatchStep(const RollingContact& contact, Memory& memory)
 }
 
 Strip PatchStep::strip(const StripMarch& m, std::int32_t j) const {
-  const Strips& region = contact_.region;
+  const patch::Strips& region = contact_.region;
   const Creepage& c = contact_.creepage;
   const double y = region.y[j], centre = region.centre[j], share = contact_.friction.share(j);
   return {.y = contact_.memory.y(y),
@@ -480,4 +480,4 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   return forces;
 }
 
-}  // namespace wrc
+}  // namespace wrc::tangential

@@ -29,7 +29,7 @@
 
 #include "tangential/rolling_contact.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 /// Bytes of the memory of a contact with so many strips.
 std::size_t strip_memory_bytes(std::int32_t strips);
@@ -46,4 +46,4 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
 void begin_step(void* memory);
 void end_step(void* memory);
 
-}  // namespace wrc
+}  // namespace wrc::tangential

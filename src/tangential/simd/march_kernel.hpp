@@ -134,7 +134,7 @@ inline void read_strips(const MarchTask& task, std::int32_t first, std::int32_t 
   constexpr double tiny_stress = 1e-6;  // [Pa]: frictionless strips slip at once without a division by zero
   // Bound at the middle of the strips [Pa], by one of its three forms; growth [Pa/m] over bound / half
   // length.
-  const Strips& strips = *task.region;
+  const patch::Strips& strips = *task.region;
   place(strips, task.cells, first, count, g);
   const Pack share = task.shares ? load(task.shares, first, count, 0.0) : Pack(1.0);
   g.bound = (task.per_pressure * load(strips.peak, first, count, 0.0) + task.per_length * g.half_length +
@@ -166,8 +166,9 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   const double h = 2.0 / task.cells;
   read_strips(task, first, count, g);
   g.over_cell = growth_over(g.gx, g.gy, g.rate, h);
-  const AdhesionGrowth<Pack> growth{g.gx, g.gy, 0.5 * g.rate};
-  g.onset = task.parabolic ? onset_parabolic<Pack>(growth, 1.0, 1.0) : onset_elliptic<Pack>(growth, 1.0, 1.0);
+  const tangential::AdhesionGrowth<Pack> growth{g.gx, g.gy, 0.5 * g.rate};
+  g.onset = task.parabolic ? tangential::onset_parabolic<Pack>(growth, 1.0, 1.0)
+                           : tangential::onset_elliptic<Pack>(growth, 1.0, 1.0);
 
   // The first stick zone, summed without marching. Where slip sets in just behind the middle of a cell, the
   // mean of the adhesion tractions over the cell may exceed that of the bound: it is cut.

@@ -97,7 +97,7 @@ inline Advance advance_over(const G& g, Pack elastic, Pack dv) {
 /// Reads the numbers of a group's strips from the task; returns the bound of the march at their middle [Pa].
 inline Pack read_strips(const StripFastsimTask& task, std::int32_t first, std::int32_t count, Group& g) {
   // bounds: that of the result mu p [Pa], that of the march B u v by its value B l^2 at the middle [Pa]
-  const Strips& strips = *task.region;
+  const patch::Strips& strips = *task.region;
   const Pack one = 1.0;
   place(strips, task.cells, first, count, g);
   g.centre = load(strips.centre, first, count, 0.0);
@@ -163,8 +163,8 @@ inline void prepare(const Task& task, std::int32_t first, std::int32_t count, Gr
   const Pack near2 = g.near_edge * g.near_edge;
   g.form = near2 * near2;
 
-  const AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
-  g.slip_end = slip_end_parabolic<Pack>(growth, one, one);
+  const tangential::AdhesionGrowth<Pack> growth{g.gx, lead, g.curvature};
+  g.slip_end = tangential::slip_end_parabolic<Pack>(growth, one, one);
   set_stick_zone((2.0 - g.slip_end) * (0.5 * task.cells), task.cells, g);
 
   // (kappa, lambda) = -(gx, gy + k u_s) / u_s, the march's traction over its bound where slip sets in, a unit

@@ -26,7 +26,7 @@ struct StripGroup {
 
 /// Places the strips first .. first + count - 1. Lanes without a strip have no width, but a length to divide
 /// by.
-inline void place(const Strips& strips, std::int32_t cells, std::int32_t first, std::int32_t count,
+inline void place(const patch::Strips& strips, std::int32_t cells, std::int32_t first, std::int32_t count,
                   StripGroup& g) {
   g.first = first;
   g.count = count;
@@ -142,13 +142,14 @@ inline void add_derivative(const StripGroup& g, std::int32_t cells, const ForceS
   }
 }
 
-inline bool all_wanted(const TangentialFields& fields) {
+inline bool all_wanted(const tangential::TangentialFields& fields) {
   return fields.traction_x && fields.traction_y && fields.slip_x && fields.slip_y;
 }
 
 /// Tractions [Pa] and slip [-] of a cell of a group; strips: of all groups.
-WRC_IN_LOOP void store_cell(const TangentialFields& fields, const StripGroup& g, std::int32_t cell,
-                            std::int32_t strips, Pack traction_x, Pack traction_y, Pack slip_x, Pack slip_y) {
+WRC_IN_LOOP void store_cell(const tangential::TangentialFields& fields, const StripGroup& g,
+                            std::int32_t cell, std::int32_t strips, Pack traction_x, Pack traction_y,
+                            Pack slip_x, Pack slip_y) {
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(cell) * strips + g.first;
   // Most groups are full and most calls ask for all fields: one test for four arrays.
   if (g.count == lanes && all_wanted(fields)) {

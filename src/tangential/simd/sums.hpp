@@ -5,17 +5,18 @@
 
 namespace wrc {
 
-inline TangentialForces forces_of(const simd::Sums& sums) {
+inline tangential::TangentialForces forces_of(const simd::Sums& sums) {
   return {sums.fx, sums.fy, sums.mz, sums.power_per_speed,
           sums.area > 0.0 ? 1.0 - sums.slid_area / sums.area : 0.0};
 }
 
 /// The forces are homogeneous of degree one in creepages and friction together, and load and friction act
 /// through their product: three derivatives give five.
-inline TangentialSensitivities sensitivities_of(const simd::Sums& sums, const Creepage& c, double friction,
-                                                double load) {
+inline tangential::TangentialSensitivities sensitivities_of(const simd::Sums& sums,
+                                                            const tangential::Creepage& c, double friction,
+                                                            double load) {
   const double forces[3] = {sums.fx, sums.fy, sums.mz};
-  TangentialSensitivities s;
+  tangential::TangentialSensitivities s;
   for (int r = 0; r < 3; ++r) {
     // Euler: F = nu_x dF/dnu_x + nu_y dF/dnu_y + phi dF/dphi + mu dF/dmu, and mu dF/dmu = N dF/dN
     const double* d = sums.d[r];

@@ -5,12 +5,12 @@
 
 #include "tangential/problem.hpp"
 
-namespace wrc {
+namespace wrc::tangential {
 
 struct BoundShape;
 struct MarchGrid;
 
-}  // namespace wrc
+}  // namespace wrc::tangential
 
 namespace wrc::simd {
 
@@ -36,14 +36,14 @@ struct Sums {
 struct MarchCells {
   std::int32_t strips, cells;
   bool parabolic;  ///< shape of the bound along a strip: parabola or semi-ellipse
-  const BoundShape* shape;
-  const TangentialFields* fields;
+  const tangential::BoundShape* shape;
+  const tangential::TangentialFields* fields;
 };
 
 /// The march of simplified rolling contact (march.hpp). Tractions of full adhesion grow with the distance
 /// from the leading edge by gx = gx_constant - gx_by_y y, gy = gy_constant + gy_by_x x [Pa/m].
 struct MarchTask : MarchCells {
-  const Strips* region;
+  const patch::Strips* region;
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
   double l11, l22;  ///< flexibilities that turn the excess of traction into slip [m/Pa]
@@ -67,16 +67,16 @@ struct SurfaceMarchTask : MarchCells {
 /// Common part of StripFastsimTask and SurfaceStripsTask.
 struct StripFastsimMarch {
   std::int32_t strips, cells;
-  const BoundShape* shape;
+  const tangential::BoundShape* shape;
   const double* inverse_weight;  ///< weights of the cells of the first stick zone (march_grid.hpp)
-  const TangentialFields* fields;
+  const tangential::TangentialFields* fields;
 };
 
 /// Strip FASTSIM (strip_fastsim.hpp): its model for a patch, its load and the creepages. Tractions
 /// of full adhesion grow as in the march; the elastic slip under a strip that slips as a whole changes by 2 B
 /// L x, with the flexibilities l11, l22; that part of it which differs between x and y, by 2 elastic x.
 struct StripFastsimTask : StripFastsimMarch {
-  const Strips* region;
+  const patch::Strips* region;
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   double nu_x, nu_y, phi, friction;
   Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
