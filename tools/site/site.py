@@ -17,12 +17,14 @@ import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/interface"))
+import notebook
 import headers  # which header is of which class of stability
 
 NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a table in embedding.md
 WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
 # The manuals in the order of a reader; pages that are not here go to the last entry, decisions into one of their own.
 TABS = [
+    ("First hour", [("Tutorial", "tutorial.md"), ("Which call do I want", "which_call.md"), ("From other programs", "from_other_programs.md")]),
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
     ("Accuracy", [("Results", "accuracy.md"), ("The source paper", "paper.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
@@ -60,6 +62,8 @@ def rewritten(path, names):
         picture, text, target = found.groups()
         if re.match(r"[a-z]+:", target) or target.startswith("#"):
             return found[0]
+        if target.endswith(".ipynb"):  # made of the page of that name
+            return f'<a href="{target}" download="{target}">{text}</a>'
         target, _, anchor = target.partition("#")
         place = os.path.normpath(os.path.join(os.path.dirname(path), target))
         if picture:
@@ -210,6 +214,7 @@ FILE_PATTERNS = *.h *.md *.dox
 """
     (WORK / "Doxyfile").write_text(settings)
     subprocess.run(["doxygen", WORK / "Doxyfile"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    (OUT / "tutorial.ipynb").write_text(notebook.notebook((ROOT / "docs/tutorial.md").read_text()))
     for each in WORK.glob("formula_*.svg"):
         shutil.copy(each, OUT)
     warnings = (ROOT / "build/doxygen-warnings.log").read_text().splitlines()
