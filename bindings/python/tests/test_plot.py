@@ -77,5 +77,5 @@ def test_panels_on_axes_of_the_caller(tmp_path):
     assert set(offsets[:, 1]) == {-5.2, 0.0} and offsets[:, 0].max() < 20
     deepest = panels[0, 1].lines[0].get_xydata()
     assert deepest[:, 0].max() > 500 and deepest[-1, 1] == pytest.approx(10.0)
-    with pytest.raises(ValueError, match="nothing to draw"):
+    with pytest.raises(wrc.Error, match="nothing has been solved yet"):
         wrc.plot.field(model.contact(), "PRESSURE")
