@@ -104,6 +104,8 @@ def formulas(text):
 def named(text, name):
     """The page with an identifier of its own, whatever the folder it was in; doxygen knows no code in headings."""
     text = re.sub(r"^#.*$", lambda found: found[0].replace("`", ""), text, flags=re.M)
+    if len(re.findall(r"^##+ ", text, re.M)) > 7 and name != "start.md":  # a long page has its contents at its side
+        text = re.sub(r"^(# .*\n)", r"\1\n[TOC]\n", text, count=1)
     return text if name == "start.md" else re.sub(r"^# (.*)$", lambda found: f"# {found[1]} {{#{identifier(name)}}}", text, count=1, flags=re.M)
 
 

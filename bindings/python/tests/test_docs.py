@@ -30,6 +30,13 @@ def test_the_manual(shapes, tmp_path, monkeypatch):  # noqa: F811
     assert not known["statuses"].any() and pathlib.Path("contact.png").exists() and pathlib.Path("wheel.png").exists()
 
 
+def test_readme_prints_what_it_says(capsys):
+    program, = pieces("README.md")
+    exec(compile(program, "README.md", "exec"), {})
+    printed = capsys.readouterr().out.splitlines()
+    assert len(printed) == 2 and all(f"    {each}\n" in (ROOT / "README.md").read_text() for each in printed)
+
+
 def test_the_packages_own_page(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for each in pieces("bindings/python/README.md"):
