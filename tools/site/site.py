@@ -18,6 +18,7 @@ import urllib.parse
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/interface"))
 import notebook
+import python_api
 import headers  # which header is of which class of stability
 
 NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a table in embedding.md
@@ -28,7 +29,7 @@ TABS = [
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
     ("Accuracy", [("Results", "accuracy.md"), ("The source paper", "paper.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
-    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
+    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python reference", "python_api.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
                  ("Sweeps", "in_bindings_python_examples_sweep.md"),
                  ("Wear over a network", "in_bindings_python_examples_wear.md"), ("Fortran", "in_bindings_fortran.md"), ("FMI", "in_bindings_fmi.md"),
@@ -134,7 +135,7 @@ def layout(names):
     def tab(title, name):
         return f'<tab type="user" title="{title}" url="@ref {identifier(name)}"/>'
     told = {"start.md"} | {name for _, entry in TABS for name in ([entry] if isinstance(entry, str) else [each for _, each in entry])}
-    assert told <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
+    assert told - {"python_api.md"} <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
     rest = [(re.search("^# (.*)$", (ROOT / path).read_text(), re.M)[1], path, name) for path, name in sorted(names.items()) if name not in told]
     decisions = [(title, name) for title, path, name in rest if path.startswith("docs/decisions/")]
     others = [(title, name) for title, path, name in rest if not path.startswith("docs/decisions/")]
@@ -203,6 +204,7 @@ def main():
     WORK.mkdir(parents=True)
     for path, name in names.items():
         (WORK / name).write_text(named(formulas(rewritten(path, names)), name))
+    (WORK / "python_api.md").write_text(named(python_api.page(), "python_api.md"))
     layout(names)
     settings = (ROOT / "docs/Doxyfile").read_text() + f"""
 INPUT = {WORK} tools/site/examples.dox include_c

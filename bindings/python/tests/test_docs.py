@@ -58,6 +58,16 @@ def test_the_tutorial(tmp_path, monkeypatch):
     assert known["solution"].peak_pressure == pytest.approx(1.5 * 20e3 / (np.pi * known["radius"] ** 2), rel=1e-3)
 
 
+def test_the_gallery(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    known = {}
+    for each in pieces("docs/gallery.md"):
+        exec(compile(each, "docs/gallery.md", "exec"), known)
+    shown = set(re.findall(r"\(pictures/(gallery_\w+\.png)\)", (ROOT / "docs/gallery.md").read_text()))
+    assert shown == {each.name for each in tmp_path.glob("gallery_*.png")} and len(shown) >= 4
+    assert all((ROOT / "docs/pictures" / each).exists() for each in shown)
+
+
 def test_the_notebook_has_the_tutorials_pieces(monkeypatch):
     monkeypatch.syspath_prepend(str(ROOT / "tools/site"))
     import notebook

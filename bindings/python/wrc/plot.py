@@ -138,7 +138,8 @@ def field(contact: Contact, name: i.FieldLike, axes: Any = None, path: Any = Non
         across, x, shown = _whole(fields, values)
         mesh = panel.pcolormesh(across, x, shown, shading="gouraud", cmap="viridis", vmin=min(low, 0.0), vmax=high if high > low else low + 1.0)
         panel.plot(*_edge(fields), color="black", linewidth=1)
-    made.colorbar(mesh, ax=panel, label=(which.__doc__ or "").split(": ", 1)[-1])
+    unit = (which.__doc__ or "").rpartition("[")[2].rstrip("]")
+    made.colorbar(mesh, ax=panel, label=which.name.replace("_", " ").lower() + (f" [{unit}]" if unit != "-" else ""))
     panel.set(aspect="equal", ylabel="x, rolling direction [mm]",
               xlabel="along the rail's arc [mm]" if "STRIP_PROFILE_Y" in found[0][0] else "y, to the right [mm]")
     return _done(made, path)
