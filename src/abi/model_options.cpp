@@ -105,21 +105,21 @@ constexpr struct {
   contact::Option option;
   const Member& member;
 } options_of_methods[] = {
-    {contact::Option::max_iterations, member<wrc_config>("normal.max_iterations")},
-    {contact::Option::max_sweeps, member<wrc_config>("planar.max_sweeps")},
-    {contact::Option::load_tolerance, member<wrc_config>("normal.load_tolerance")},
-    {contact::Option::warm_start, member<wrc_config>("planar.start")},
-    {contact::Option::patch_model, member<wrc_config>("tangential.patch_model")},
-    {contact::Option::traction_bound, member<wrc_config>("tangential.bound")},
-    {contact::Option::flexibility, member<wrc_config>("tangential.flexibility")},
-    {contact::Option::non_steady, member<wrc_config>("planar.non_steady")},
+    {contact::Option::max_iterations, MEMBER(wrc_config, "normal.max_iterations")},
+    {contact::Option::max_sweeps, MEMBER(wrc_config, "planar.max_sweeps")},
+    {contact::Option::load_tolerance, MEMBER(wrc_config, "normal.load_tolerance")},
+    {contact::Option::warm_start, MEMBER(wrc_config, "planar.start")},
+    {contact::Option::patch_model, MEMBER(wrc_config, "tangential.patch_model")},
+    {contact::Option::traction_bound, MEMBER(wrc_config, "tangential.bound")},
+    {contact::Option::flexibility, MEMBER(wrc_config, "tangential.flexibility")},
+    {contact::Option::non_steady, MEMBER(wrc_config, "planar.non_steady")},
 };
 
 /// Members that place profiles, and are read with profiles only.
 constexpr const Member* places_of_profiles[] = {
-    &member<wrc_config>("wheelset.tape_circle_distance"), &member<wrc_config>("track.gauge"),
-    &member<wrc_config>("track.gauge_depth"), &member<wrc_config>("track.rail_inclination"),
-    &member<wrc_config>("track.placement")};
+    &MEMBER(wrc_config, "wheelset.tape_circle_distance"), &MEMBER(wrc_config, "track.gauge"),
+    &MEMBER(wrc_config, "track.gauge_depth"), &MEMBER(wrc_config, "track.rail_inclination"),
+    &MEMBER(wrc_config, "track.placement")};
 
 /// Refuses options that are not at their defaults although nothing reads them: without effect they are
 /// mistakes of the caller's.
@@ -205,7 +205,7 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
   if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
     return Fault::range(
         {name, "distance"},
-        {ours.distance, "m", before.distance + nearest, member<wrc_rail_section>("distance").high},
+        {ours.distance, "m", before.distance + nearest, MEMBER(wrc_rail_section, "distance").high},
         "the sections of a surface stand in order, 1 mm or more from each other");
   if (ours.surface == before.surface && ours.mark_count != before.mark_count)
     return Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
@@ -223,7 +223,7 @@ Fault read_sections(const wrc_config* theirs, const wrc_config& config, contact:
     return Fault::struct_size(
         "config.rail_section_size",
         {config.rail_section_size, "bytes", Description<wrc_rail_section>::first,
-         member<wrc_config>("rail_section_size").high},
+         MEMBER(wrc_config, "rail_section_size").high},
         "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)");
   for (std::int32_t k = 0; k < count; ++k) {
     Fault fault = check_section(config, k);
@@ -363,8 +363,8 @@ template <std::size_t... i>
 std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<i...>) {
   Checksum sum;
   const auto* const bytes = reinterpret_cast<const char*>(&config);
-  const auto add = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
-    constexpr const Member& member = Description<wrc_config>::members[k];
+  const auto add = [&](auto place) {
+    constexpr const Member& member = Description<wrc_config>::members[decltype(place)::value];
     if (member.offset == offsetof(wrc_config, struct_size) ||
         member.offset == offsetof(wrc_config, instruction_set))
       return;
@@ -385,7 +385,7 @@ std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<
 
 }  // namespace
 
-static_assert(member<wrc_config>("planar.max_patches").high == contact::patch_capacity);
+static_assert(MEMBER(wrc_config, "planar.max_patches").high == contact::patch_capacity);
 
 Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
   wrc_config config;

@@ -96,7 +96,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   zero_field(solution.pressure, grid.cells());
   const patch::Material material = bodies_of(ours.wheel_material, ours.rail_material).material;
   halfspace::GapProblem problem;
-  fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
+  fault = read_field(MEMBER(wrc_exact_normal_problem, "gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
   problem.prescribed =
       ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? normal::Prescribed::load : normal::Prescribed::approach;
@@ -125,7 +125,7 @@ Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Gr
   const std::size_t cells = grid.cells();
   const wrc_creepage& creepage = ours.creepage;
   Fault fault = first_of(
-      {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
+      {read_field(MEMBER(wrc_exact_rolling_problem, "pressure"), ours.pressure, cells, problem.pressure),
        check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, geometry::fastest_rolling,
              "the exact solver rolls along x: mirror the problem"),
        check(creepage.reverse_share, "problem.creepage.reverse_share", "", 0.0, 0.0, nullptr,
@@ -134,10 +134,10 @@ Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Gr
   if (ours.adhesion == WRC_ADHESION_FULL) {
     problem.friction.assign(1, 0.0);  // unused: no traction bound
   } else if (ours.friction != nullptr) {
-    fault = read_field(member<wrc_exact_rolling_problem>("friction"), ours.friction, cells, problem.friction);
+    fault = read_field(MEMBER(wrc_exact_rolling_problem, "friction"), ours.friction, cells, problem.friction);
     if (fault.failed()) return fault;
   } else {
-    fault = check(member<wrc_exact_rolling_problem>("coefficient"), "problem", ours.coefficient);
+    fault = check(MEMBER(wrc_exact_rolling_problem, "coefficient"), "problem", ours.coefficient);
     if (fault.failed()) return fault;
     problem.friction.assign(1, ours.coefficient);
   }
@@ -208,9 +208,9 @@ Fault read_loads(const wrc_exact_loads* theirs, halfspace::BodyLoads& loads, std
     if (!of_field.failed()) field.assign(values, values + cells);
     return of_field;
   };
-  fault = first_of({read_one(member<wrc_exact_loads>("pressure"), ours.pressure, loads.pressure),
-                    read_one(member<wrc_exact_loads>("traction_x"), ours.traction_x, loads.traction_x),
-                    read_one(member<wrc_exact_loads>("traction_y"), ours.traction_y, loads.traction_y)});
+  fault = first_of({read_one(MEMBER(wrc_exact_loads, "pressure"), ours.pressure, loads.pressure),
+                    read_one(MEMBER(wrc_exact_loads, "traction_x"), ours.traction_x, loads.traction_x),
+                    read_one(MEMBER(wrc_exact_loads, "traction_y"), ours.traction_y, loads.traction_y)});
   if (ours.body == WRC_BODY_RAIL) {
     for (halfspace::Field* field : {&loads.traction_x, &loads.traction_y})
       for (double& traction : *field) traction = 0.0 - traction;

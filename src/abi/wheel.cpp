@@ -126,7 +126,7 @@ Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3]
 Fault read_wheel(const wrc_wheel_state& ours, bool height_read, contact::HostWheel& hosted) {
   Fault fault;
   double body[3][3];
-  if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
+  if (height_read) fault = check(MEMBER(wrc_wheel_state, "z"), "input.wheel", ours.z);
   if (!fault.failed()) fault = read_axle(ours, hosted, body);
   if (fault.failed()) return fault;
   read_turning(ours, body, hosted);

@@ -85,8 +85,8 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
     of_factors += tangential::newton_factors(of_row);
   }
   // Not cleared: pages that are never written take no memory.
-  vectors = std::make_unique_for_overwrite<double[]>(tangential::newton_vectors(with_traction, max_products));
-  factors = std::make_unique_for_overwrite<float[]>(of_factors);
+  vectors.reset(new double[tangential::newton_vectors(with_traction, max_products)]);
+  factors.reset(new float[of_factors]);
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
