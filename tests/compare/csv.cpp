@@ -7,10 +7,14 @@
 namespace compare {
 namespace {
 
+/// The cells of a line. A cell in quotes may hold commas; its quotes are left out.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> pieces(1);
+  bool quoted = false;
   for (char c : line) {
-    if (c == ',') {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
       pieces.emplace_back();
     } else if (c != '\r' && c != ' ') {
       pieces.back() += c;

@@ -13,6 +13,7 @@ using Names = std::vector<std::string>;
 
 /// What the wheel's kinds may be told on the command line.
 struct Options {
+  std::string kind;           ///< its name on the command line
   std::vector<long> cases;    ///< to run; empty: all
   Names only;                 ///< pairs of methods, NORMAL+TANGENTIAL; empty: the default
   bool list = false;          ///< print each case
@@ -62,5 +63,10 @@ Report compare_loop(const Csv& file, const Options& options);
 /// The exact solver on the rail's surface (wrc_exact_wrench) against the rows of wheelset and conformal
 /// files, and wrc_contact_wrench against that solver on the same poses.
 Report compare_exact_wheel(const Csv& file, const Options& options);
+
+/// Wheels on rails of every kind (rollers, unlike materials, friction laws, not round, along the track) from
+/// the pose to the force. Each case has several settings of the reference. An error is the part that lies
+/// beyond all of them.
+Report compare_settings(const Csv& file, const Options& options);
 
 }  // namespace compare

@@ -3,6 +3,7 @@
 ///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
 ///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
 ///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
+///   wrc_compare rollers|...|track FILE.csv [--case N[,N]] [--list] [--only VARIANT[,VARIANT]] [--cell MM] [--json]
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
 #include <cstdio>
 #include <cstdlib>
@@ -34,6 +35,11 @@ struct Kind {
   const char* columns;
   bool methods = false;  ///< --only names pairs of methods
 };
+
+/// One of the kinds whose cases have several settings of the reference; all have the same columns.
+constexpr Kind settings_kind(const char* name, const char* about) {
+  return {name, nullptr, compare::compare_settings, {"--cell", &Options::cell}, about, true};
+}
 
 constexpr Kind kinds[] = {
     {"sdec", compare::compare_sdec, nullptr, none,
@@ -72,6 +78,16 @@ constexpr Kind kinds[] = {
      compare::compare_exact_wheel,
      {"--cell", &Options::cell},
      "those of wheelset_cases.csv or conformal_cases.csv: the exact solver on the rail's surface"},
+    settings_kind("rollers", "wheels on rollers"),
+    settings_kind("materials", "wheel and rail of different materials"),
+    settings_kind("friction_laws", "friction that falls with the sliding speed"),
+    settings_kind("friction_zones", "friction over the rail's inclination"),
+    settings_kind("loads_yaw", "vertical load prescribed, large yaw"),
+    settings_kind("driven", "driven, braked, sliding and backwards wheels"),
+    settings_kind("manchester", "the Manchester benchmark, vertical load prescribed"),
+    settings_kind("out_of_round", "wheels that are not round"),
+    settings_kind("flat", "a wheel with a measured flat"),
+    settings_kind("track", "rails that change along the track; also at the reference's height"),
 };
 
 void usage(FILE* to) {
@@ -91,7 +107,10 @@ void usage(FILE* to) {
       "        methods, by the identifiers of wrc_methods.h, as in hertz+fastsim,ekp+strip_fastsim\n"
       "--list: every case as well, with its error and forces\n"
       "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
-      "--cell MM (exact-wheel): cells of the exact solver [0.2]\n");
+      "--cell MM (exact-wheel; rollers to track): cells of the exact solver [0.2]\n"
+      "rollers to track have the columns of tests/data/README.md, geometry beside FILE, and --only "
+      "wrc_contact_wrench (the\n"
+      "        default), wrc_exact_wrench\n");
 }
 
 /// Refuses the command line.
@@ -136,6 +155,7 @@ int main(int argc, char** argv) {
   bool json = false;
   Names only;
   Options options;
+  options.kind = kind->name;
   for (std::size_t i = 2; i < words.size(); ++i) {
     const bool has_value = i + 1 < words.size();
     double value = 0.0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -50,6 +51,15 @@ struct PairOptions {
 /// Methods by the name NORMAL+TANGENTIAL; throws std::runtime_error where it is none.
 void choose_methods(const std::string& name, PairOptions& options);
 
+/// Points of a profile [m].
+struct ProfilePoints {
+  std::vector<double> y, z;
+};
+
+/// Reads a file with y and z in mm on each line, # before a comment; throws std::runtime_error where it
+/// cannot.
+ProfilePoints read_profile(const std::filesystem::path& path);
+
 /// The contacts of a file, each pair of profiles made once.
 class Pairs {
  public:
@@ -57,13 +67,10 @@ class Pairs {
   const Solver& of(const PairOptions& options);
 
  private:
-  struct Points {
-    std::vector<double> y, z;
-  };
-  const Points& points(const std::string& name);
+  const ProfilePoints& points(const std::string& name);
 
   std::string folder_;
-  std::map<std::string, Points> points_;
+  std::map<std::string, ProfilePoints> points_;
   std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
            std::unique_ptr<Solver>>
       solvers_;
