@@ -82,7 +82,7 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
 class Transient:
     """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
 
-    grid: of every step; a step goes grid.dx
+    grid: of every step; a step goes grid.dx, either way, or rests
     wheel_material, rail_material: None: the defaults
     """
 
@@ -95,8 +95,9 @@ class Transient:
 
     def step(self, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None, progress: ProgressArgument = None,
              **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
-        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. A step
-        that fails or is stopped leaves the bodies where they were."""
+        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. The sign of
+        creepage.speed is the way; 0 is a shift at rest by creepages times dx. A step that fails or is stopped leaves the bodies where
+        they were."""
         with self._lock:
             return _roll(lambda *told: i._wrc_exact_transient_step(self._handle, *told), self.grid, pressure, friction, progress,
                          {**self.materials, **problem})
