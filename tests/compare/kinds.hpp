@@ -42,6 +42,11 @@ Report compare_halfspace_normal(const Csv& file, const Names& only);
 /// Errors are over mu times the row's load; beside all rows they are listed by wave length.
 Report compare_transient(const Csv& file, const Names& only);
 
+/// Contact with a memory at rest and rolling either way: the exact solver step by step. Errors of forces are
+/// over mu times the row's load, those of the moment also over sqrt(ab); beside all rows they are listed by
+/// family.
+Report compare_memory(const Csv& file, const Names& only);
+
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);
