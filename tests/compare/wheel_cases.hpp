@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "csv.hpp"
@@ -50,10 +51,11 @@ struct PairOptions {
 /// Methods by the name NORMAL+TANGENTIAL; throws std::runtime_error where it is none.
 void choose_methods(const std::string& name, PairOptions& options);
 
-/// The contacts of a file, each pair of profiles made once.
+/// The contacts of a file, each pair of profiles made once. `setting`: a resolution of WRC_RESOLUTION_LIST.
 class Pairs {
  public:
-  explicit Pairs(const Csv& file) : folder_(file.path()) {}
+  explicit Pairs(const Csv& file, std::string setting = "default")
+      : folder_(file.path()), setting_(std::move(setting)) {}
   const Solver& of(const PairOptions& options);
 
  private:
@@ -62,7 +64,7 @@ class Pairs {
   };
   const Points& points(const std::string& name);
 
-  std::string folder_;
+  std::string folder_, setting_;
   std::map<std::string, Points> points_;
   std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
            std::unique_ptr<Solver>>
