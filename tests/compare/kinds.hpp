@@ -13,12 +13,13 @@ using Names = std::vector<std::string>;
 
 /// What the wheel's kinds may be told on the command line.
 struct Options {
-  std::string kind;           ///< its name on the command line
-  std::vector<long> cases;    ///< to run; empty: all
-  Names only;                 ///< pairs of methods, NORMAL+TANGENTIAL; empty: the default
-  bool list = false;          ///< print each case
-  double smoothing = 4.5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
-  double cell = 2e-4;         ///< of the exact solver [m]
+  std::string kind;                 ///< its name on the command line
+  std::vector<long> cases;          ///< to run; empty: all
+  Names only;                       ///< pairs of methods, NORMAL+TANGENTIAL; empty: the default
+  std::string setting = "default";  ///< resolution, of WRC_RESOLUTION_LIST
+  bool list = false;                ///< print each case
+  double smoothing = 4.5e-3;        ///< wrc_profile.smoothing of measured points with noise [m]
+  double cell = 2e-4;               ///< of the exact solver [m]
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();

@@ -63,7 +63,9 @@ class Pair {
     surface::Wrench wrench;
     in.load_prescribed = true;
     in.friction = 0.0;
-    if (surface::solve_wheel_on_rail(*model_, in, false, state, workspace_.data(), wrench).status != WRC_OK)
+    if (surface::solve_wheel_on_rail(*model_, in, surface::SolutionStart::anew, state, workspace_.data(),
+                                     wrench)
+            .status != WRC_OK)
       return false;
     in.wheel.position[2] = wrench.height;
     return true;
@@ -95,9 +97,10 @@ class Pair {
     const surface::Overlaps o =
         surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, scratch, memory);
     std::vector<double> normal(static_cast<std::size_t>(surface::pressure_doubles(o.capacity)));
-    auto state = std::make_unique<surface::SurfaceState>();
-    surface::PressureStart start{state->length_squared, state->shift, state->depth};
-    surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
+    auto kept = std::make_unique<surface::KeptStart>();
+    surface::PressureStart start{kept->strip, kept->length_squared, kept->shift, kept->depth};
+    surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start,
+                            surface::StartFrom::overlaps, p);
     std::vector<SurfaceStrip> found;
     points.clear();
     for (std::int32_t i = 0; i < o.count; ++i) {

@@ -1,6 +1,6 @@
-#include <initializer_list>
-
 #include "surface/pressure/pressure_scratch.hpp"
+
+#include <initializer_list>
 
 namespace wrc::surface {
 
@@ -22,8 +22,8 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   ActiveStrips& a = w.active;
   arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,
              a.load_factor, a.load, a.width, a.ny, a.nz);
-  arena.each(padded, w.half_length, w.outside_place, w.outside_x, w.u_leading, w.u_trailing, w.edge_lambda,
-             w.edge_shift, w.inverse_reach, w.rim_weight, w.upper, w.smooth_part);
+  arena.each(padded, w.depth_before, w.half_length, w.outside_place, w.outside_x, w.u_leading, w.u_trailing,
+             w.edge_lambda, w.edge_shift, w.inverse_reach, w.rim_weight, w.upper, w.smooth_part);
   // Vectors of all unknowns: L, then shifts.
   arena.each(2 * padded, w.residual, w.next);
   for (Iterate& iterate : w.iterate) {
