@@ -38,6 +38,47 @@ struct RayEnd {
   Number u, depth;
 };
 
+/// A ray beside the wheel: where its end lies on the profile and round the wheel, and the end by a step of
+/// Newton's method nearer to where both meet.
+template <class Number>
+struct RayBeside {
+  OnProfile<Number> profile;
+  Number sine, cosine, per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
+  RayEnd<Number> next;
+};
+
+/// With q = R^T (P + d n) a ray meets the wheel where q_y = Y(u) and root(q_x^2 + q_z^2) = r(u).
+template <class Number>
+RayBeside<Number> step_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
+                             const RayStart<Number>& from, const Number& ny, const Number& nz,
+                             const RayEnd<Number>& end) {
+  const auto& R = pose.rotation;
+  // the ray and its end in wheel axes
+  Number ray[3], q[3];
+  for (int k = 0; k < 3; ++k) {
+    ray[k] = R[1][k] * ny + R[2][k] * nz;
+    q[k] = R[0][k] * from.x + R[1][k] * from.y + R[2][k] * from.z + end.depth * ray[k];
+  }
+  PieceOf<double> piece;
+  for (int d = 0; d < 4; ++d) {
+    piece.y[d] = wheel.y[d][end.piece];
+    piece.z[d] = wheel.z[d][end.piece];
+  }
+  const OnProfile<Number> p = on_profile(piece, end.u);
+  const Number radius = root(q[0] * q[0] + q[2] * q[2]), per_radius = Number(1.0) / radius;
+  const Number sine = q[0] * per_radius, cosine = q[2] * per_radius;
+  // what is missing of both conditions, and the step of depth and length that takes it away
+  const Number beside = q[1] - p.y, below = radius - p.radius;
+  const Number outwards = sine * ray[0] + cosine * ray[2];
+  const Number per = Number(1.0) / (p.dy * outwards - p.dz * ray[1]);
+  return {p,
+          sine,
+          cosine,
+          per_radius,
+          {end.piece, end.u + (outwards * beside - ray[1] * below) * per,
+           end.depth + (p.dz * beside - p.dy * below) * per}};
+}
+
 /// The overlap over x at the end of a ray, and the wheel there.
 template <class Number>
 struct OverlapAlong {
@@ -48,54 +89,33 @@ struct OverlapAlong {
   Number profile_y;     ///< on the wheel's profile [m]
 };
 
-/// With q = R^T (P + d n) the ray meets the wheel where q_y = Y(u) and root(q_x^2 + q_z^2) = r(u). With N the
-/// wheel's outward normal there and T = (1, P') the way of the ray's start, the overlap changes as
+/// With N the wheel's outward normal at the ray's end and T = (1, P') the way of the ray's start, the overlap
+/// changes as
 ///     d' = -N.T / N.n,      d'' = (II(v, v) - N.P'') / N.n,      v = T + d' n,
-/// II(v, v) = r'' Y' - .. v_s^2 - u_y / r v_t^2 of the wheel's surface.
+/// II(v, v) = (Y' r'' - r' Y'') / |(Y', r')|^3 v_s^2 - Y' / (|(Y', r')| r) v_t^2: of the wheel's surface, v_s
+/// along its profile and v_t round it.
 template <class Number>
 OverlapAlong<Number> overlap_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
                                    const RayStart<Number>& from, const Number& ny, const Number& nz,
                                    const RayEnd<Number>& end) {
   const auto& R = pose.rotation;
-  const auto to_wheel = [&](int k, const Number& x, const Number& y, const Number& z) {
-    return R[0][k] * x + R[1][k] * y + R[2][k] * z;
-  };
-  // the ray and its end in wheel axes
-  const Number ray[3] = {R[1][0] * ny + R[2][0] * nz, R[1][1] * ny + R[2][1] * nz,
-                         R[1][2] * ny + R[2][2] * nz};
-  Number q[3];
-  for (int k = 0; k < 3; ++k) q[k] = to_wheel(k, from.x, from.y, from.z) + end.depth * ray[k];
-  PieceOf<double> piece;
-  for (int d = 0; d < 4; ++d) {
-    piece.y[d] = wheel.y[d][end.piece];
-    piece.z[d] = wheel.z[d][end.piece];
-  }
-  const OnProfile<Number> p = on_profile(piece, end.u);
-  const Number radius = root(q[0] * q[0] + q[2] * q[2]), per_radius = Number(1.0) / radius;
-  const Number sine = q[0] * per_radius, cosine = q[2] * per_radius;
-  // Newton's step of depth and length
-  const Number beside = q[1] - p.y, below = radius - p.radius;
-  const Number outwards = sine * ray[0] + cosine * ray[2];
-  const Number per = Number(1.0) / (p.dy * outwards - p.dz * ray[1]);
-  OverlapAlong<Number> o{end, {}, {}, {}, {}, {}, p.y};
-  o.next.depth = end.depth + (p.dz * beside - p.dy * below) * per;
-  o.next.u = end.u + (outwards * beside - ray[1] * below) * per;
-
+  const RayBeside<Number> at = step_along(wheel, pose, from, ny, nz, end);
+  const OnProfile<Number>& p = at.profile;
   // slope of the overlap, from the wheel's normal N
-  const Number nx = p.uy * sine, normal_z = p.uy * cosine;
+  const Number nx = p.uy * at.sine, normal_z = p.uy * at.cosine;
   const Number N[3] = {R[0][0] * nx - R[0][1] * p.uz + R[0][2] * normal_z,
                        R[1][0] * nx - R[1][1] * p.uz + R[1][2] * normal_z,
                        R[2][0] * nx - R[2][1] * p.uz + R[2][2] * normal_z};
   const Number per_facing = Number(1.0) / (N[1] * ny + N[2] * nz);
+  OverlapAlong<Number> o{at.next, {}, {}, {}, {}, p.uy * at.per_radius, p.y};
   o.slope = -(N[0] + N[1] * from.slope_y + N[2] * from.slope_z) * per_facing;
   // the way v on the wheel's surface: parts round it and along its profile, and the curvature of both
   const Number way_y = from.slope_y + o.slope * ny, way_z = from.slope_z + o.slope * nz;
-  const Number vx = to_wheel(0, Number(1.0), way_y, way_z), vy = to_wheel(1, Number(1.0), way_y, way_z),
-               vz = to_wheel(2, Number(1.0), way_y, way_z);
-  const Number round = cosine * vx - sine * vz;
-  const Number along = p.uy * vy + p.uz * (sine * vx + cosine * vz);
+  const auto way = [&](int k) { return R[0][k] + R[1][k] * way_y + R[2][k] * way_z; };
+  const Number vx = way(0), vy = way(1), vz = way(2);
+  const Number round = at.cosine * vx - at.sine * vz;
+  const Number along = p.uy * vy + p.uz * (at.sine * vx + at.cosine * vz);
   const Number bent = (p.dy * p.ddz - p.dz * p.ddy) * p.per_speed * p.per_speed * p.per_speed;
-  o.own = p.uy * per_radius;
   const Number second = bent * along * along - o.own * round * round;
   o.bend = (second - N[1] * from.curvature_y - N[2] * from.curvature_z) * per_facing;
   const Number per_across = Number(1.0) / root(N[1] * N[1] + N[2] * N[2]);
@@ -129,8 +149,9 @@ struct StripOverX {
   Number ny, nz;       ///< direction of the rays, into the rail
 
   RayStart<Number> start(const Number& x) {
+    constexpr int derivatives = std::is_same_v<Number, double> ? 2 : 3;
     const Number there = distance + x;
-    blend = blend_at(rail, rail.face[face_of(rail, strip)], value_of(there), blend);
+    blend = blend_at(rail, rail.face[face_of(rail, strip)], value_of(there), blend, derivatives);
     const StripAlongTrack<Number> s = strip_at(rail, blend, strip, there);
     return {x, s.y - pose.y, s.z - pose.z, s.slope_y, s.slope_z, s.curvature_y, s.curvature_z};
   }
@@ -156,7 +177,7 @@ struct LargestOverlap {
 /// Newton's method for the largest overlap within low..high, from `found`; the rays are turned with it.
 inline void find_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
   constexpr int most_steps = 12;
-  constexpr double longest = 10e-3, close = 1e-10;  // [m]
+  constexpr double longest = 10e-3, close = 1e-8;  // [m]
   for (int n = 0; n < most_steps; ++n) {
     const RayStart<double> from = strip.start(found.x);
     const OverlapAlong<double> o = strip.overlap(from, found.end);
@@ -167,18 +188,19 @@ inline void find_largest(StripOverX<double>& strip, double low, double high, Lar
     const double step = o.slope / larger(-o.bend, least_curvature_left * o.own);
     const double x = found.x + smaller(larger(step, -longest), longest);
     const double to = smaller(larger(x, low), high) - found.x;
-    if (magnitude(to) < close && magnitude(moved) < 1e-2 * close) break;
     found.x += to;
+    // both steps square what they leave
+    if (magnitude(to) < close && magnitude(moved) < close) break;
     strip.turn(o, from.x);
   }
 }
 
 /// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
 inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
-  constexpr int steps = 3;
+  constexpr int steps = 2;
   const RayStart<double> from = strip.start(x);
   for (int n = 0; n < steps; ++n) {
-    end = strip.overlap(from, end).next;
+    end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
     settle(strip.wheel, end);
   }
   return end.depth;
@@ -211,7 +233,8 @@ template <class Number>
 RayEnd<Number> carried(const StripOverX<Number>& strip, const RayStart<Number>& from,
                        const RayEnd<double>& end) {
   RayEnd<Number> carrying{end.piece, end.u, end.depth};
-  for (int n = 0; n < 2; ++n) carrying = strip.overlap(from, carrying).next;
+  for (int n = 0; n < 2; ++n)
+    carrying = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, carrying).next;
   return carrying;
 }
 inline RayEnd<double> carried(const StripOverX<double>&, const RayStart<double>&, const RayEnd<double>& end) {
@@ -281,26 +304,38 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   return over.profile_y;
 }
 
-/// A place to begin at: of those looked at along the track the one of the largest overlap, by the strip's
-/// parabola and the rail's places. Returns that overlap [m].
+/// A place to begin at: where the overlap is largest of the places along the track, or between these, by the
+/// strip's parabola. Returns that overlap [m].
 inline double look_along(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
                          const StripOverlap<double>& o, double& x) {
+  constexpr double hardly = 50e-6;  // [m]: a gain for which Newton's method needs no better place
   const std::int32_t face = face_of(rail, strip);
-  const double y = placed.y[strip], z = placed.z[strip];
-  x = smaller(larger(o.centre, placed.low[face]), placed.high[face]);
-  double largest = -1e300;
+  const double low = placed.low[face], high = placed.high[face];
+  x = smaller(larger(o.centre, low), high);
+  if (placed.gain[strip] < hardly && x == o.centre) return o.depth + placed.gain[strip];
+  const auto depth_at_place = [&](const PlaceWeights& place) {
+    const double off = place.x - o.centre;
+    return o.depth - 0.5 * o.curvature * off * off -
+           o.ny * (place_of(rail, place, strip, 0) - placed.y[strip]) -
+           o.nz * (place_of(rail, place, strip, 1) - placed.z[strip]);
+  };
+  // of places on the face the best, and those beside it
+  double depth[track_places];
+  std::int32_t best = -1;
   for (std::int32_t k = 0; k < track_places; ++k) {
-    const PlaceWeights& w = placed.place[face][k];
-    if (w.x < placed.low[face] || w.x > placed.high[face]) continue;
-    const double off = w.x - o.centre;
-    const double depth = o.depth - 0.5 * o.curvature * off * off - 
-                         o.ny * (place_of(rail, w, strip, 0) - y) -
-                         o.nz * (place_of(rail, w, strip, 1) - z);
-    if (!(depth > largest)) continue;
-    largest = depth;
-    x = w.x;
+    const PlaceWeights& place = placed.place[face][k];
+    depth[k] = depth_at_place(place);
+    if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
   }
-  return largest;
+  if (best < 0) return o.depth + placed.gain[strip];
+  x = placed.place[face][best].x;
+  if (best == 0 || best + 1 == track_places) return depth[best];
+  // top of the parabola through the three
+  const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
+               bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];
+  if (!(bend > magnitude(rise))) return depth[best];
+  x = smaller(larger(x + place_apart * rise / bend, low), high);
+  return depth[best] + 0.5 * rise * rise / bend;
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

@@ -310,9 +310,9 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
 
 namespace {
 
-/// Between two sections.
-SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double distance) {
-  SectionBlend b;
+/// Between two sections, with so many of the derivatives' weights.
+SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double distance, int derivatives) {
+  SectionBlend b{};
   b.left = left;
   b.right = left + 1;
   // The quintic Hermite functions of the header and their derivatives by t, scaled to derivatives by the
@@ -320,32 +320,33 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
                t = (distance - rail.distance[left]) * per;
   const double t2 = t * t;
-  const double up[4] = {t2 * t * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t2 * (1.0 + t * (t - 2.0)) * per,
-                        60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per,
-                        60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per};
-  const double leaving[4] = {
-      t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * h, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
-      t * (t * (96.0 - 60.0 * t) - 36.0) * per, (t * (192.0 - 180.0 * t) - 36.0) * per * per};
-  const double reaching[4] = {t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * h, t2 * (t * (28.0 - 15.0 * t) - 12.0),
-                              t * (t * (84.0 - 60.0 * t) - 24.0) * per,
-                              (t * (168.0 - 180.0 * t) - 24.0) * per * per};
-  for (int d = 0; d < 4; ++d) {
-    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - up[d];
-    b.weight[d][1] = up[d];
-    b.weight[d][2] = leaving[d];
-    b.weight[d][3] = reaching[d];
-  }
+  const auto put = [&b](int d, double up, double leaving, double reaching) {
+    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - up;
+    b.weight[d][1] = up;
+    b.weight[d][2] = leaving;
+    b.weight[d][3] = reaching;
+  };
+  put(0, t2 * t * (10.0 + t * (6.0 * t - 15.0)), t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * h,
+      t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * h);
+  if (derivatives < 1) return b;
+  put(1, 30.0 * t2 * (1.0 + t * (t - 2.0)) * per, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
+      t2 * (t * (28.0 - 15.0 * t) - 12.0));
+  put(2, 60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per, t * (t * (96.0 - 60.0 * t) - 36.0) * per,
+      t * (t * (84.0 - 60.0 * t) - 24.0) * per);
+  if (derivatives < 3) return b;
+  put(3, 60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per,
+      (t * (192.0 - 180.0 * t) - 36.0) * per * per, (t * (168.0 - 180.0 * t) - 24.0) * per * per);
   return b;
 }
 
 }  // namespace
 
-SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance, int derivatives) {
   // the interval of sections that holds the distance
   const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
   const double* const above = std::upper_bound(begin, end, distance);
   if (above != begin && above != end)
-    return blend_between(rail, static_cast<std::int32_t>(above - rail.distance) - 1, distance);
+    return blend_between(rail, static_cast<std::int32_t>(above - rail.distance) - 1, distance, derivatives);
   SectionBlend b{};  // beyond its sections, or at the last one
   b.left = b.right = face.first_section + (above == begin ? 0 : face.sections - 1);
   b.weight[0][0] = 1.0;
@@ -353,10 +354,11 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 }
 
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
-                      const SectionBlend& near) {
+                      const SectionBlend& near, int derivatives) {
   const bool there =
       near.left < near.right && distance >= rail.distance[near.left] && distance < rail.distance[near.right];
-  return there ? blend_between(rail, near.left, distance) : blend_at(rail, face, distance);
+  return there ? blend_between(rail, near.left, distance, derivatives)
+               : blend_at(rail, face, distance, derivatives);
 }
 
 namespace {
@@ -372,7 +374,7 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   for (std::int32_t k = 0; k < track_places; ++k) {
     PlaceWeights& place = placed.place[f][k];
     place.x = place_apart * (k - track_places / 2);
-    const SectionBlend b = blend_at(rail, face, placed.distance + place.x);
+    const SectionBlend b = blend_at(rail, face, placed.distance + place.x, 0);
     place.left = b.left;
     place.right = b.right;
     std::copy_n(b.weight[0], 4, place.weight);
@@ -380,10 +382,10 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
 }
 
 /// The most that overlaps of a face's strips grow along the track, of a wheel that may be nearest up to
-/// `askew` ahead or behind: at every eighth strip, and the larger of two for those between.
+/// `askew` ahead or behind: at every sixteenth strip, and the larger of two for those between.
 void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, PlacedRail& placed,
                 double* gain) {
-  constexpr std::int32_t every = 8;
+  constexpr std::int32_t every = 16;
   constexpr double askew = 15e-3;  // [m]
   const RailFace& face = rail.face[f];
   const std::int32_t end = face.first + face.strips;

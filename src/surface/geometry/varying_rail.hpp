@@ -73,15 +73,15 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
                         std::int32_t most_strips, const VaryingRailArrays& arrays, VaryingRail& rail);
 
 /// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
-/// their values and slopes in the outline and its derivatives by the distance, up to the third.
+/// their values and slopes in the outline and its derivatives by the distance, up to the number asked for.
 struct SectionBlend {
   std::int32_t left, right;
   double weight[4][4];
 };
-SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance);
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance, int derivatives = 3);
 /// The same, looked for first where `near` is.
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
-                      const SectionBlend& near);
+                      const SectionBlend& near, int derivatives = 3);
 
 /// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first, and
 /// how far apart they are: to 60 mm either side [m].
