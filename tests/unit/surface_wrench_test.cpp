@@ -66,7 +66,11 @@ class CylinderOnCrown {
   Fault solve(SolutionStart from = SolutionStart::anew) {
     return solve_wheel_on_rail(*model, in, from, *state, workspace.data(), wrench);
   }
-  WheelProblem problem() const { return {*model, in, {model->rail, 0.0, 0.0, {}}}; }
+  WheelProblem problem() const {
+    WheelProblem problem{*model, in, {}};
+    EXPECT_EQ(place_rail(*model, 0.0, {}, problem.rail).status, WRC_OK);
+    return problem;
+  }
 
   static constexpr patch::Material material{82e9, 0.28};
   const SurfaceModel* model = nullptr;

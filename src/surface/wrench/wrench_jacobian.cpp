@@ -128,26 +128,28 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   const Overlaps& overlaps = d.solved.overlaps;
   const std::int32_t j = overlaps.strip[i], piece = overlaps.piece[i];
   const double u = overlaps.u[i];
-  StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
+  const StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
   if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
 
-  // by track the strip itself moves: beyond the last section nothing changes with the distance
+  // beyond the last section nothing changes with the distance
   PlaceDual distance = rail.distance, angle = d.problem.in.angle;
   if (d.by == JacobianBy::track) {
     if (rail.distance == d.problem.in.distance) distance.d[track_distance] = 1.0;
     angle.d[track_angle] = 1.0;
   }
-  if (model.varying.faces > 0 && d.by == JacobianBy::track) {
-    const SectionBlend& blend = rail.blend[face_of(model.varying, j)];
-    const auto moved = strip_at(model.varying, blend, j, distance);
-    place.y = moved.y;
-    place.z = moved.z;
-    tangent_at(model.varying, blend, j, distance, place.ty, place.tz);
-  }
-
   // the same corrections as of plain numbers, in the same order
+  if (changes_along(model, j)) {
+    OverlapSlopes o;
+    static_cast<StripOverlap<PlaceDual>&>(o) = {overlaps.depth[i], overlaps.centre[i], overlaps.curvature[i],
+                                                overlaps.ny[i],    overlaps.nz[i],     overlaps.wy[i],
+                                                overlaps.wz[i],    overlaps.grade[i]};
+    LargestOverlap found{overlaps.centre[i], {piece, u, overlaps.depth[i]}};
+    o.y_wheel = follow_rail<PlaceDual>(rail, model.varying, model.wheel.curve, pose, j, distance, found, o);
+    follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
+    return o;
+  }
   OverlapSlopes o = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
-  follow_track<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
+  follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
   return o;
 }
 
