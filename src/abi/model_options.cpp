@@ -109,17 +109,22 @@ constexpr struct {
     {contact::Option::max_sweeps, MEMBER(wrc_config, "planar.max_sweeps")},
     {contact::Option::load_tolerance, MEMBER(wrc_config, "normal.load_tolerance")},
     {contact::Option::warm_start, MEMBER(wrc_config, "planar.start")},
+    {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.tolerance")},
+    {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.max_work")},
     {contact::Option::patch_model, MEMBER(wrc_config, "tangential.patch_model")},
     {contact::Option::traction_bound, MEMBER(wrc_config, "tangential.bound")},
     {contact::Option::flexibility, MEMBER(wrc_config, "tangential.flexibility")},
     {contact::Option::non_steady, MEMBER(wrc_config, "planar.non_steady")},
 };
 
-/// Members that place profiles, and are read with profiles only.
-constexpr const Member* places_of_profiles[] = {
-    &MEMBER(wrc_config, "wheelset.tape_circle_distance"), &MEMBER(wrc_config, "track.gauge"),
-    &MEMBER(wrc_config, "track.gauge_depth"), &MEMBER(wrc_config, "track.rail_inclination"),
-    &MEMBER(wrc_config, "track.placement")};
+/// Members that place profiles or cut them, and are read with profiles only.
+constexpr const Member* read_with_profiles[] = {&MEMBER(wrc_config, "wheelset.tape_circle_distance"),
+                                                &MEMBER(wrc_config, "track.gauge"),
+                                                &MEMBER(wrc_config, "track.gauge_depth"),
+                                                &MEMBER(wrc_config, "track.rail_inclination"),
+                                                &MEMBER(wrc_config, "track.placement"),
+                                                &MEMBER(wrc_config, "surface.tread_width"),
+                                                &MEMBER(wrc_config, "surface.corner_width")};
 
 /// Refuses options that are not at their defaults although nothing reads them: without effect they are
 /// mistakes of the caller's.
@@ -139,10 +144,23 @@ Fault check_unread(const wrc_config& config, const contact::ModelOptions& option
     return Fault::unsupported("config.tangential.force_table",
                               contact::readers_of(contact::Option::force_table));
   if (has_profiles(config)) return {};
-  for (const Member* const member : places_of_profiles)
+  for (const Member* const member : read_with_profiles)
     if (changed(*member))
-      return refused(*member,
-                     "the model has no profiles to place: what the caller hands over is taken as it is");
+      return refused(
+          *member, "the model has no profiles to place or cut: what the caller hands over is taken as it is");
+  return {};
+}
+
+/// Widths of the rail's strips, and how far and how long their pressures are iterated.
+Fault read_resolution(const wrc_config_surface& surface, contact::ModelOptions& options) {
+  if (!(surface.corner_width <= surface.tread_width))
+    return Fault::range(
+        "config.surface.corner_width", {surface.corner_width, "m", 0.0, surface.tread_width},
+        "strips are narrower where the rail is curved more: at most config.surface.tread_width");
+  options.strip_widths.widest = options.strip_widths.guiding = surface.tread_width;
+  options.strip_widths.narrowest = surface.corner_width;
+  options.pressure.tolerance = surface.tolerance;
+  options.pressure.max_work = surface.max_work;
   return {};
 }
 
@@ -395,6 +413,9 @@ Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
       checksum_of_numbers(config, std::make_index_sequence<std::size(Description<wrc_config>::members)>());
 
   RETURN_IF_FAILED(check_unread(config, options));
+  if (config.planar.start == WRC_START_MARK)
+    return Fault::unsupported("config.planar.start", {config.planar.start, ""},
+                              "marks are of wrc_contact_wrench alone: WRC_START_COLD or WRC_START_WARM");
   RETURN_IF_FAILED(check_no_points(config.wheel, "config.wheel"));
   RETURN_IF_FAILED(check_no_points(config.rail, "config.rail"));
   RETURN_IF_FAILED(check_no_points(config.check_rail.profile, "config.check_rail.profile"));
@@ -403,6 +424,7 @@ Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
   options.sizes = {
       .strips = config.planar.strips, .cells = config.planar.cells, .gap_rows = config.planar.gap_rows};
   options.surface_cells = config.surface.cells;
+  RETURN_IF_FAILED(read_resolution(config.surface, options));
   options.max_patches = config.planar.max_patches;
   options.gap_limit = config.planar.gap_limit;
   options.max_iterations = config.normal.max_iterations;

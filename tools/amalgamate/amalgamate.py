@@ -34,7 +34,9 @@ HEAD = """\
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off", "no-math-errno", "no-tree-slp-vectorize")
 #endif
+#ifndef WRC_STATIC
 #define WRC_STATIC
+#endif
 #define WRC_BASELINE_ALONE
 #define WRC_SET baseline
 #define WRC_COMMIT "{commit}"
