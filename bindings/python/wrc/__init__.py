@@ -22,7 +22,7 @@ from ._library import Cancelled, Error
 from .contact import Batch, Contact, Model, force_table, methods, presets, sweep, use
 from .damage import Bins, flash_temperature, whole_life_damage
 from . import damage, exact, plot, profiles, raw
-from .profiles import ProfileError, ProfileFile, ProfileWarning, conicity, flange_dimensions, read_profile, remove_wear
+from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
 from .tables import to_frame
 
 _library.check_version(ABI_VERSION, EXPERIMENTAL_VERSION)
@@ -41,6 +41,6 @@ def __getattr__(name: str) -> _Any:
     raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
 
 
-__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "ProfileWarning", "build_info", "conicity", "damage",
+__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "ProfileWarning", "build_info", "cone", "conicity", "damage",
            "exact", "flange_dimensions", "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "raw", "read_profile",
            "remove_wear", "sweep", "to_frame", "use", "whole_life_damage"]
