@@ -7,6 +7,7 @@ import time
 import numpy as np
 import pytest
 import wrc
+from test_sections import rails
 from test_profiles import rows, shapes  # noqa: F401
 
 ROOT = pathlib.Path(__file__).parents[3]
@@ -21,6 +22,7 @@ def test_the_manual(shapes, tmp_path, monkeypatch):  # noqa: F811
     wheel, rail = shapes
     pathlib.Path("worn.whl").write_text(rows(wheel * [1, -1]))
     pathlib.Path("rail.txt").write_text(rows(rail))
+    wrc.write_sections("crossing.slcs", rails.crossing())
     x, y = wrc.exact.cells(wrc.exact.grid(64, 64, 2e-4))
     known = {"np": np, "gap": (x ** 2 + y ** 2) / 0.5}
     found = pieces("docs/python.md")

@@ -355,12 +355,16 @@ class Start(s.Choice):
     """Where iterations begin.
 
     COLD: anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving
-    WARM: from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a
-        wheel. For explicit integrators and fixed steps, not for implicit ones
+    WARM: from the contact's last solution. Results depend on earlier calls, within the tolerance. For
+        explicit integrators and fixed steps, not for implicit ones
+    MARK: of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark.
+        Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator
+        that accepts its steps
     """
 
     COLD = 0, 'anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving'
-    WARM = 1, "from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a wheel. For explicit integrators and fixed steps, not for implicit ones"
+    WARM = 1, "from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit integrators and fixed steps, not for implicit ones"
+    MARK = 2, 'of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator that accepts its steps'
 
 
 class Available(enum.IntFlag):
@@ -872,20 +876,40 @@ assert c.sizeof(ConfigTangential) == 72
 
 
 class ConfigSurface(s.Struct):
-    """Options of Contact.wrench() alone.
+    """Options of Contact.wrench() alone. use() sets resolution, tolerance and work by the name of a setting.
+        Times and errors of settings: docs/realtime.md.
 
     Members:
       cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)
+      tread_width [m]: width of the rail's strips where its radius of curvature is 60 mm or more (1e-4 ..
+          2e-3; default 5e-4)
+      corner_width [m]: the same where it is 20 mm or less, at most tread_width; linear between. Faces that
+          guide, of a check rail, have 0.2e-3 m at most (5e-5 .. 1e-3; default 2.5e-4)
+      tolerance: part of the contact's area that the last iteration of the normal problem moves; of
+          NormalMethod.STRIP_HALFSPACE. The error of forces is a tenth of it (1e-10 .. 1e-2; default 1e-7)
+      max_work: work that a call may take, all heights of a prescribed load included; of
+          NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
+          takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
+          2e6)
     """
 
     _c_name_ = 'wrc_config_surface'
     __slots__ = ()
     cells: int
-    _defaults_ = {'cells': 32}
+    tread_width: float
+    corner_width: float
+    tolerance: float
+    max_work: float
+    _units_ = {'tread_width': 'm', 'corner_width': 'm'}
+    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-07, 'max_work': 2000000.0}
     _fields_ = [
         ('cells', c.c_int32),
         ('_reserved0', c.c_uint32),
-        ('_reserved', c.c_double * 14),
+        ('tread_width', c.c_double),
+        ('corner_width', c.c_double),
+        ('tolerance', c.c_double),
+        ('max_work', c.c_double),
+        ('_reserved', c.c_double * 10),
     ]
 assert c.sizeof(ConfigSurface) == 120
 
@@ -1354,6 +1378,9 @@ class Wrench(s.Struct):
       power [W]: frictional power, >= 0
       steepest_angle [rad]: largest angle of a rail strip in contact against the horizontal. It steps where
           strips enter
+      residual: part of the area that the last iteration of the normal problem moved: within
+          config.surface.tolerance but for Status.FLAG_ITERATION_CAP. Of NormalMethod.STRIP_HALFSPACE
+      work: of the call, in the unit of config.surface.max_work
     """
 
     _c_name_ = 'wrc_wrench'
@@ -1372,6 +1399,8 @@ class Wrench(s.Struct):
     peak_pressure: float
     power: float
     steepest_angle: float
+    residual: float
+    work: float
     _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'clearance': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -1389,8 +1418,10 @@ class Wrench(s.Struct):
         ('peak_pressure', c.c_double),
         ('power', c.c_double),
         ('steepest_angle', c.c_double),
+        ('residual', c.c_double),
+        ('work', c.c_double),
     ]
-assert c.sizeof(Wrench) == 168
+assert c.sizeof(Wrench) == 184
 
 
 class WrenchDerivatives(s.Struct):
@@ -3109,6 +3140,7 @@ _wrc_contact_save_portable = _l.function(FUNCTIONS, 'wrc_contact_save_portable',
 _wrc_contact_restore_portable = _l.function(FUNCTIONS, 'wrc_contact_restore_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_last_error = _l.function(FUNCTIONS, 'wrc_contact_last_error', c.c_int32, [c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
+_wrc_contact_mark = _l.function(FUNCTIONS, 'wrc_contact_mark', c.c_int32, [c.c_void_p])
 _wrc_contact_wrench_derivatives = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchDerivatives)])
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
@@ -3206,6 +3238,19 @@ class ContactCalls(_l.Handle):
         except c.ArgumentError as _why:
             raise _l.misfit(_why, input=(input, WheelInput), out=(out, Wrench)) from None
         return out
+
+    def mark(self) -> None:
+        """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until
+            the next mark, whatever was called in between: trial steps, Jacobians by differences, steps taken
+            back. The mark is saved and restored with the state.
+
+
+        C status: Status.OK; Status.ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel).
+        """
+        with self._lock:
+            status = self._status = _wrc_contact_mark(self._handle)
+            if status < 0:
+                raise self._error(status)
 
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete

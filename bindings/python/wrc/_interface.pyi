@@ -302,10 +302,15 @@ class Start(s.Choice):
     COLD = 0
     """anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving"""
     WARM = 1
-    """from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a wheel.
-        For explicit integrators and fixed steps, not for implicit ones
+    """from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit
+        integrators and fixed steps, not for implicit ones
     """
-StartLike = Union[Start, Literal['COLD', 'WARM']]
+    MARK = 2
+    """of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark.
+        Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator
+        that accepts its steps
+    """
+StartLike = Union[Start, Literal['COLD', 'WARM', 'MARK']]
 
 class Available(enum.IntFlag):
     TRACTIONS = 1
@@ -791,17 +796,41 @@ class ConfigTangentialDict(TypedDict, total=False):
     force_table: Optional[s.Path]
 
 class ConfigSurface(s.Struct):
-    """Options of Contact.wrench() alone."""
+    """Options of Contact.wrench() alone. use() sets resolution, tolerance and work by the name of a setting.
+        Times and errors of settings: docs/realtime.md.
+    """
     cells: int
     """cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)"""
-    def __init__(self, *, cells: int = ...) -> None:
+    tread_width: float
+    """tread_width [m]: width of the rail's strips where its radius of curvature is 60 mm or more (1e-4 .. 2e-3;
+        default 5e-4)
+    """
+    corner_width: float
+    """corner_width [m]: the same where it is 20 mm or less, at most tread_width; linear between. Faces that
+        guide, of a check rail, have 0.2e-3 m at most (5e-5 .. 1e-3; default 2.5e-4)
+    """
+    tolerance: float
+    """tolerance: part of the contact's area that the last iteration of the normal problem moves; of
+        NormalMethod.STRIP_HALFSPACE. The error of forces is a tenth of it (1e-10 .. 1e-2; default 1e-7)
+    """
+    max_work: float
+    """max_work: work that a call may take, all heights of a prescribed load included; of
+        NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
+        takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
+        2e6)
+    """
+    def __init__(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, cells: int = ...) -> ConfigSurface:  # type: ignore[override]
+    def set(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ...) -> ConfigSurface:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class ConfigSurfaceDict(TypedDict, total=False):
     """Members of wrc.ConfigSurface as a dict."""
     cells: int
+    tread_width: float
+    corner_width: float
+    tolerance: float
+    max_work: float
 
 class ConfigPlanar(s.Struct):
     """Options of the stages of wrc_planar.h, and of their normal methods where Contact.wrench() applies them.
@@ -1325,9 +1354,15 @@ class Wrench(s.Struct):
     """steepest_angle [rad]: largest angle of a rail strip in contact against the horizontal. It steps where
         strips enter
     """
-    def __init__(self, *, flags: FlagsLike = ..., region_count: int = ..., iterations: int = ..., force: s.Floats = ..., moment: s.Floats = ..., rail_force: s.Floats = ..., rail_moment: s.Floats = ..., z: float = ..., clearance: float = ..., normal_force: float = ..., area: float = ..., peak_pressure: float = ..., power: float = ..., steepest_angle: float = ...) -> None:
+    residual: float
+    """residual: part of the area that the last iteration of the normal problem moved: within
+        config.surface.tolerance but for Status.FLAG_ITERATION_CAP. Of NormalMethod.STRIP_HALFSPACE
+    """
+    work: float
+    """work: of the call, in the unit of config.surface.max_work"""
+    def __init__(self, *, flags: FlagsLike = ..., region_count: int = ..., iterations: int = ..., force: s.Floats = ..., moment: s.Floats = ..., rail_force: s.Floats = ..., rail_moment: s.Floats = ..., z: float = ..., clearance: float = ..., normal_force: float = ..., area: float = ..., peak_pressure: float = ..., power: float = ..., steepest_angle: float = ..., residual: float = ..., work: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, flags: FlagsLike = ..., region_count: int = ..., iterations: int = ..., force: s.Floats = ..., moment: s.Floats = ..., rail_force: s.Floats = ..., rail_moment: s.Floats = ..., z: float = ..., clearance: float = ..., normal_force: float = ..., area: float = ..., peak_pressure: float = ..., power: float = ..., steepest_angle: float = ...) -> Wrench:  # type: ignore[override]
+    def set(self, *, flags: FlagsLike = ..., region_count: int = ..., iterations: int = ..., force: s.Floats = ..., moment: s.Floats = ..., rail_force: s.Floats = ..., rail_moment: s.Floats = ..., z: float = ..., clearance: float = ..., normal_force: float = ..., area: float = ..., peak_pressure: float = ..., power: float = ..., steepest_angle: float = ..., residual: float = ..., work: float = ...) -> Wrench:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class WrenchDict(TypedDict, total=False):
@@ -1346,6 +1381,8 @@ class WrenchDict(TypedDict, total=False):
     peak_pressure: float
     power: float
     steepest_angle: float
+    residual: float
+    work: float
 
 class WrenchDerivatives(s.Struct):
     """Derivatives of the wrench on the wheel about its reference point. What is prescribed is held: under a
@@ -3080,6 +3117,7 @@ _wrc_contact_save_portable: Callable[..., Any]
 _wrc_contact_restore_portable: Callable[..., Any]
 _wrc_contact_last_error: Callable[..., Any]
 _wrc_contact_wrench: Callable[..., Any]
+_wrc_contact_mark: Callable[..., Any]
 _wrc_contact_wrench_derivatives: Callable[..., Any]
 _wrc_contact_wrench_batch: Callable[..., Any]
 _wrc_contact_region: Callable[..., Any]
@@ -3159,6 +3197,14 @@ class ContactCalls(_l.Handle):
             Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load).
             _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over temperature of a
             method without tractions.
+        """
+    def mark(self) -> None:
+        """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until
+            the next mark, whatever was called in between: trial steps, Jacobians by differences, steps taken
+            back. The mark is saved and restored with the state.
+
+
+        C status: Status.OK; Status.ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel).
         """
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete

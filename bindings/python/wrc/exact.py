@@ -83,7 +83,7 @@ def rolling(grid: i.Grid, pressure: NDArray[Any], *, friction: Union[float, NDAr
 class Transient:
     """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
 
-    grid: of every step; a step goes grid.dx
+    grid: of every step; a step goes grid.dx, either way, or rests
     wheel_material, rail_material: None: the defaults
     """
 
@@ -96,8 +96,9 @@ class Transient:
 
     def step(self, pressure: NDArray[Any], *, friction: Union[float, NDArray[Any], None] = None, progress: ProgressArgument = None,
              **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, NDArray[Any]]]:
-        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. A step
-        that fails or is stopped leaves the bodies where they were."""
+        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. The sign of
+        creepage.speed is the way; 0 is a shift at rest by creepages times dx. A step that fails or is stopped leaves the bodies where
+        they were."""
         with self._lock:
             return _roll(lambda *told: i._wrc_exact_transient_step(self._handle, *told), self.grid, pressure, friction, progress,
                          {**self.materials, **problem})

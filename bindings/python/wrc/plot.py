@@ -11,6 +11,7 @@ from . import _interface as i
 from ._library import Error
 from .contact import Contact, Model
 from .profiles import ProfileFile
+from .sections import RailFaces
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999")  # Okabe and Ito
 SLIDES = 1e-9  # a sliding velocity over the rolling speed that is none
@@ -322,4 +323,41 @@ def model(model: Model, path: Any = None, axes: Any = None) -> Any:
     panel.set(xlabel="y, from the middle of wheelset and track [mm]", ylabel="z, down [mm]", aspect="equal")
     panel.grid(alpha=0.3)
     panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def rail(faces: RailFaces, first: Optional[float] = None, last: Optional[float] = None, height: float = 3.0, path: Any = None) -> Any:
+    """Faces of a rail in 3-D: sections as lines, marks as dots, each face in its colour, heights `height` times too large; from
+    above and from the side as well. first, last: the part of the track that is drawn [m]; None: all."""
+    made = figure(figsize=(13, 9))
+    made.set_layout_engine("tight")  # "compressed" has no place for axes in space
+    panels = made.subplot_mosaic([["space", "space"], ["above", "side"]], per_subplot_kw={"space": {"projection": "3d"}}, height_ratios=[2, 1])
+    space, above, side = (panels[name] for name in ("space", "above", "side"))
+    low = -np.inf if first is None else first
+    high = np.inf if last is None else last
+    for face, colour in zip(faces.faces, COLOURS * (1 + len(faces.faces) // len(COLOURS))):
+        inside = [k for k, each in enumerate(face.distances) if low <= each <= high]
+        if not inside:
+            continue
+        places = [1e3 * face.distances[k] for k in inside]
+        for k, x in zip(inside, places):
+            y, z = (1e3 * each for each in face.outlines[k])
+            space.plot(np.full(len(y), x), y, z, color=colour, linewidth=0.6)
+            for mark in face.marks[k]:
+                space.plot([x], [1e3 * mark], [1e3 * np.interp(mark, *face.outlines[k])], ".", color="black", markersize=3)
+        edges = np.array([[1e3 * face.outlines[k][0][0], 1e3 * face.outlines[k][0][-1]] for k in inside])
+        above.fill_between(places, edges[:, 0], edges[:, 1], color=colour, alpha=0.3, linewidth=0)
+        above.plot(places, 1e3 * np.array([face.marks[k] for k in inside]).reshape(len(inside), -1), "-", color=colour, linewidth=1)
+        side.plot(places, [1e3 * face.outlines[k][1].min() for k in inside], ".-", markersize=3, color=colour, label=face.kind)
+    space.set(xlabel="along the track [mm]", ylabel="y [mm]", zlabel="z, down [mm]")
+    space.invert_zaxis()
+    space.view_init(elev=28, azim=-62)
+    across, down = np.ptp(space.get_ylim()), np.ptp(space.get_zlim())
+    space.set_box_aspect((2.6, 1.0, min(1.0, height * down / across)), zoom=1.3)
+    above.set(xlabel="along the track [mm]", ylabel="y [mm]", title="from above: faces, marks as lines")
+    side.set(xlabel="along the track [mm]", ylabel="z, down [mm]", title="the highest point of each section")
+    side.invert_yaxis()
+    side.legend(fontsize=8)
+    for panel in (above, side):
+        panel.grid(alpha=0.3)
     return _done(made, path)
