@@ -21,14 +21,9 @@ from ._interface import ABI_VERSION, EXPERIMENTAL_VERSION, _wrc_build_info, _wrc
 from ._library import Cancelled, Error
 from .contact import Batch, Contact, Model, force_table, methods, presets, sweep, use
 from .damage import Bins, flash_temperature, whole_life_damage
-<<<<<<< HEAD
-from . import damage, exact, plot, profiles, raw
-from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
-=======
 from . import damage, exact, plot, profiles, raw, sections
-from .profiles import ProfileError, ProfileFile, ProfileWarning, conicity, flange_dimensions, read_profile, remove_wear
+from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
 from .sections import Face, MeasuredSection, RailFaces, SectionError, rail_faces, read_sections, write_sections
->>>>>>> main
 from .tables import to_frame
 
 _library.check_version(ABI_VERSION, EXPERIMENTAL_VERSION)
@@ -47,13 +42,7 @@ def __getattr__(name: str) -> _Any:
     raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
 
 
-<<<<<<< HEAD
-__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "ProfileWarning", "build_info", "cone", "conicity", "damage",
-           "exact", "flange_dimensions", "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "raw", "read_profile",
-           "remove_wear", "sweep", "to_frame", "use", "whole_life_damage"]
-=======
 __all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
-           "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "conicity", "damage", "exact", "flange_dimensions",
+           "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "flange_dimensions",
            "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
            "read_sections", "remove_wear", "sections", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]
->>>>>>> main
