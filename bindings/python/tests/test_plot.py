@@ -79,3 +79,12 @@ def test_panels_on_axes_of_the_caller(tmp_path):
     assert deepest[:, 0].max() > 500 and deepest[-1, 1] == pytest.approx(10.0)
     with pytest.raises(wrc.Error, match="nothing has been solved yet"):
         wrc.plot.field(model.contact(), "PRESSURE")
+
+
+def test_an_animation(tmp_path):
+    contact = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}).contact()
+    inputs = [wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3, wheel={"y": each}) for each in (0.0, 3e-3, 6e-3)]
+    wrc.plot.animation(contact, inputs, tmp_path / "scan.gif", titles=["0", "3", "6 mm"])
+    from PIL import Image
+    with Image.open(tmp_path / "scan.gif") as picture:
+        assert picture.n_frames == 3

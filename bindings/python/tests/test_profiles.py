@@ -204,3 +204,12 @@ def test_sound_profiles_are_not_odd(wheel_rows, tmp_path, every, recwarn):
     (tmp_path / "rail.txt").write_text("\n".join(f"{1e3 * a:.4f} {1e3 * b:.4f}" for a, b in zip(y[::every] - 0.75, z[::every])))
     wrc.read_profile(tmp_path / "rail.txt", "rail")
     assert not recwarn.list
+
+
+@pytest.mark.parametrize("slope", [1 / 20, 1 / 40])
+def test_a_cone_has_its_known_conicity(slope):
+    """slope (l + R slope) / (l - r slope): l from the middle to the tape circle, R of the rail's head, r of the wheel."""
+    lateral = np.linspace(-6e-3, 6e-3, 121)
+    geometry = wrc.Model(wheel=wrc.cone(slope), rail="60E1", track={"rail_inclination": 1 / 40}).wheelset_geometry(lateral)
+    found = wrc.conicity(lateral, geometry["radius_difference"], [1e-3, 3e-3], radius=0.46)["conicity"]
+    assert found == pytest.approx(slope * (0.75 + 0.3 * slope) / (0.75 - 0.46 * slope), rel=1e-3)

@@ -238,6 +238,27 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     return _done(made, path)
 
 
+def animation(contact: Contact, inputs: Iterable[i.WheelInput], path: Any, titles: Optional[Iterable[str]] = None, seconds: float = 0.1) -> Any:
+    """wheel_on_rail() of each input in turn, as a moving picture (.gif). titles: of the frames; seconds: of a frame."""
+    from matplotlib.animation import PillowWriter
+
+    made = figure(figsize=(8, 4.5))
+    panel = made.subplots()
+    made.set_layout_engine("none")  # frames have one size
+    writer = PillowWriter(fps=1.0 / seconds)  # type: ignore[arg-type]
+    limits: Any = None
+    with writer.saving(made, str(path), 80):
+        for each, title in zip(inputs, titles if titles is not None else iter(str, None)):
+            panel.clear()
+            wheel_on_rail(contact, each, axes=panel)
+            limits = limits or (panel.get_xlim(), panel.get_ylim())
+            panel.set(xlim=limits[0], ylim=limits[1])
+            if title:
+                panel.set_title(title)
+            writer.grab_frame()
+    return made
+
+
 def _pressure_lines(contact: Contact, panel: Any, y: np.ndarray, z: np.ndarray) -> None:
     """Peaks of the last solution's strips along the normals of the rail's outline, 12 mm for the largest."""
     order = 1 if abs(y[0]) < abs(y[-1]) else -1  # from the gauge end on

@@ -393,6 +393,13 @@ def _single_valued(path: str, body: str, y: np.ndarray, z: np.ndarray, lines: np
     return y[first:last + 1].copy(), z[first:last + 1].copy(), lines[first:last + 1]
 
 
+def cone(slope: float, tread: Tuple[float, float] = (-0.035, 0.060)) -> i.Profile:
+    """A wheel that is a cone without a flange: slope 1/20 or 1/40, over that part of y [m]. Its equivalent conicity is some
+    3 or 5 % more, as the wheelset rolls when it shifts."""
+    y = np.linspace(*tread, 200)
+    return i.Profile(y=y, z=-slope * y)
+
+
 SPIKE, HOLE = 0.3e-3, 2e-3  # m: what is told of at least
 
 

@@ -84,4 +84,7 @@ def main():
 
 
 if __name__ == "__main__":
+    venv = ROOT / "build/venv/bin/python"  # where the tests have what is of PyPI
+    if venv.exists() and pathlib.Path(sys.prefix) != venv.parents[1]:
+        sys.exit(subprocess.run([venv, __file__]).returncode)
     sys.exit(main())
