@@ -89,7 +89,7 @@
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
- *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.4 MB, with profiles 3.1 MB; a saved state 0.25 MB.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.4 MB, with profiles 1.8 MB; a saved state 0.25 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
@@ -424,10 +424,10 @@ typedef struct wrc_config_surface {
   double corner_width; /**< the same where it is 20 mm or less, at most tread_width, 5e-5..1e-3 m; linear between. Faces that
                             guide, of a check rail, have 0.2e-3 m at most [2.5e-4] */
   double tolerance;    /**< part of the contact's area that the last iteration of the normal problem moves, 1e-10..1e-2; of
-                            WRC_NORMAL_STRIP_HALFSPACE. The error of forces is a tenth of it [1e-7] */
+                            WRC_NORMAL_STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it [1e-5] */
   double max_work;     /**< work that a call may take, all heights of a prescribed load included, 1e3..1e9; of
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
-                            takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e6] */
+                            takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
   double reserved[10]; /**< 0 */
 } wrc_config_surface;
 
@@ -959,7 +959,7 @@ WRC_API int32_t wrc_contact_mark(wrc_contact* contact);
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted
- * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more than 160 strips in contact.
+ * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more than 120 strips in contact.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
                                                wrc_wrench_derivatives* derivatives);

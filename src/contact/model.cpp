@@ -145,7 +145,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface::surface_state_bytes();
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
-      node_count(options.wheel), surface_methods(options), options.surface_cells,
+      node_count(options.wheel), surface_methods(options), options.strip_widths, options.surface_cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 

@@ -104,6 +104,9 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->grid = bodies.grid;
   model->methods = bodies.methods;
   model->pressure = bodies.pressure;
+  // planar methods have no tolerance of the surface's: prescribed loads are searched as to this one
+  if (model->methods.planar.solve) model->pressure.tolerance = 1e-7;
+  model->most_overlapping = overlapping_strips(bodies.widths);
   made = model;
   return {};
 }

@@ -110,6 +110,7 @@ TEST_F(Resolution, MembersThatNothingReadsAreRefused) {
 
 // With work for two iterations a call returns what it has, and calls from the last solution go on to the end.
 TEST_F(Resolution, WorkIsBoundedAndTheNextCallGoesOn) {
+  config.surface.tolerance = 1e-7;
   create();
   const wrc_wrench exact = solved();
   const double n = strips();

@@ -57,7 +57,7 @@ class CylinderOnCrown {
     bodies.grid = &grid_;
     model_memory_.resize(surface_model_bytes(nodes, nodes, 0, 0, {}) / sizeof(double) + 1);
     EXPECT_FALSE(make_surface_model(bodies, model_memory_.data(), model).failed());
-    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(nodes, {}, cells, false)) /
+    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(nodes, {}, {}, cells, false)) /
                      sizeof(double));
     in.friction = 0.0;
     in.wheel.position[2] = -wheel_radius;
@@ -287,7 +287,7 @@ struct HandMadeStrips {
   WheelSolution s;
 
   explicit HandMadeStrips(const std::vector<std::int32_t>& strips) {
-    const WorkSizes sizes{8, 8, true, methods};
+    const WorkSizes sizes{8, 8, 192, true, methods};
     Arena count;
     cut_solution(count, sizes, *results);
     memory.resize(static_cast<std::size_t>(count.doubles()));

@@ -886,11 +886,12 @@ class ConfigSurface(s.Struct):
       corner_width [m]: the same where it is 20 mm or less, at most tread_width; linear between. Faces that
           guide, of a check rail, have 0.2e-3 m at most (5e-5 .. 1e-3; default 2.5e-4)
       tolerance: part of the contact's area that the last iteration of the normal problem moves; of
-          NormalMethod.STRIP_HALFSPACE. The error of forces is a tenth of it (1e-10 .. 1e-2; default 1e-7)
+          NormalMethod.STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it (1e-10 ..
+          1e-2; default 1e-5)
       max_work: work that a call may take, all heights of a prescribed load included; of
           NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
           takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
-          2e6)
+          2e7)
     """
 
     _c_name_ = 'wrc_config_surface'
@@ -901,7 +902,7 @@ class ConfigSurface(s.Struct):
     tolerance: float
     max_work: float
     _units_ = {'tread_width': 'm', 'corner_width': 'm'}
-    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-07, 'max_work': 2000000.0}
+    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-05, 'max_work': 20000000.0}
     _fields_ = [
         ('cells', c.c_int32),
         ('_reserved0', c.c_uint32),
@@ -3261,7 +3262,7 @@ class ContactCalls(_l.Handle):
         wrench: as for Contact.wrench(), the same bits; None: a new one
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
-        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 160 strips
+        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 120 strips
             in contact.
         """
         if wrench is None:

@@ -504,8 +504,8 @@ struct Description<wrc_config_surface> {
     value.cells = 32;
     value.tread_width = 5e-4;
     value.corner_width = 2.5e-4;
-    value.tolerance = 1e-7;
-    value.max_work = 2e6;
+    value.tolerance = 1e-5;
+    value.max_work = 2e7;
     return value;
   }();
   static constexpr Member members[] = {

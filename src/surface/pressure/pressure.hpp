@@ -71,7 +71,7 @@ struct PressureOptions {
   double tolerance = 1e-7;
   /// Work that a solve may take: pairs of strips of which one displaces the other, each time it does. The
   /// iteration that would exceed it is not begun, but for the first.
-  double max_work = 2e6;
+  double max_work = 2e7;
   std::int32_t max_iterations = 160;
 };
 

@@ -66,8 +66,7 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   const Overlaps& o = s.overlaps;
   if (o.full)
-    return Fault::more_patches("strips that overlap",
-                               {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},
+    return Fault::more_patches("strips that overlap", {1.0 + o.capacity, "", 0.0, 1.0 * o.capacity},
                                "those beyond, on the field side, carry nothing");
   const RailStrips& rail = problem.rail;
   const SurfaceModel& model = problem.model;
@@ -106,7 +105,7 @@ Fault solve_pressures(const HeightSolver& solver, double tolerance) {
   Arena scratch = solver.scratch;
   if (model.methods.planar.solve) {
     const PlanarMethod& method = model.methods.planar;
-    double* const work = scratch.take(planar_pressure_doubles(most_overlapping_strips, method));
+    double* const work = scratch.take(planar_pressure_doubles(overlaps.capacity, method));
     const PlanarResult planar =
         solve_planar_pressure(rail, overlaps, method, model.material, *model.kernels, work, pressure);
     solver.out.iterations += planar.iterations;
@@ -114,7 +113,7 @@ Fault solve_pressures(const HeightSolver& solver, double tolerance) {
     if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
   }
-  double* const work = scratch.take(pressure_doubles(most_overlapping_strips));
+  double* const work = scratch.take(pressure_doubles(overlaps.capacity));
   // all heights of a call together have the work that the model allows
   PressureOptions options = model.pressure;
   options.tolerance = tolerance;

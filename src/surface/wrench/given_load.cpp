@@ -12,7 +12,10 @@
 namespace wrc::surface {
 namespace {
 
-constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
+/// Prescribed loads are met to this part: as well as loads are known, a tenth of the normal problem's
+/// tolerance.
+double load_tolerance(double tolerance) { return larger(0.1 * tolerance, 1e-8); }
+
 constexpr std::int32_t most_load_steps = 30;
 
 /// Has the call taken the work that the model allows?
@@ -76,6 +79,7 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
   constexpr double coarse = 2e-3;  // where nothing is known yet
   const double asked = solver.problem.in.vertical_load;
   const double exact = solver.problem.model.pressure.tolerance;
+  const double met = load_tolerance(exact);
   double tolerance = found ? exact : coarse;
   Lengths before;
   double miss_before = 0.5;
@@ -85,7 +89,7 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     const double load = -solver.out.force[2], miss = smaller(magnitude(load - asked) / asked, 1.0);
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
     // a load met at a coarse tolerance is solved once more at the same height
-    if (miss <= load_tolerance) {
+    if (miss <= met) {
       if (tolerance <= exact) return fault;
       tolerance = exact;
       continue;
@@ -102,7 +106,7 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     // a secant leaves about this of the last two; and the one after that should be as good
     const double expected = 0.2 * miss * miss_before;
     tolerance = larger(smaller(0.2 * miss * expected, coarse), exact);
-    if (expected < load_tolerance) tolerance = exact;
+    if (expected < met) tolerance = exact;
     miss_before = miss;
   }
   keep_worst(fault, Fault::iteration_cap("input.vertical_load", {asked, "N"}));

@@ -75,8 +75,9 @@ void mark_solution(SurfaceState& state) { copy_start(state.last, state.mark); }
 std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     std::int32_t cells, bool varying) {
-  return wheel_work_bytes({most_curve_pieces(wheel_nodes), cells, varying, methods});
+                                     const StripWidths& widths, std::int32_t cells, bool varying) {
+  return wheel_work_bytes(
+      {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods});
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,

@@ -115,7 +115,7 @@ enum class SolutionStart {
 std::int64_t surface_state_bytes();
 /// Memory of a solve, and of fields over so many cells along a strip.
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     std::int32_t cells, bool varying);
+                                     const StripWidths& widths, std::int32_t cells, bool varying);
 
 /// Marks the last solution of the state.
 void mark_solution(SurfaceState& state);

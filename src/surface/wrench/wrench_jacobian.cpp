@@ -66,7 +66,7 @@ struct Scratch {
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
-  constexpr std::int32_t most = most_differentiated_strips;
+  const std::int32_t most = most_differentiated(sizes.strips);
   Scratch w;
   // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
@@ -161,15 +161,15 @@ Fault take_pressed_strips(const Differentiation& d) {
   const RelativePose& solved = d.solved.motion.pose;
   PressedStrips& s = d.w.pressed;
   s.count = 0;
+  const std::int32_t most = most_differentiated(d.problem.model.most_overlapping);
   // by track the wheel rests, and strips and outline move below it
   const RelativePoseOf<PlaceDual> pose =
       d.by == JacobianBy::place ? moving_pose(solved) : resting_pose(solved);
   const OutlineAttitudeOf<PlaceDual> attitude = attitude_of(pose);
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
-    if (s.count == most_differentiated_strips) {
-      return Fault::more_patches("strips in contact",
-                                 {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
+    if (s.count == most) {
+      return Fault::more_patches("strips in contact", {1.0 + most, "", 0.0, 1.0 * most},
                                  "there is no room for the derivatives of so many");
     }
 
