@@ -27,7 +27,7 @@ UNITS = {"1": "", "m": 'm="1"', "rad": 'rad="1"', "s": 's="1"', "kg": 'kg="1"', 
          "rad/s": 'rad="1" s="-1"', "s/m": 's="1" m="-1"', "m2": 'm="2"', "N": 'kg="1" m="1" s="-2"', "N.m": 'kg="1" m="2" s="-2"',
          "Pa": 'kg="1" m="-1" s="-2"', "W": 'kg="1" m="2" s="-3"'}
 FIRST_INTEGER, TIME = 1000, 999
-ROW = re.compile(r'^(REAL|INTEGER)\((\w+), (?:"([^"]*)", )?(\w+), (\w+), ([^,]+), "(.*)"\)$')
+ROW = re.compile(r'^(REAL|INTEGER)\((\w+), (?:"([^"]*)", )?(\w+), (\w+), ([^,]+), (?:ANY|RANGE\(([^,]+), ([^,]+)\)), "(.*)"\)$')
 
 
 def lines_of(name):
@@ -41,9 +41,10 @@ def lines_of(name):
 
 class Variable:
     def __init__(self, found, number):
-        self.kind, self.name, self.unit, self.causality, self.variability, self.start, self.text = found.groups()
+        self.kind, self.name, self.unit, self.causality, self.variability, self.start, least, most, self.text = found.groups()
         self.number = number
         self.given = self.causality in ("input", "parameter")  # has a start value
+        self.range = f' min="{least}" max="{most}"' if least else ""
 
 
 def variables(name):
@@ -100,12 +101,12 @@ def structure2(every, inputs, outputs):
         kind = "Real" if each.kind == "REAL" else "Integer"
         start = f' start="{each.start}"' if each.given else ""
         unit = f' unit="{each.unit}"' if each.unit else ""
-        initial = ' initial="exact"' if each.causality == "parameter" else ""
+        initial = {"parameter": ' initial="exact"', "calculatedParameter": ' initial="calculated"'}.get(each.causality, "")
         rows.append(f'    <ScalarVariable name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
-                    f'variability="{each.variability}"{initial} description={quoteattr(each.text)}><{kind}{unit}{start}/></ScalarVariable>\n')
+                    f'variability="{each.variability}"{initial} description={quoteattr(each.text)}><{kind}{unit}{each.range}{start}/></ScalarVariable>\n')
     depend = " ".join(str(place[each]) for each in inputs)
     unknown = "".join(f'      <Unknown index="{place[each]}" dependencies="{depend}"/>\n' for each in outputs)
-    first = "".join(f'      <Unknown index="{place[each]}"/>\n' for each in outputs)
+    first = "".join(f'      <Unknown index="{place[each]}"/>\n' for each in every if each in outputs or each.causality == "calculatedParameter")
     return (f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n    <Outputs>\n{unknown}    </Outputs>\n"
             f"    <InitialUnknowns>\n{first}    </InitialUnknowns>\n  </ModelStructure>\n")
 
@@ -117,10 +118,11 @@ def structure3(every, inputs, outputs):
         start = f' start="{each.start}"' if each.given else ""
         unit = f' unit="{each.unit}"' if each.unit else ""
         rows.append(f'    <{kind} name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
-                    f'variability="{each.variability}"{unit}{start} description={quoteattr(each.text)}/>\n')
+                    f'variability="{each.variability}"{unit}{each.range}{start} description={quoteattr(each.text)}/>\n')
     depend = " ".join(str(each.number) for each in inputs)
     out = "".join(f'    <Output valueReference="{each.number}" dependencies="{depend}"/>\n' for each in outputs)
-    first = "".join(f'    <InitialUnknown valueReference="{each.number}"/>\n' for each in outputs)
+    first = "".join(f'    <InitialUnknown valueReference="{each.number}"/>\n' for each in every
+                    if each in outputs or each.causality == "calculatedParameter")
     return f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n{out}{first}  </ModelStructure>\n"
 
 

@@ -1,6 +1,5 @@
 /// The state of a contact for another process: a header that identifies it, then the bytes of
 /// wrc_contact_save() without addresses.
-#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -28,7 +27,7 @@ static_assert(sizeof(PortableHeader) == 64);
 
 constexpr char portable_mark[8] = {'w', 'r', 'c', 's', 't', 'a', 't', 'e'};
 constexpr std::uint32_t native_order = 0x01020304, other_order = 0x04030201, portable_format = 1;
-static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ || __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
 
 std::uint64_t layout_of(const contact::Model& model) {
   Checksum sum;

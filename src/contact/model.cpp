@@ -261,7 +261,9 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                                        .kernels = model.kernels,
                                        .ellipse = &model.linear_theory.ellipse(),
                                        .grid = &model.surface_grid,
-                                       .methods = methods},
+                                       .methods = methods,
+                                       .widths = options.strip_widths,
+                                       .pressure = options.pressure},
                                       surface, model.surface);
   // Planar methods need no surface: that a profile cannot be cut into strips is found when a wheel is solved.
   return options.normal_method->half_space ? fault : Fault{};

@@ -139,7 +139,7 @@ static_assert(sizeof(Contact) ==
                   sizeof(tangential::TangentialForces) + sizeof(DamageNumbers) + sizeof(HostWrench));
 static_assert(sizeof(surface::SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostWrench) ==
-              2 * sizeof(std::int32_t) + 16 * sizeof(double) +
+              2 * sizeof(std::int32_t) + 18 * sizeof(double) +
                   surface::most_surface_regions * (sizeof(surface::SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Bytes of a contact: its state, and behind it the larger of a copy of the state, on which sensitivities are

@@ -115,9 +115,8 @@ struct SurfaceKernels {
   void (*slopes_row)(const SlopesRowTask& task);
   void (*blend_rows)(const BlendRowsTask& task);
   void (*near_lines)(const NearLinesTask& task);
-  /// Places strips between sections of a rail. Returns how steeply any of them falls along its normal, within
-  /// task.within of there.
-  double (*section_strips)(const SectionStripsTask& task);
+  /// Places strips between sections of a rail.
+  void (*section_strips)(const SectionStripsTask& task);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const OutlineTask& task);
   /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than

@@ -50,6 +50,8 @@ struct SurfaceBodies {
   const theory::KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
+  StripWidths widths;  ///< of the rail's strips
+  PressureOptions pressure;
 };
 
 struct SurfaceModel : SurfaceGeometry {
@@ -60,6 +62,7 @@ struct SurfaceModel : SurfaceGeometry {
   StripCoefficientTable coefficients;
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
+  PressureOptions pressure;  ///< of a solution to the end
 };
 
 /// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.

@@ -62,4 +62,11 @@ const std::string& Csv::text(std::size_t row, const std::string& column) const {
   return found->second.at(row);
 }
 
+std::string parameters_of(const std::string& path) {
+  const std::size_t at = path.rfind("cases");
+  if (at == std::string::npos)
+    throw std::runtime_error(path + ": no 'cases' in its name to make 'params' of");
+  return path.substr(0, at) + "params" + path.substr(at + 5);
+}
+
 }  // namespace compare

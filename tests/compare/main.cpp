@@ -1,7 +1,8 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
 ///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
-///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
+///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--setting NAME] [--case N[,N]] [--list] [--smoothing MM]
+///   [--json]
 ///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
 ///   wrc_compare rollers|...|track FILE.csv [--case N[,N]] [--list] [--only VARIANT[,VARIANT]] [--cell MM] [--json]
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
@@ -54,6 +55,9 @@ constexpr Kind kinds[] = {
      "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
     {"transient", compare::compare_transient, nullptr, none,
      "those of transient_cases.csv, transient_params.csv beside it: rolling that is not steady"},
+    {"memory", compare::compare_memory, nullptr, none,
+     "those of memory_cases.csv, memory_params.csv beside it: shifts at rest, rolling either way, loads that "
+     "vary"},
     {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
     {"subsurf", compare::compare_subsurface, nullptr, none,
@@ -105,6 +109,7 @@ void usage(FILE* to) {
       "--only NORMAL+TANGENTIAL[,...] (wheelset, scan, loop): in the default's stead a wheel on a rail with "
       "these\n"
       "        methods, by the identifiers of wrc_methods.h, as in hertz+fastsim,ekp+strip_fastsim\n"
+      "--setting NAME: resolution of the wheel on a rail, as in --setting 'real time' [default]\n"
       "--list: every case as well, with its error and forces\n"
       "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
       "--cell MM (exact-wheel; rollers to track): cells of the exact solver [0.2]\n"
@@ -163,6 +168,8 @@ int main(int argc, char** argv) {
       json = true;
     } else if (words[i] == "--only" && (kind->variants || kind->methods) && has_value) {
       only = options.only = split(words[++i]);
+    } else if (words[i] == "--setting" && kind->cases && has_value) {
+      options.setting = words[++i];
     } else if (words[i] == "--list" && kind->cases) {
       options.list = true;
     } else if (words[i] == "--case" && kind->cases && has_value) {

@@ -70,6 +70,8 @@ const Solver& Pairs::of(const PairOptions& options) {
     return profile;
   };
   wrc_config config = test_config();
+  char text[1024] = "";
+  if (wrc_config_use(&config, setting_.c_str(), text, sizeof text) != WRC_OK) throw std::runtime_error(text);
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = options.shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = options.poisson;
   config.wheelset.wheel_radius = options.radius;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "csv.hpp"
@@ -60,16 +61,17 @@ struct ProfilePoints {
 /// cannot.
 ProfilePoints read_profile(const std::filesystem::path& path);
 
-/// The contacts of a file, each pair of profiles made once.
+/// The contacts of a file, each pair of profiles made once. `setting`: a resolution of WRC_RESOLUTION_LIST.
 class Pairs {
  public:
-  explicit Pairs(const Csv& file) : folder_(file.path()) {}
+  explicit Pairs(const Csv& file, std::string setting = "default")
+      : folder_(file.path()), setting_(std::move(setting)) {}
   const Solver& of(const PairOptions& options);
 
  private:
   const ProfilePoints& points(const std::string& name);
 
-  std::string folder_;
+  std::string folder_, setting_;
   std::map<std::string, ProfilePoints> points_;
   std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
            std::unique_ptr<Solver>>

@@ -162,9 +162,10 @@ inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 4,
 inline constexpr Enumerator wrc_start_values[] = {
     {"WRC_START_COLD", WRC_START_COLD},
     {"WRC_START_WARM", WRC_START_WARM},
+    {"WRC_START_MARK", WRC_START_MARK},
 };
-inline constexpr Enumeration wrc_start{wrc_start_values, 2,
-    "see enum wrc_start: WRC_START_COLD (0), _WARM (1)"};
+inline constexpr Enumeration wrc_start{wrc_start_values, 3,
+    "see enum wrc_start: WRC_START_COLD (0), _WARM (1), _MARK (2)"};
 
 inline constexpr Enumerator wrc_available_values[] = {
     {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
@@ -501,12 +502,20 @@ struct Description<wrc_config_surface> {
   static constexpr wrc_config_surface defaults = [] {
     wrc_config_surface value{};
     value.cells = 32;
+    value.tread_width = 5e-4;
+    value.corner_width = 2.5e-4;
+    value.tolerance = 1e-7;
+    value.max_work = 2e6;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "cells", .offset = offsetof(wrc_config_surface, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
       {.name = "reserved0", .offset = offsetof(wrc_config_surface, reserved0), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+      {.name = "tread_width", .offset = offsetof(wrc_config_surface, tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
+      {.name = "corner_width", .offset = offsetof(wrc_config_surface, corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
+      {.name = "tolerance", .offset = offsetof(wrc_config_surface, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
+      {.name = "max_work", .offset = offsetof(wrc_config_surface, max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
+      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
   };
 };
 static_assert(sizeof(wrc_config_surface) == 120, "run tools/interface/describe.py");
@@ -618,7 +627,11 @@ struct Description<wrc_config> {
       {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "surface.cells", .offset = offsetof(wrc_config, surface.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
       {.name = "surface.reserved0", .offset = offsetof(wrc_config, surface.reserved0), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+      {.name = "surface.tread_width", .offset = offsetof(wrc_config, surface.tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
+      {.name = "surface.corner_width", .offset = offsetof(wrc_config, surface.corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
+      {.name = "surface.tolerance", .offset = offsetof(wrc_config, surface.tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
+      {.name = "surface.max_work", .offset = offsetof(wrc_config, surface.max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
+      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
       {.name = "planar.strips", .offset = offsetof(wrc_config, planar.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
       {.name = "planar.cells", .offset = offsetof(wrc_config, planar.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
       {.name = "planar.gap_rows", .offset = offsetof(wrc_config, planar.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
@@ -931,9 +944,11 @@ struct Description<wrc_wrench> {
       {.name = "peak_pressure", .offset = offsetof(wrc_wrench, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "power", .offset = offsetof(wrc_wrench, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
       {.name = "steepest_angle", .offset = offsetof(wrc_wrench, steepest_angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "residual", .offset = offsetof(wrc_wrench, residual), .type = Type::real, .rule = Rule::none},
+      {.name = "work", .offset = offsetof(wrc_wrench, work), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench) == 168, "run tools/interface/describe.py");
+static_assert(sizeof(wrc_wrench) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench_derivatives> {

@@ -8,8 +8,11 @@
 /// Number is double, or one that carries derivatives.
 #pragma once
 
+#include <type_traits>
+
 #include "base/number.hpp"
 #include "surface/geometry/out_of_round.hpp"
+#include "surface/geometry/outline.hpp"
 #include "surface/geometry/overlap.hpp"
 #include "surface/geometry/varying_rail.hpp"
 
@@ -18,43 +21,321 @@ namespace wrc::surface {
 /// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
 inline constexpr double least_curvature_left = 0.2;
 
-/// Adds the rail's change. `distance`: of the wheel's reference point, as far as there are sections [m];
-/// `blend`: of each face there.
+/// Where the ray of a strip starts at a distance along the track, and how that place moves; from the wheel's
+/// reference point, rail axes.
 template <class Number>
-void follow_rail(const VaryingRail& rail, std::int32_t strip, const Number& distance,
-                 const SectionBlend* blend, StripOverlap<Number>& o) {
+struct RayStart {
+  Number x, y, z;                 ///< [m]
+  Number slope_y, slope_z;        ///< by x [-]
+  Number curvature_y, curvature_z;  ///< [1/m]
+};
+
+/// The end of a ray on the wheel's surface of revolution, as it is known: the piece of the profile, the
+/// length on it [m], and the overlap along the ray [m].
+template <class Number>
+struct RayEnd {
+  std::int32_t piece;
+  Number u, depth;
+};
+
+/// A ray beside the wheel: where its end lies on the profile and round the wheel, and the end by a step of
+/// Newton's method nearer to where both meet.
+template <class Number>
+struct RayBeside {
+  OnProfile<Number> profile;
+  Number sine, cosine, per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
+  RayEnd<Number> next;
+};
+
+/// With q = R^T (P + d n) a ray meets the wheel where q_y = Y(u) and root(q_x^2 + q_z^2) = r(u).
+template <class Number>
+RayBeside<Number> step_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
+                             const RayStart<Number>& from, const Number& ny, const Number& nz,
+                             const RayEnd<Number>& end) {
+  const auto& R = pose.rotation;
+  // the ray and its end in wheel axes
+  Number ray[3], q[3];
+  for (int k = 0; k < 3; ++k) {
+    ray[k] = R[1][k] * ny + R[2][k] * nz;
+    q[k] = R[0][k] * from.x + R[1][k] * from.y + R[2][k] * from.z + end.depth * ray[k];
+  }
+  PieceOf<double> piece;
+  for (int d = 0; d < 4; ++d) {
+    piece.y[d] = wheel.y[d][end.piece];
+    piece.z[d] = wheel.z[d][end.piece];
+  }
+  const OnProfile<Number> p = on_profile(piece, end.u);
+  const Number radius = root(q[0] * q[0] + q[2] * q[2]), per_radius = Number(1.0) / radius;
+  const Number sine = q[0] * per_radius, cosine = q[2] * per_radius;
+  // what is missing of both conditions, and the step of depth and length that takes it away
+  const Number beside = q[1] - p.y, below = radius - p.radius;
+  const Number outwards = sine * ray[0] + cosine * ray[2];
+  const Number per = Number(1.0) / (p.dy * outwards - p.dz * ray[1]);
+  return {p,
+          sine,
+          cosine,
+          per_radius,
+          {end.piece, end.u + (outwards * beside - ray[1] * below) * per,
+           end.depth + (p.dz * beside - p.dy * below) * per}};
+}
+
+/// The overlap over x at the end of a ray, and the wheel there.
+template <class Number>
+struct OverlapAlong {
+  RayEnd<Number> next;  ///< nearer to the ray's end by a step of Newton's method
+  Number slope, bend;   ///< first and second derivative of the overlap by x [-], [1/m]
+  Number ny, nz;        ///< the wheel's normal across the track, of length one
+  Number own;           ///< curvature of the wheel's circle along its normal [1/m]
+  Number profile_y;     ///< on the wheel's profile [m]
+};
+
+/// With N the wheel's outward normal at the ray's end and T = (1, P') the way of the ray's start, the overlap
+/// changes as
+///     d' = -N.T / N.n,      d'' = (II(v, v) - N.P'') / N.n,      v = T + d' n,
+/// II(v, v) = (Y' r'' - r' Y'') / |(Y', r')|^3 v_s^2 - Y' / (|(Y', r')| r) v_t^2: of the wheel's surface, v_s
+/// along its profile and v_t round it.
+template <class Number>
+OverlapAlong<Number> overlap_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
+                                   const RayStart<Number>& from, const Number& ny, const Number& nz,
+                                   const RayEnd<Number>& end) {
+  const auto& R = pose.rotation;
+  const RayBeside<Number> at = step_along(wheel, pose, from, ny, nz, end);
+  const OnProfile<Number>& p = at.profile;
+  // slope of the overlap, from the wheel's normal N
+  const Number nx = p.uy * at.sine, normal_z = p.uy * at.cosine;
+  const Number N[3] = {R[0][0] * nx - R[0][1] * p.uz + R[0][2] * normal_z,
+                       R[1][0] * nx - R[1][1] * p.uz + R[1][2] * normal_z,
+                       R[2][0] * nx - R[2][1] * p.uz + R[2][2] * normal_z};
+  const Number per_facing = Number(1.0) / (N[1] * ny + N[2] * nz);
+  OverlapAlong<Number> o{at.next, {}, {}, {}, {}, p.uy * at.per_radius, p.y};
+  o.slope = -(N[0] + N[1] * from.slope_y + N[2] * from.slope_z) * per_facing;
+  // the way v on the wheel's surface: parts round it and along its profile, and the curvature of both
+  const Number way_y = from.slope_y + o.slope * ny, way_z = from.slope_z + o.slope * nz;
+  const auto way = [&](int k) { return R[0][k] + R[1][k] * way_y + R[2][k] * way_z; };
+  const Number vx = way(0), vy = way(1), vz = way(2);
+  const Number round = at.cosine * vx - at.sine * vz;
+  const Number along = p.uy * vy + p.uz * (at.sine * vx + at.cosine * vz);
+  const Number bent = (p.dy * p.ddz - p.dz * p.ddy) * p.per_speed * p.per_speed * p.per_speed;
+  const Number second = bent * along * along - o.own * round * round;
+  o.bend = (second - N[1] * from.curvature_y - N[2] * from.curvature_z) * per_facing;
+  const Number per_across = Number(1.0) / root(N[1] * N[1] + N[2] * N[2]);
+  o.ny = N[1] * per_across;
+  o.nz = N[2] * per_across;
+  return o;
+}
+
+/// Moves the end of a ray on to the piece that holds its length.
+inline void settle(const Curve& wheel, RayEnd<double>& end) {
+  while (end.u < 0.0 && end.piece > 0) {
+    --end.piece;
+    end.u += wheel.s[end.piece + 1] - wheel.s[end.piece];
+  }
+  while (end.piece + 1 < wheel.pieces && end.u > wheel.s[end.piece + 1] - wheel.s[end.piece]) {
+    end.u -= wheel.s[end.piece + 1] - wheel.s[end.piece];
+    ++end.piece;
+  }
+}
+
+/// One strip of a rail that varies, seen along x: rays from its places along the track, all in one direction,
+/// to the wheel.
+template <class Number>
+struct StripOverX {
+  const VaryingRail& rail;
+  const Curve& wheel;
+  const RelativePoseOf<Number>& pose;
+  std::int32_t strip;
+  Number distance;     ///< of the wheel's reference point [m]
+  SectionBlend blend;  ///< of the place looked at last
+  Number ny, nz;       ///< direction of the rays, into the rail
+
+  RayStart<Number> start(const Number& x) {
+    constexpr int derivatives = std::is_same_v<Number, double> ? 2 : 3;
+    const Number there = distance + x;
+    blend = blend_at(rail, rail.face[face_of(rail, strip)], value_of(there), blend, derivatives);
+    const StripAlongTrack<Number> s = strip_at(rail, blend, strip, there);
+    return {x, s.y - pose.y, s.z - pose.z, s.slope_y, s.slope_z, s.curvature_y, s.curvature_z};
+  }
+  OverlapAlong<Number> overlap(const RayStart<Number>& from, const RayEnd<Number>& end) const {
+    return overlap_along(wheel, pose, from, ny, nz, end);
+  }
+  /// Turns the rays into the mean of both surfaces' normals at x, the place looked at last.
+  void turn(const OverlapAlong<Number>& o, const Number& x) {
+    Number ty, tz;
+    tangent_at(rail, blend, strip, distance + x, ty, tz);
+    const Number y = o.ny - tz, z = o.nz + ty, per = Number(1.0) / root(y * y + z * z);
+    ny = y * per;
+    nz = z * per;
+  }
+};
+
+/// The largest overlap of a strip over x, in plain numbers.
+struct LargestOverlap {
+  double x;
+  RayEnd<double> end;
+};
+
+/// Newton's method for the largest overlap within low..high, from `found`; the rays are turned with it.
+inline void find_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
+  constexpr int most_steps = 12;
+  constexpr double longest = 10e-3, close = 1e-8;  // [m]
+  for (int n = 0; n < most_steps; ++n) {
+    const RayStart<double> from = strip.start(found.x);
+    const OverlapAlong<double> o = strip.overlap(from, found.end);
+    const double moved = o.next.depth - found.end.depth;
+    found.end = o.next;
+    settle(strip.wheel, found.end);
+    // concave where it is to be largest; a step at most `longest`
+    const double step = o.slope / larger(-o.bend, least_curvature_left * o.own);
+    const double x = found.x + smaller(larger(step, -longest), longest);
+    const double to = smaller(larger(x, low), high) - found.x;
+    found.x += to;
+    // both steps square what they leave
+    if (magnitude(to) < close && magnitude(moved) < close) break;
+    strip.turn(o, from.x);
+  }
+}
+
+/// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
+inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
+  constexpr int steps = 2;
+  const RayStart<double> from = strip.start(x);
+  for (int n = 0; n < steps; ++n) {
+    end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
+    settle(strip.wheel, end);
+  }
+  return end.depth;
+}
+
+/// A contact of overlap d and curvature kappa is about root(d / kappa) long to each side [m].
+template <class Number>
+Number half_contact(const Number& depth, const Number& curvature) {
+  constexpr double least_depth = 2e-6, longest = 12e-3;  // [m]
+  return smaller(root(larger(depth, Number(0.0)) + least_depth) / root(curvature), Number(longest));
+}
+
+/// The overlap of a strip as a parabola: through the largest, and those half a contact to both sides of it.
+template <class Number>
+void fit_parabola(const Number& largest, const Number& ahead, const Number& behind, const Number& half,
+                  const Number& own, StripOverlap<Number>& o) {
+  const Number per = Number(1.0) / (half * half);
+  const Number curvature =
+      larger((2.0 * largest - ahead - behind) * per, least_curvature_left * own);
+  const Number limit = 0.5 * half;
+  const Number off =
+      smaller(larger((ahead - behind) / (2.0 * half * curvature), -limit), limit);
+  o.depth = largest + 0.5 * curvature * off * off;
+  o.centre += off;
+  o.curvature = curvature;
+}
+
+/// The end of a ray with its derivatives: two steps of Newton's method from the plain one.
+template <class Number>
+RayEnd<Number> carried(const StripOverX<Number>& strip, const RayStart<Number>& from,
+                       const RayEnd<double>& end) {
+  RayEnd<Number> carrying{end.piece, end.u, end.depth};
+  for (int n = 0; n < 2; ++n)
+    carrying = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, carrying).next;
+  return carrying;
+}
+inline RayEnd<double> carried(const StripOverX<double>&, const RayStart<double>&, const RayEnd<double>& end) {
+  return end;
+}
+
+template <class Number>
+RelativePose plain_pose(const RelativePoseOf<Number>& pose) {
+  RelativePose plain;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) plain.rotation[i][k] = value_of(pose.rotation[i][k]);
+  plain.y = value_of(pose.y);
+  plain.z = value_of(pose.z);
+  return plain;
+}
+
+/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in plain
+/// numbers, which become those of the largest; `o`: normal and place near those, then the strip's overlap.
+/// Returns the place on the wheel's profile [m].
+template <class Number>
+Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
+                   const RelativePoseOf<Number>& pose, std::int32_t strip, const Number& distance,
+                   LargestOverlap& found, StripOverlap<Number>& o) {
   const std::int32_t face = face_of(rail, strip);
-  const double kappa = value_of(o.curvature), middle = value_of(o.centre);
-  const auto grade_at = [&](const StripAlongTrack<Number>& s) { return o.ny * s.slope_y + o.nz * s.slope_z; };
-  const auto bend_at = [&](const StripAlongTrack<Number>& s) {
-    return o.ny * s.curvature_y + o.nz * s.curvature_z;
+  const RelativePose rest = plain_pose(pose);
+  StripOverX<double> plain{rail,          wheel, rest, strip, value_of(distance), placed.blend[face],
+                           value_of(o.ny), value_of(o.nz)};
+  const double low = placed.low[face], high = placed.high[face];
+  find_largest(plain, low, high, found);
+  StripOverX<Number> s{rail, wheel, pose, strip, distance, plain.blend, plain.ny, plain.nz};
+  Number x = found.x;
+  RayStart<Number> from = s.start(x);
+  RayEnd<Number> end = carried(s, from, found.end);
+  OverlapAlong<Number> over = s.overlap(from, end);
+  if constexpr (!std::is_same_v<Number, double>) {
+    // x moves as the slope there does; at the end of a face with that
+    if (found.x > low && found.x < high)
+      x = x + over.slope * (1.0 / larger(-value_of(over.bend), least_curvature_left * value_of(over.own)));
+    else if (magnitude(found.x) < farthest_along)
+      x = x + (value_of(distance) - distance);
+    from = s.start(x);
+    end = s.overlap(from, end).next;
+    s.turn(s.overlap(from, end), x);
+    end = s.overlap(from, end).next;
+    over = s.overlap(from, end);
+  }
+  const Number half = half_contact(end.depth, larger(-over.bend, least_curvature_left * over.own));
+  // the overlap half a contact ahead and behind; beyond the end of a face, that on the other side
+  Number side[2];
+  for (int k = 0; k < 2; ++k) {
+    const double way = k == 0 ? 1.0 : -1.0;
+    RayEnd<double> there = found.end;
+    depth_at(plain, found.x + way * value_of(half), there);
+    side[k] = carried(s, s.start(x + way * half), there).depth;
+  }
+  const Number room_ahead = smaller((Number(high) - x) / half, Number(1.0)),
+               room_behind = smaller((x - low) / half, Number(1.0));
+  const Number ahead = side[1] + room_ahead * (side[0] - side[1]),
+               behind = side[0] + room_behind * (side[1] - side[0]);
+  o.centre = x;
+  o.ny = s.ny;
+  o.nz = s.nz;
+  o.wy = from.y + end.depth * s.ny;
+  o.wz = from.z + end.depth * s.nz;
+  o.grade = s.ny * from.slope_y + s.nz * from.slope_z;
+  fit_parabola(end.depth, ahead, behind, half, over.own, o);
+  return over.profile_y;
+}
+
+/// A place to begin at: where the overlap is largest of the places along the track, or between these, by the
+/// strip's parabola. Returns that overlap [m].
+inline double look_along(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
+                         const StripOverlap<double>& o, double& x) {
+  constexpr double hardly = 50e-6;  // [m]: a gain for which Newton's method needs no better place
+  const std::int32_t face = face_of(rail, strip);
+  const double low = placed.low[face], high = placed.high[face];
+  x = smaller(larger(o.centre, low), high);
+  if (placed.gain[strip] < hardly && x == o.centre) return o.depth + placed.gain[strip];
+  const auto depth_at_place = [&](const PlaceWeights& place) {
+    const double off = place.x - o.centre;
+    return o.depth - 0.5 * o.curvature * off * off -
+           o.ny * (place_of(rail, place, strip, 0) - placed.y[strip]) -
+           o.nz * (place_of(rail, place, strip, 1) - placed.z[strip]);
   };
-  const auto curvature_left = [&](double bend) { return larger(kappa + bend, least_curvature_left * kappa); };
-  // Newton's step to the place of the largest overlap, kappa (x - W_x) + n.P'(X + x) = 0, from the rail's
-  // slope and curvature below the wheel, in plain numbers.
-  const StripAlongTrack<Number> here = strip_at(rail, blend[face], strip, distance);
-  constexpr double furthest = 0.05;  // [m]: a slope of 1:9
-  const double here_bend = value_of(bend_at(here)), here_grade = value_of(grade_at(here));
-  const double shift = (here_grade + here_bend * middle) / curvature_left(here_bend);
-  const double x = middle - smaller(larger(shift, -furthest), furthest);
-  // One more step, from the rail as it is there, whose derivatives are those of the place that is sought.
-  const Number there = distance + Number(x);
-  const SectionBlend near_blend = blend_at(rail, rail.face[face], value_of(there), blend[face]);
-  const StripAlongTrack<Number> near = strip_at(rail, near_blend, strip, there);
-  const Number grade = grade_at(near), bend = bend_at(near);
-  const double stiff = curvature_left(value_of(bend));
-  const Number further = -((o.curvature * (Number(x) - o.centre) + grade) * Number(1.0 / stiff));
-  const Number at = Number(x) + further, from_middle = at - o.centre;
-  // Overlap there: d less the wheel's rise and the rail's fall. The wheel's point moves up by its rise.
-  const Number rounded = 0.5 * o.curvature * from_middle * from_middle;
-  const Number fallen =
-      o.ny * (near.y - here.y) + o.nz * (near.z - here.z) + further * (grade + 0.5 * bend * further);
-  o.depth = o.depth - rounded - fallen;
-  o.wy = o.wy - o.ny * rounded;
-  o.wz = o.wz - o.nz * rounded;
-  o.grade = grade + bend * further;
-  o.curvature = larger(o.curvature + bend, least_curvature_left * o.curvature);
-  o.centre = at;
+  // of places on the face the best, and those beside it
+  double depth[track_places];
+  std::int32_t best = -1;
+  for (std::int32_t k = 0; k < track_places; ++k) {
+    const PlaceWeights& place = placed.place[face][k];
+    depth[k] = depth_at_place(place);
+    if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
+  }
+  if (best < 0) return o.depth + placed.gain[strip];
+  x = placed.place[face][best].x;
+  if (best == 0 || best + 1 == track_places) return depth[best];
+  // top of the parabola through the three
+  const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
+               bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];
+  if (!(bend > magnitude(rise))) return depth[best];
+  x = smaller(larger(x + place_apart * rise / bend, low), high);
+  return depth[best] + 0.5 * rise * rise / bend;
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

@@ -16,7 +16,7 @@ constexpr double unseen = 1e300;
 
 KnotArrays cut_knots(Arena& arena, std::int32_t most_pieces) {
   KnotArrays arrays;
-  arena.each(simd::whole_packs(most_pieces + 1), {&arrays.y, &arrays.radius, &arrays.slope});
+  arena.each(simd::whole_packs(most_pieces + 1), arrays.y, arrays.radius, arrays.slope);
   return arrays;
 }
 
@@ -39,34 +39,38 @@ WheelCurve make_wheel_curve(const Curve& curve, const KnotArrays& arrays) {
 Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
   Overlaps o;
   o.capacity = capacity;
-  arena.each(capacity, {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz, &o.u});
-  arena.each(capacity, {&o.strip, &o.piece});
+  arena.each(capacity, o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u);
+  arena.each(capacity, o.strip, o.piece);
   if (graded) o.grade = arena.take(capacity);
   return o;
 }
 
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips) {
   OverlapScratch scratch;
-  arena.each(simd::whole_packs(wheel_pieces + 1), {&scratch.y, &scratch.z, &scratch.seen});
-  arena.each(rail_strips, {&scratch.overlap, &scratch.part});
+  arena.each(simd::whole_packs(wheel_pieces + 1), scratch.y, scratch.z, scratch.seen);
+  arena.each(rail_strips, scratch.overlap, scratch.part);
   scratch.piece = arena.take<std::int32_t>(rail_strips);
   return scratch;
 }
 
 Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
-                       const RelativePose& pose, double margin, const OverlapScratch& scratch,
-                       const Overlaps& memory) noexcept {
+                       const RelativePose& pose, double margin, const double* gain,
+                       const OverlapScratch& scratch, const Overlaps& memory) noexcept {
   const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
   kernels.surface.outline(task);
   std::int32_t j = 0, end = 0;
-  kernels.surface.cross_rays(task, margin, j, end);
+  double widest = margin;
+  if (gain)
+    for (std::int32_t k = 0; k < rail.count; ++k) widest = std::max(widest, margin + gain[k]);
+  kernels.surface.cross_rays(task, widest, j, end);
 
   // Candidates: the overlap up to the outline's chord, which lies at most its sagitta from the curve, passes
   // the margin. Each ray starts where it crosses the chord.
   Overlaps o = memory;
   std::int32_t count = 0;
   for (; j < end && count < o.capacity; ++j) {
-    if (!(scratch.overlap[j] >= -margin - chord_sagitta)) continue;
+    const double own = gain ? margin + gain[j] : margin;
+    if (!(scratch.overlap[j] >= -own - chord_sagitta)) continue;
     o.strip[count] = j;
     o.piece[count] = scratch.piece[j];
     o.u[count++] = scratch.part[j];
@@ -80,7 +84,7 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   // not face each other.
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < count; ++i) {
-    if (!(o.depth[i] > -margin)) continue;
+    if (!(o.depth[i] > (gain ? -margin - gain[o.strip[i]] : -margin))) continue;
     o.strip[kept] = o.strip[i];
     o.piece[kept] = o.piece[i];
     for (double* const a : {o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u}) a[kept] = a[i];

@@ -44,7 +44,7 @@ struct StripWidths {
 /// On a face beside the rail, which may be a check rail. A flange's back touches that over 1 to 8 mm of arc,
 /// and under yaw contacts of strips 0.5 mm wide lie 2 to 5 mm apart along the track: peak pressures were up
 /// to half off.
-inline constexpr StripWidths guiding_widths{.guiding = 0.2e-3};
+inline constexpr double guiding_width = 0.2e-3;  // [m]
 
 /// Width wanted at a length of a curve [m].
 double wanted_width(const Curve& rail, const StripWidths& widths, double s);
@@ -92,6 +92,7 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
 /// Arrays of the strips of a rail.
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz, *angle;
+  double* gain;  ///< of a rail that varies (PlacedRail)
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 

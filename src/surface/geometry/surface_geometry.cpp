@@ -8,12 +8,13 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
                  PlacedRail& rail) {
   const VaryingRail& varying = surfaces.varying;
   if (varying.faces == 0) {
-    rail = {surfaces.rail, distance, 0.0, {}};
+    static_cast<RailStrips&>(rail) = surfaces.rail;
+    rail.distance = distance;
     return {};
   }
   // sections end somewhere: beyond, the nearest one stands for the rail
   const double inside = smaller(larger(distance, varying.begin), varying.end);
-  rail = place_strips(*surfaces.kernels, varying, inside, arrays);
+  rail = place_strips(*surfaces.kernels, varying, inside, surfaces.wheel_radius, arrays);
   if (has_check_rail(varying)) {
     // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
     FaceStrips& check = rail.range[0];
@@ -49,33 +50,54 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
   return rail;
 }
 
+namespace {
+
+/// Adds all that varies to the overlap of one strip, whose ray ends at `end`, which goes along. Returns
+/// whether it is deeper than -margin then.
+bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                  std::int32_t strip, double distance, double angle, double margin, RayEnd<double>& end,
+                  StripOverlap<double>& o) {
+  const Curve& wheel = surfaces.wheel.curve;
+  const bool round = surfaces.out_of_round.rows == 0;
+  double y = 0.0;
+  if (changes_along(surfaces, strip)) {
+    // strips that stay clear of the margin by a first look are no candidates
+    constexpr double looks_within = 0.2e-3;  // [m]
+    LargestOverlap found;
+    const double deepest = look_along(rail, surfaces.varying, strip, o, found.x);
+    if (!(deepest > -margin - looks_within - surfaces.out_of_round.largest)) return false;
+    found.end = {end.piece, end.u, deepest};
+    y = follow_rail<double>(rail, surfaces.varying, wheel, pose, strip, distance, found, o);
+    end = found.end;
+  } else if (!round) {
+    y = evaluate(wheel, end.piece, end.u).y;
+  }
+  follow_others(surfaces, rail, pose, strip, y, distance, angle, o);
+  return o.depth > -margin;
+}
+
+}  // namespace
+
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept {
-  // The search, of a round wheel on a rail that is the same all along, is wider by the most that
-  // follow_track() adds: on a slope a, a^2 r / 2, and more where the rail is concave; at most 2 mm, and the
-  // wheel's largest reach.
+  // The search, of a round wheel on a rail that is the same all along, is wider by the wheel's largest reach
+  // and by what each strip may gain along the track.
   const bool varying = varies(surfaces);
-  constexpr double concave = 1.5;
-  const double more =
-      varying ? smaller(0.5 * concave * rail.steepest * rail.steepest * surfaces.wheel_radius, 2e-3) +
-                    surfaces.out_of_round.largest
-              : 0.0;
+  const double more = varying ? surfaces.out_of_round.largest : 0.0;
   Overlaps o = find_overlaps(*surfaces.kernels, strips_before(surfaces, pose, rail), surfaces.wheel, pose,
-                             margin + more, scratch, memory);
+                             margin + more, rail.gain, scratch, memory);
   if (!varying) return o;
   // Those deeper than the margin stay once all that varies is added.
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < o.count; ++i) {
     StripOverlap<double> s = strip_of(o, i);
     s.grade = 0.0;
-    const bool round = surfaces.out_of_round.rows == 0;
-    const double y = round ? 0.0 : evaluate(surfaces.wheel.curve, o.piece[i], o.u[i]).y;
-    follow_track(surfaces, rail, pose, o.strip[i], y, rail.distance, angle, s);
-    if (!(s.depth > -margin)) continue;
+    RayEnd<double> end{o.piece[i], o.u[i], s.depth};
+    if (!follow_track(surfaces, rail, pose, o.strip[i], rail.distance, angle, margin, end, s)) continue;
     o.strip[kept] = o.strip[i];
-    o.piece[kept] = o.piece[i];
-    o.u[kept] = o.u[i];
+    o.piece[kept] = end.piece;
+    o.u[kept] = end.u;
     put_strip(s, kept, o);
     ++kept;
   }

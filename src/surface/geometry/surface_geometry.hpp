@@ -39,13 +39,18 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept;
 
-/// Adds all that varies to the overlap of one strip. `y`: on the wheel's profile [m]; `distance`, `angle`: of
-/// the wheel.
+/// Does the surface of a strip change along the track?
+inline bool changes_along(const SurfaceGeometry& surfaces, std::int32_t strip) {
+  const VaryingRail& rail = surfaces.varying;
+  return rail.faces > 0 && rail.face[face_of(rail, strip)].changes;
+}
+
+/// Adds a roller's fall and the wheel's deviation from round to the overlap of one strip. `y`: on the wheel's
+/// profile [m]; `distance`, `angle`: of the wheel.
 template <class Number>
-void follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePoseOf<Number>& pose,
-                  std::int32_t strip, const Number& y, const Number& distance, const Number& angle,
-                  StripOverlap<Number>& o) {
-  if (surfaces.varying.faces > 0) follow_rail(surfaces.varying, strip, distance, rail.blend, o);
+void follow_others(const SurfaceGeometry& surfaces, const PlacedRail& rail,
+                   const RelativePoseOf<Number>& pose, std::int32_t strip, const Number& y,
+                   const Number& distance, const Number& angle, StripOverlap<Number>& o) {
   if (surfaces.roller_curvature != 0.0) follow_roller(surfaces.roller_curvature, rail.z[strip], distance, o);
   if (surfaces.out_of_round.rows > 0) follow_wheel(surfaces.out_of_round, pose, y, angle, o);
 }

@@ -171,6 +171,20 @@ Fault check_directions(const VaryingRail& rail, const RailFace& face, const doub
   return {};
 }
 
+/// Do a face's sections differ from one another?
+bool sections_differ(const VaryingRail& rail, const RailFace& face, const double* outline) {
+  constexpr double same = 1e-12;  // [m]
+  const std::int64_t section = 8 * static_cast<std::int64_t>(rail.stride);
+  const double* const begin = outline + face.first_section * section;
+  for (std::int32_t k = 1; k < face.sections; ++k)
+    for (std::int32_t q = 0; q < 2; ++q)
+      for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
+        const std::int64_t at = q * rail.stride + j;
+        if (std::abs(begin[k * section + at] - begin[at]) > same) return true;
+      }
+  return false;
+}
+
 /// Puts the sections into faces, and notes their distances.
 void take_sections(const RailSection* sections, std::int32_t count, double* distance, VaryingRail& rail) {
   // sections of one face stand together, by increasing distance
@@ -249,16 +263,17 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
   VaryingRailArrays a;
   a.distance = arena.take(sections);
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
-  arena.each(most_strips, {&a.step, &a.middle});
+  arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
-  arena.each(4 * static_cast<std::int64_t>(most_strips), {&a.before, &a.behind});
-  arena.each(nodes, {&a.y, &a.z});
+  arena.each(4 * static_cast<std::int64_t>(most_strips), a.before, a.behind);
+  arena.each(nodes, a.y, a.z);
   a.curve = cut_curve(arena, nodes);
   return a;
 }
 
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, const VaryingRailArrays& a, VaryingRail& rail) {
+                        const StripWidths& widths, std::int32_t most_strips, const VaryingRailArrays& a,
+                        VaryingRail& rail) {
   rail = {};
   rail.stride = most_strips;
   rail.distance = a.distance;
@@ -273,8 +288,9 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     // strips along u by the widths wanted, linear between their samples; a share of all strips for each face
     SectionReader reader{sections, cosine, sine, a, {}, {}};
     double length = 0.0;
-    const StripWidths widths = f + 1 < rail.faces ? guiding_widths : StripWidths{};
-    Fault fault = find_widths(reader, face, widths, a.wanted, length);
+    StripWidths of_face = widths;
+    if (f + 1 < rail.faces) of_face.guiding = guiding_width;
+    Fault fault = find_widths(reader, face, of_face, a.wanted, length);
     if (fault.failed()) return fault;
     const auto wanted_at = [&](double u) {
       const double place = std::clamp(u / length, 0.0, 1.0) * (width_samples - 1);
@@ -289,15 +305,16 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     if (!fault.failed()) fault = check_directions(rail, face, a.outline);
     if (fault.failed()) return fault;
     find_slopes(rail, face, a.outline, a.before, a.behind);
+    face.changes = sections_differ(rail, face, a.outline);
   }
   return {};
 }
 
 namespace {
 
-/// Between two sections.
-SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double distance) {
-  SectionBlend b;
+/// Between two sections, with so many of the derivatives' weights.
+SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double distance, int derivatives) {
+  SectionBlend b{};
   b.left = left;
   b.right = left + 1;
   // The quintic Hermite functions of the header and their derivatives by t, scaled to derivatives by the
@@ -305,32 +322,33 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
                t = (distance - rail.distance[left]) * per;
   const double t2 = t * t;
-  const double up[4] = {t2 * t * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t2 * (1.0 + t * (t - 2.0)) * per,
-                        60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per,
-                        60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per};
-  const double leaving[4] = {
-      t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * h, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
-      t * (t * (96.0 - 60.0 * t) - 36.0) * per, (t * (192.0 - 180.0 * t) - 36.0) * per * per};
-  const double reaching[4] = {t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * h, t2 * (t * (28.0 - 15.0 * t) - 12.0),
-                              t * (t * (84.0 - 60.0 * t) - 24.0) * per,
-                              (t * (168.0 - 180.0 * t) - 24.0) * per * per};
-  for (int d = 0; d < 4; ++d) {
-    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - up[d];
-    b.weight[d][1] = up[d];
-    b.weight[d][2] = leaving[d];
-    b.weight[d][3] = reaching[d];
-  }
+  const auto put = [&b](int d, double up, double leaving, double reaching) {
+    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - up;
+    b.weight[d][1] = up;
+    b.weight[d][2] = leaving;
+    b.weight[d][3] = reaching;
+  };
+  put(0, t2 * t * (10.0 + t * (6.0 * t - 15.0)), t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * h,
+      t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * h);
+  if (derivatives < 1) return b;
+  put(1, 30.0 * t2 * (1.0 + t * (t - 2.0)) * per, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
+      t2 * (t * (28.0 - 15.0 * t) - 12.0));
+  put(2, 60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per, t * (t * (96.0 - 60.0 * t) - 36.0) * per,
+      t * (t * (84.0 - 60.0 * t) - 24.0) * per);
+  if (derivatives < 3) return b;
+  put(3, 60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per,
+      (t * (192.0 - 180.0 * t) - 36.0) * per * per, (t * (168.0 - 180.0 * t) - 24.0) * per * per);
   return b;
 }
 
 }  // namespace
 
-SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance) {
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance, int derivatives) {
   // the interval of sections that holds the distance
   const double *const begin = rail.distance + face.first_section, *const end = begin + face.sections;
   const double* const above = std::upper_bound(begin, end, distance);
   if (above != begin && above != end)
-    return blend_between(rail, static_cast<std::int32_t>(above - rail.distance) - 1, distance);
+    return blend_between(rail, static_cast<std::int32_t>(above - rail.distance) - 1, distance, derivatives);
   SectionBlend b{};  // beyond its sections, or at the last one
   b.left = b.right = face.first_section + (above == begin ? 0 : face.sections - 1);
   b.weight[0][0] = 1.0;
@@ -338,31 +356,87 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 }
 
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
-                      const SectionBlend& near) {
+                      const SectionBlend& near, int derivatives) {
   const bool there =
       near.left < near.right && distance >= rail.distance[near.left] && distance < rail.distance[near.right];
-  return there ? blend_between(rail, near.left, distance) : blend_at(rail, face, distance);
+  return there ? blend_between(rail, near.left, distance, derivatives)
+               : blend_at(rail, face, distance, derivatives);
 }
 
+namespace {
+
+/// How far a face reaches to both sides along the track, and the places there.
+void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed) {
+  // where the whole rail begins or ends its last section goes on
+  const RailFace& face = rail.face[f];
+  const double first = rail.distance[face.first_section],
+               last = rail.distance[face.first_section + face.sections - 1];
+  placed.low[f] = first > rail.begin ? larger(first - placed.distance, -farthest_along) : -farthest_along;
+  placed.high[f] = last < rail.end ? smaller(last - placed.distance, farthest_along) : farthest_along;
+  for (std::int32_t k = 0; k < track_places; ++k) {
+    PlaceWeights& place = placed.place[f][k];
+    place.x = place_apart * (k - track_places / 2);
+    const SectionBlend b = blend_at(rail, face, placed.distance + place.x, 0);
+    place.left = b.left;
+    place.right = b.right;
+    std::copy_n(b.weight[0], 4, place.weight);
+  }
+}
+
+/// The most that overlaps of a face's strips grow along the track, of a wheel that may be nearest up to
+/// `askew` ahead or behind: at every sixteenth strip, and the larger of two for those between.
+void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, PlacedRail& placed,
+                double* gain) {
+  constexpr std::int32_t every = 16;
+  constexpr double askew = 15e-3;  // [m]
+  const RailFace& face = rail.face[f];
+  const std::int32_t end = face.first + face.strips;
+  const auto gain_of = [&](std::int32_t j) {
+    double most = 0.0;
+    for (const PlaceWeights& place : placed.place[f]) {
+      if (place.x < placed.low[f] - place_apart || place.x > placed.high[f] + place_apart) continue;
+      // rise of the strip along its normal, less that of the wheel
+      const double off = larger(magnitude(place.x) - askew, 0.0);
+      const double rise = placed.tz[j] * (place_of(rail, place, j, 0) - placed.y[j]) -
+                          placed.ty[j] * (place_of(rail, place, j, 1) - placed.z[j]);
+      most = larger(most, rise - 0.5 * larger(placed.ty[j], 0.0) * off * off / wheel_radius);
+    }
+    return most;
+  };
+  double before = gain_of(face.first);
+  for (std::int32_t j = face.first; j < end; j += every) {
+    const std::int32_t next = std::min(j + every, end - 1);
+    const double behind = gain_of(next);
+    std::fill(gain + j, gain + std::min(j + every, end), larger(before, behind));
+    before = behind;
+  }
+}
+
+}  // namespace
+
 PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        const StripArrays& a) {
-  PlacedRail placed{{rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}}, distance, 0.0, {}};
+                        double wheel_radius, const StripArrays& a) {
+  PlacedRail placed;
+  static_cast<RailStrips&>(placed) = {rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}};
+  placed.distance = distance;
+  placed.gain = a.gain;
+  std::fill_n(a.gain, rail.strips, 0.0);
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
     const std::int32_t first = face.first, end = first + face.strips;
     const SectionBlend& b = placed.blend[f] = blend_at(rail, face, distance);
-    // a face is there between its first and its last section
-    if (distance < rail.distance[face.first_section] ||
-        distance > rail.distance[face.first_section + face.sections - 1])
+    // a face is there between its first and its last section, and as far as a wheel reaches beyond
+    if (distance < rail.distance[face.first_section] - farthest_along ||
+        distance > rail.distance[face.first_section + face.sections - 1] + farthest_along)
       continue;
     const auto lists = [&](std::int32_t section) {
       return rail.outline + static_cast<std::int64_t>(section) * 8 * rail.stride + first;
     };
-    constexpr double within = 20e-3;  // [m]
-    const simd::SectionStripsTask task{face.strips, lists(b.left),     lists(b.right), rail.stride,
-                                       b.weight,    rail.step + first, within,         a.y + first,
-                                       a.z + first, a.ty + first,      a.tz + first,   a.width + first};
-    placed.steepest = std::max(placed.steepest, kernels.surface.section_strips(task));
+    kernels.surface.section_strips({face.strips, lists(b.left), lists(b.right), rail.stride, b.weight,
+                                    rail.step + first, a.y + first, a.z + first, a.ty + first, a.tz + first,
+                                    a.width + first});
+    look_along_face(rail, f, placed);
+    if (face.changes) find_gains(rail, f, wheel_radius, placed, a.gain);
     // arc length by the widths there, each face from a place of its own
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {

@@ -40,6 +40,7 @@ struct RailSection {
 struct RailFace {
   std::int32_t first = 0, strips = 0;            ///< among the rail's strips
   std::int32_t first_section = 0, sections = 0;  ///< among all sections
+  bool changes = false;                          ///< differ its sections from one another?
 };
 
 struct VaryingRail {
@@ -67,37 +68,72 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
                                    std::int32_t most_strips);
 
 /// Cuts and pairs the sections, whose distances and faces the caller has put in order. WRC_ERROR_PROFILE,
-/// with the section's index, if they cannot be paired.
+/// with the section's index, if they cannot be paired. `widths`: of the strips; those of faces beside the
+/// running rail, which guide, are guiding_width at most.
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, const VaryingRailArrays& arrays, VaryingRail& rail);
+                        const StripWidths& widths, std::int32_t most_strips, const VaryingRailArrays& arrays,
+                        VaryingRail& rail);
 
 /// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
-/// their values and slopes in the outline and its derivatives by the distance, up to the third.
+/// their values and slopes in the outline and its derivatives by the distance, up to the number asked for.
 struct SectionBlend {
   std::int32_t left, right;
   double weight[4][4];
 };
-SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance);
+SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance, int derivatives = 3);
 /// The same, looked for first where `near` is.
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
-                      const SectionBlend& near);
+                      const SectionBlend& near, int derivatives = 3);
+
+/// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first, and
+/// how far apart they are: to 60 mm either side [m].
+inline constexpr std::int32_t track_places = 13;
+inline constexpr double place_apart = 10e-3;
+inline constexpr double farthest_along = place_apart * (track_places / 2);
+
+/// A place along the track: weights of values and slopes of two sections there (SectionBlend).
+struct PlaceWeights {
+  double x;  ///< [m]
+  std::int32_t left, right;
+  double weight[4];
+};
+
+/// One of a strip's lists there: 0 for y, 1 for z [m].
+inline double place_of(const VaryingRail& rail, const PlaceWeights& place, std::int32_t strip,
+                       std::int32_t list) {
+  const auto at = [&](std::int32_t section, std::int32_t q) {
+    return rail.outline[(static_cast<std::int64_t>(section) * 8 + q) * rail.stride + strip];
+  };
+  return place.weight[0] * at(place.left, list) + place.weight[1] * at(place.right, list) +
+         place.weight[2] * at(place.left, list + 4) + place.weight[3] * at(place.right, list + 4);
+}
 
 /// A rail at one distance along the track.
 struct PlacedRail : RailStrips {
   double distance = 0.0;                ///< within the sections [m]
-  double steepest = 0.0;                ///< steepest fall of a strip along its normal, within 20 mm [-]
   SectionBlend blend[most_rail_faces];  ///< blend of each face there
+  /// Of each face: how far it reaches along the track from there [m], at most farthest_along.
+  double low[most_rail_faces], high[most_rail_faces];
+  PlaceWeights place[most_rail_faces][track_places];
+  const double* gain = nullptr;  ///< most that a strip's overlap grows along the track [m]
 };
 
-/// The rail at a distance: strips of the faces that are there.
+/// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].
 PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        const StripArrays& arrays);
+                        double wheel_radius, const StripArrays& arrays);
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).
 inline bool has_check_rail(const VaryingRail& rail) {
   constexpr double everywhere = 1e6;  // [m]
   return rail.faces == 2 && rail.begin == -everywhere && rail.end == everywhere;
+}
+
+/// Does any face of a rail change along the track? A check rail and its rail do not.
+inline bool changes(const VaryingRail& rail) {
+  for (std::int32_t f = 0; f < rail.faces; ++f)
+    if (rail.face[f].changes) return true;
+  return false;
 }
 
 /// The number of the face a strip belongs to.

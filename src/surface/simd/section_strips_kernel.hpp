@@ -8,8 +8,7 @@ namespace wrc::simd {
 namespace {
 
 /// SurfaceKernels::section_strips.
-inline double section_strips_kernel(const SectionStripsTask& task) {
-  Pack steepest = 0.0;
+inline void section_strips_kernel(const SectionStripsTask& task) {
   for (std::int32_t first = 0; first < task.count; first += lanes) {
     const std::int32_t count = task.count - first < lanes ? task.count - first : lanes;
     struct List {
@@ -29,22 +28,12 @@ inline double section_strips_kernel(const SectionStripsTask& task) {
     const Pack dy = blend(list(2), 0), dz = blend(list(3), 0);
     const Pack length = root(dy * dy + dz * dz), per = 1.0 / length;
     const Pack ty = dy * per, tz = dz * per;
-    // fall along the normal (-tz, ty) per distance, and the most it may change within 20 mm
-    const Pack slope = ty * blend(z, 1) - tz * blend(y, 1), bend = ty * blend(z, 2) - tz * blend(y, 2);
-    const Pack steep = magnitude(slope) + task.within * magnitude(bend);
     store(blend(y, 0), task.y + first, count);
     store(blend(z, 0), task.z + first, count);
     store(ty, task.ty + first, count);
     store(tz, task.tz + first, count);
     store(length * load(task.step, first, count, 1.0), task.width + first, count);
-    steepest = larger(steepest, steep);
   }
-  // the largest of all lanes; those behind the last strip are level and straight
-  double each[lanes];
-  store_pack(each, steepest);
-  double most = 0.0;
-  for (const double one : each) most = most > one ? most : one;
-  return most;
 }
 
 }  // namespace

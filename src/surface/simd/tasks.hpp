@@ -124,7 +124,6 @@ struct SectionStripsTask {
   const double (*weight)[4];  ///< on left, right, slope on the left, on the right: for values, then for first
                               ///< and second derivatives by the distance
   const double* step;         ///< range of u across each strip [m]
-  double within;              ///< [m]
   double *y, *z, *ty, *tz, *width;  ///< as RailStrips
 };
 

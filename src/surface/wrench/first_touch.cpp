@@ -38,6 +38,57 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
   return (top - lowest) / motion.cosine;
 }
 
+/// The vertical distance between the wheel's outline, raised as its circle rises along the track, and the
+/// nearest of the rail's places along it [m]: to some tenths of a millimetre. `outline` is that of `motion`.
+double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
+  const SurfaceModel& model = problem.model;
+  const RailStrips strips = strips_before(model, motion.pose, problem.rail);
+  const double per_circle = 0.5 / model.wheel_radius;
+  double nearest = 1e300;
+  for (std::int32_t r = 0; r < strips.ranges; ++r) {
+    const FaceStrips& range = strips.range[r];
+    const std::int32_t face = face_of(model.varying, range.first);
+    for (const PlaceWeights& place : problem.rail.place[face]) {
+      // a face that ends between two places counts at both
+      if (place.x < problem.rail.low[face] - place_apart || place.x > problem.rail.high[face] + place_apart)
+        continue;
+      const double rise = per_circle * place.x * place.x;
+      std::int32_t k = 1;
+      for (std::int32_t j = range.first; j < range.first + range.count; ++j) {
+        const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
+        // the chord of the outline above the strip
+        while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
+        while (k > 1 && outline.y[k - 1] > y) --k;
+        const double left = outline.y[k - 1], right = outline.y[k];
+        if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
+          continue;
+        const double share = (y - left) / (right - left);
+        const double above = outline.z[k - 1] + share * (outline.z[k] - outline.z[k - 1]);
+        nearest = smaller(nearest, z - above + rise);
+      }
+    }
+  }
+  return nearest / motion.cosine;
+}
+
+/// First touch on a rail that varies along the track: from a little above the height at which the outline
+/// meets its places. `height`: any.
+double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
+  constexpr int most_steps = 16;
+  constexpr double close = 1e-8, above = 0.3e-3;  // [m]
+  constexpr double least_down = 0.1;
+  RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
+  find_wheel_overlaps(problem, motion, 0.0, overlaps);
+  height += fall_along(problem, motion, overlaps.outline) - above - problem.model.out_of_round.largest;
+  for (int n = 0; n < most_steps; ++n) {
+    motion = motion_at_height(problem.model, problem.in, height);
+    const double fall = fall_to_strips(problem, motion, least_down, overlaps);
+    height += fall;
+    if (std::abs(fall) < close) break;
+  }
+  return height;
+}
+
 }  // namespace
 
 double clearance(const WheelProblem& problem, Arena scratch) {
@@ -45,6 +96,10 @@ double clearance(const WheelProblem& problem, Arena scratch) {
   constexpr double close = 1e-10;     // [m]
   constexpr double least_down = 0.1;  // steeper than any flange
   WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
+  if (changes(problem.model.varying)) {
+    const double height = problem.in.wheel.position[2];
+    return smaller(larger(first_touch_along(problem, height, overlaps) - height, 0.0), farthest_touch);
+  }
   double lowered = 0.0;
   for (int n = 0; n < most_steps; ++n) {
     const double height = problem.in.wheel.position[2] + lowered;
@@ -65,6 +120,7 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
       0.1e-3;  // [m]: from there on the wheel may be below a face that it touches from above
   WheelOverlaps overlaps = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   double height = problem.in.wheel.position[2];
+  if (changes(problem.model.varying)) return first_touch_along(problem, height, overlaps);
   bool above = false;
   for (int n = 0; n < most_steps; ++n) {
     const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);

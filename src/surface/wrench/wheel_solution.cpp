@@ -27,7 +27,7 @@ WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& r
   WheelSolution s;
   s.overlaps = cut_wheel_overlaps(arena, sizes);
   StripPressure& p = s.pressure;
-  arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+  arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
   static_cast<ContactArrays&>(s.strips) = ContactArrays(results, 0);
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
@@ -38,10 +38,9 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
   RollingScratch r;
   // fields: of methods that need them, of friction over temperature, and results of fields_of_strips()
   const std::int64_t cells = static_cast<std::int64_t>(most) * sizes.cells;
-  arena.each(cells, {&r.fields.traction_x, &r.fields.traction_y, &r.fields.slip_x, &r.fields.slip_y});
+  arena.each(cells, r.fields.traction_x, r.fields.traction_y, r.fields.slip_x, r.fields.slip_y);
   r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
-  arena.each(most,
-             {&r.slip_x, &r.spin, &r.other_fx, &r.other_fy, &r.other_mz, &r.cold_friction, &r.heat_share});
+  arena.each(most, r.slip_x, r.spin, r.other_fx, r.other_fy, r.other_mz, r.cold_friction, r.heat_share);
   r.x = r.region = nullptr;
   if (sizes.methods.region.solve) {
     r.x = arena.take(most);

@@ -70,8 +70,8 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   Scratch w;
   // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
-  arena.each(most, {&p.place, &p.width, &p.line_load, &p.length_squared, &p.centre});
-  arena.each(most, {&p.line_load_dual, &p.length_squared_dual, &p.centre_dual});
+  arena.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
+  arena.each(most, p.line_load_dual, p.length_squared_dual, p.centre_dual);
   p.overlap = arena.take<OverlapSlopes>(most);
 
   // Their elimination comes before everything below, and shares its memory.
@@ -80,15 +80,15 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
 
   LoadedStrips& s = w.loaded;
   s.pressed = arena.take<std::int32_t>(most);
-  arena.each(most, {&s.place, &s.width});
-  arena.each(most, {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
-                    &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz});
+  arena.each(most, s.place, s.width);
+  arena.each(most, s.normal, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin, s.friction, s.fx,
+             s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   HeatedScratch& h = w.heated;
-  arena.each(most, {&h.half_length, &h.peak, &h.curvature, &h.slip_x, &h.slip_y, &h.spin, &h.friction, &h.fx,
-                    &h.fy, &h.mz, &h.share, &h.base_fx, &h.base_fy, &h.base_mz});
+  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.friction, h.fx, h.fy,
+             h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
   h.rolling = cut_rolling(arena, sizes);
 
   // whichever of both is larger
@@ -128,26 +128,28 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   const Overlaps& overlaps = d.solved.overlaps;
   const std::int32_t j = overlaps.strip[i], piece = overlaps.piece[i];
   const double u = overlaps.u[i];
-  StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
+  const StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
   if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
 
-  // by track the strip itself moves: beyond the last section nothing changes with the distance
+  // beyond the last section nothing changes with the distance
   PlaceDual distance = rail.distance, angle = d.problem.in.angle;
   if (d.by == JacobianBy::track) {
     if (rail.distance == d.problem.in.distance) distance.d[track_distance] = 1.0;
     angle.d[track_angle] = 1.0;
   }
-  if (model.varying.faces > 0 && d.by == JacobianBy::track) {
-    const SectionBlend& blend = rail.blend[face_of(model.varying, j)];
-    const auto moved = strip_at(model.varying, blend, j, distance);
-    place.y = moved.y;
-    place.z = moved.z;
-    tangent_at(model.varying, blend, j, distance, place.ty, place.tz);
-  }
-
   // the same corrections as of plain numbers, in the same order
+  if (changes_along(model, j)) {
+    OverlapSlopes o;
+    static_cast<StripOverlap<PlaceDual>&>(o) = {overlaps.depth[i], overlaps.centre[i], overlaps.curvature[i],
+                                                overlaps.ny[i],    overlaps.nz[i],     overlaps.wy[i],
+                                                overlaps.wz[i],    overlaps.grade[i]};
+    LargestOverlap found{overlaps.centre[i], {piece, u, overlaps.depth[i]}};
+    o.y_wheel = follow_rail<PlaceDual>(rail, model.varying, model.wheel.curve, pose, j, distance, found, o);
+    follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
+    return o;
+  }
   OverlapSlopes o = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
-  follow_track<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
+  follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
   return o;
 }
 
@@ -522,7 +524,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), frame_number(w.pressed.centre_dual[k]), graded,
-              loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i], out.force, out.moment);
+              {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   return {};
 }
