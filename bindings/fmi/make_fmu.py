@@ -11,6 +11,7 @@ import argparse
 import os
 import pathlib
 import re
+import sys
 import time
 import zipfile
 from xml.sax.saxutils import quoteattr
@@ -90,8 +91,9 @@ def describe(model, fmi):
             f'{"instantiationToken" if three else "guid"}={quoteattr(token)} description={quoteattr(text)} version="{version()}" '
             f'license="Apache-2.0" generationTool="wrc {version()}" variableNamingConvention="flat"'
             + ("" if three else ' numberOfEventIndicators="0"') + ">\n"
-            f'  <{kind} modelIdentifier="{model}" canGetAndSetFMU{state}="true" canSerializeFMU{state}="true" {derivatives} {more}/>\n'
-            f"  <UnitDefinitions>\n{units(fmi)}  </UnitDefinitions>\n" + step)
+            f'  <{kind} modelIdentifier="{model}" canGetAndSetFMU{state}="true" canSerializeFMU{state}="true" {derivatives} {more}'
+            + ("/>\n" if three else f">\n    <SourceFiles>\n{files_of_sources(2)}    </SourceFiles>\n  </{kind}>\n")
+            + f"  <UnitDefinitions>\n{units(fmi)}  </UnitDefinitions>\n" + step)
     return head + (structure3 if three else structure2)(every, inputs, outputs) + "</fmiModelDescription>\n"
 
 
@@ -126,6 +128,42 @@ def structure3(every, inputs, outputs):
     return f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n{out}{first}  </ModelStructure>\n"
 
 
+def unit_names(fmi):
+    """The C files of a version; wrc.cpp is the library."""
+    return ["model.c", "wheelset.c", f"fmi{fmi}.c"]
+
+
+def files_of_sources(fmi):
+    """FMI 2: the list in the model description."""
+    return "".join(f'      <File name="{name}"/>\n' for name in unit_names(fmi) + ["wrc.cpp"])
+
+
+def build_description(model):
+    """FMI 3: sources/buildDescription.xml"""
+    define = '      <PreprocessorDefinition name="WRC_STATIC"/>\n'
+
+    def file_set(language, names):
+        rows = "".join(f'      <SourceFile name="{name}"/>\n' for name in names)
+        return f'    <SourceFileSet language="{language}">\n{rows}{define}      <IncludeDirectory name="."/>\n    </SourceFileSet>\n'
+
+    return ('<?xml version="1.0" encoding="UTF-8"?>\n<fmiBuildDescription fmiVersion="3.0">\n'
+            f'  <BuildConfiguration modelIdentifier="{model}">\n{file_set("C99", unit_names(3))}{file_set("C++17", ["wrc.cpp"])}'
+            "  </BuildConfiguration>\n</fmiBuildDescription>\n")
+
+
+def sources(model, fmi):
+    """What an importer builds the FMU from, {name: bytes}: all of it in one folder."""
+    files = {name: (HERE / name).read_bytes() for name in ["model.h", "bodies.def", "wheel.def", "wheelset.def"] + unit_names(fmi)}
+    files |= {each.name: each.read_bytes() for each in (HERE / "headers").glob(f"fmi{fmi}*.h")}
+    files |= {f"wrc/{each.name}": each.read_bytes() for each in (ROOT / "include_c/wrc").glob("*.h")}
+    sys.path.insert(0, str(ROOT / "tools/amalgamate"))
+    import amalgamate
+    files["wrc.cpp"] = amalgamate.source().encode()
+    if fmi == 3:
+        files["buildDescription.xml"] = build_description(model).encode()
+    return {f"sources/{name}": data for name, data in files.items()}
+
+
 def write(path, files):
     """A .fmu of {name: bytes}."""
     when = time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", 315532800)))[:6]
@@ -148,6 +186,7 @@ def build(asked):
             files = {"modelDescription.xml": describe(model, fmi).encode(),
                      "resources/README.txt": b"wheel.txt, rail.txt: points of your profiles, y and z in mm in each line "
                                              b"(make_fmu.py profiles).\n"}
+            files |= sources(model, fmi)
             for system, data in binaries.items():
                 place, ending = folder[fmi, system]
                 files[f"binaries/{place}/{model}.{ending}"] = data

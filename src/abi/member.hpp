@@ -68,6 +68,14 @@ struct Member {
   bool by_caller = false;             ///< read() leaves the check to whoever knows more
 };
 
+/// Smallest size of a caller's struct, that of its first published version. Published sizes are those of
+/// processors with pointers of 64 bits; elsewhere caller and library have one version.
+constexpr bool pointers_of_64_bits = sizeof(void*) == 8;
+template <typename Struct>
+constexpr std::size_t first_size(std::size_t published) {
+  return pointers_of_64_bits ? published : sizeof(Struct);
+}
+
 /// Name, first published size (that of the oldest caller), defaults and members of a struct.
 template <typename Struct>
 struct Description;

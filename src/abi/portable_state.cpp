@@ -45,8 +45,9 @@ std::uint64_t checksum_of(const PortableHeader& header, const void* state, std::
 
 /// Addresses of this process stand in the first member, the model, and in the sentence's parts; the rest are
 /// numbers.
-static_assert(offsetof(contact::Contact, model) == 0 && offsetof(contact::Contact, last) == sizeof(void*));
-constexpr std::size_t addressed = sizeof(void*) + sizeof(Fault);
+static_assert(offsetof(contact::Contact, model) == 0 &&
+              offsetof(contact::Contact, last) < 2 * sizeof(double));
+constexpr std::size_t addressed = offsetof(contact::Contact, last) + sizeof(Fault);
 
 /// The beginning of a state without addresses: of the last fault its status and number of an element.
 void without_addresses(const contact::Contact& contact, unsigned char (&bytes)[addressed]) {

@@ -34,7 +34,9 @@ HEAD = """\
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off", "no-math-errno", "no-tree-slp-vectorize")
 #endif
+#ifndef WRC_STATIC
 #define WRC_STATIC
+#endif
 #define WRC_BASELINE_ALONE
 #define WRC_SET baseline
 #define WRC_COMMIT "{commit}"
@@ -183,15 +185,20 @@ def amalgam():
     return "".join(made.out)
 
 
+def source():
+    """wrc.cpp as text."""
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False).stdout.strip()
+    version = re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+    return HEAD.format(version=version, commit=commit or "unknown") + amalgam()
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     out = pathlib.Path(sys.argv[1])
-    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False).stdout.strip()
-    version = re.search(r"project\(wrc VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
     out.mkdir(parents=True, exist_ok=True)
     shutil.copytree(HEADERS, out / "wrc", dirs_exist_ok=True)
-    (out / "wrc.cpp").write_text(HEAD.format(version=version, commit=commit or "unknown") + amalgam())
+    (out / "wrc.cpp").write_text(source())
 
 
 if __name__ == "__main__":

@@ -25,8 +25,8 @@ inline constexpr double least_curvature_left = 0.2;
 /// reference point, rail axes.
 template <class Number>
 struct RayStart {
-  Number x, y, z;                 ///< [m]
-  Number slope_y, slope_z;        ///< by x [-]
+  Number x, y, z;                   ///< [m]
+  Number slope_y, slope_z;          ///< by x [-]
   Number curvature_y, curvature_z;  ///< [1/m]
 };
 
@@ -43,7 +43,8 @@ struct RayEnd {
 template <class Number>
 struct RayBeside {
   OnProfile<Number> profile;
-  Number sine, cosine, per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
+  Number sine, cosine,
+      per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
   RayEnd<Number> next;
 };
 
@@ -218,11 +219,9 @@ template <class Number>
 void fit_parabola(const Number& largest, const Number& ahead, const Number& behind, const Number& half,
                   const Number& own, StripOverlap<Number>& o) {
   const Number per = Number(1.0) / (half * half);
-  const Number curvature =
-      larger((2.0 * largest - ahead - behind) * per, least_curvature_left * own);
+  const Number curvature = larger((2.0 * largest - ahead - behind) * per, least_curvature_left * own);
   const Number limit = 0.5 * half;
-  const Number off =
-      smaller(larger((ahead - behind) / (2.0 * half * curvature), -limit), limit);
+  const Number off = smaller(larger((ahead - behind) / (2.0 * half * curvature), -limit), limit);
   o.depth = largest + 0.5 * curvature * off * off;
   o.centre += off;
   o.curvature = curvature;
@@ -251,16 +250,16 @@ RelativePose plain_pose(const RelativePoseOf<Number>& pose) {
   return plain;
 }
 
-/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in plain
-/// numbers, which become those of the largest; `o`: normal and place near those, then the strip's overlap.
-/// Returns the place on the wheel's profile [m].
+/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in
+/// plain numbers, which become those of the largest; `o`: normal and place near those, then the strip's
+/// overlap. Returns the place on the wheel's profile [m].
 template <class Number>
 Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
                    const RelativePoseOf<Number>& pose, std::int32_t strip, const Number& distance,
                    LargestOverlap& found, StripOverlap<Number>& o) {
   const std::int32_t face = face_of(rail, strip);
   const RelativePose rest = plain_pose(pose);
-  StripOverX<double> plain{rail,          wheel, rest, strip, value_of(distance), placed.blend[face],
+  StripOverX<double> plain{rail,           wheel,         rest, strip, value_of(distance), placed.blend[face],
                            value_of(o.ny), value_of(o.nz)};
   const double low = placed.low[face], high = placed.high[face];
   find_largest(plain, low, high, found);
