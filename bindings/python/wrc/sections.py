@@ -160,7 +160,7 @@ def _points(path: str) -> Tuple[np.ndarray, np.ndarray]:
         points, _, _, said = _simpack(path, rows, "rail", [])
         scale = said * 1e3 if isinstance(said, float) else 1.0  # to mm, in which other files of .prr are
         return points[:, 0] * scale, points[:, 1] * scale
-    points = _columns(path, rows, path.lower().endswith(".ban"))[0]
+    points = _columns(path, rows, path.lower().endswith(".ban"), None, [])[0]
     return points[:, 0], points[:, 1]
 
 
