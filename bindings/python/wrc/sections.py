@@ -329,7 +329,7 @@ def _crossing(y: np.ndarray, z: np.ndarray) -> Optional[Tuple[float, float]]:
     p = np.column_stack([y, z])
     d = np.diff(p, axis=0)
     for k in np.flatnonzero(d[:, 0] <= 0.0):  # a crossing has a segment that goes back, within or beside it
-        for a in range(max(k - 1, 0), min(k + 2, len(d))):
+        for a in range(max(int(k) - 1, 0), min(int(k) + 2, len(d))):
             apart = p[:-1] - p[a]
             determinant = d[a, 0] * d[:, 1] - d[a, 1] * d[:, 0]
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -337,7 +337,8 @@ def _crossing(y: np.ndarray, z: np.ndarray) -> Optional[Tuple[float, float]]:
                 t = (apart[:, 0] * d[a, 1] - apart[:, 1] * d[a, 0]) / determinant
             hit = (s > 1e-9) & (s < 1 - 1e-9) & (t > 1e-9) & (t < 1 - 1e-9) & (np.abs(np.arange(len(d)) - a) > 1)
             if hit.any():
-                return tuple(p[a] + s[np.argmax(hit)] * d[a])  # type: ignore[return-value]
+                at = p[a] + s[np.argmax(hit)] * d[a]
+                return float(at[0]), float(at[1])
     return None
 
 
@@ -372,22 +373,22 @@ def _pieces(number: int, y: np.ndarray, z: np.ndarray, depth: float, gap: float,
                     if share > 1e-6:
                         ly.insert(0 if side == 0 else len(ly), py[inner] + share * (py[outer] - py[inner]))
                         lz.insert(0 if side == 0 else len(lz), depth)
-            ly, lz = np.array(ly), np.array(lz)
-            s, corners = _arc(ly, lz), _corners(ly, lz, kink)
-            for cut in np.split(np.arange(len(ly)), corners):
+            line_y, line_z = np.array(ly), np.array(lz)
+            s, corners = _arc(line_y, line_z), _corners(line_y, line_z, kink)
+            for cut in np.split(np.arange(len(line_y)), corners):
                 cut = cut[np.abs(s[cut][:, None] - s[corners]).min(axis=1, initial=1.0) > 1e-3]  # no wheel reaches the corner itself
-                made.append(_Piece(number, ly[cut], lz[cut]))
+                made.append(_Piece(number, line_y[cut], line_z[cut]))
     return made
 
 
 def _arc(y: np.ndarray, z: np.ndarray) -> np.ndarray:
-    return np.r_[0.0, np.cumsum(np.hypot(np.diff(y), np.diff(z)))]
+    return np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
 
 
 def _inclination(y: np.ndarray, z: np.ndarray, s: np.ndarray, at: np.ndarray, behind: float, ahead: float) -> np.ndarray:
     """Of the chord from `behind` before to `ahead` beyond places of the arc [rad]."""
     low, high = np.clip(at - behind, 0.0, s[-1]), np.clip(at + ahead, 0.0, s[-1])
-    return np.arctan2(np.interp(high, s, z) - np.interp(low, s, z), np.interp(high, s, y) - np.interp(low, s, y))
+    return np.asarray(np.arctan2(np.interp(high, s, z) - np.interp(low, s, z), np.interp(high, s, y) - np.interp(low, s, y)))
 
 
 def _corners(y: np.ndarray, z: np.ndarray, kink: float) -> np.ndarray:
@@ -510,13 +511,13 @@ def _marks(outlines: List[Tuple[np.ndarray, np.ndarray]]) -> List[List[float]]:
     """y of the corners on the gauge and the field side, where every outline has them, 1.5 mm from the ends and from each other."""
     found = []
     for sign in (-1, 1):
-        corner = [_corner(y, z, sign) for y, z in outlines]
-        if any(each is None for each in corner):
+        corner = [each for y, z in outlines for each in [_corner(y, z, sign)] if each is not None]
+        if len(corner) < len(outlines):
             continue
-        from_end = np.array([float(y[-1 if sign > 0 else 0]) - each for each, (y, _) in zip(corner, outlines)])  # type: ignore[operator]
+        from_end = np.array([float(y[-1 if sign > 0 else 0]) - each for each, (y, _) in zip(corner, outlines)])
         if np.abs(np.diff(from_end)).max(initial=0.0) < 5e-3:  # else another corner is met on the way
             found.append(corner)
-    if len(found) == 2 and any(right - left < 1.5e-3 for left, right in zip(*found)):  # type: ignore[operator]
+    if len(found) == 2 and any(right - left < 1.5e-3 for left, right in zip(*found)):
         found.pop()
     return [[float(corner[k]) for corner in found] for k in range(len(outlines))]
 
