@@ -52,7 +52,7 @@ class Reader {
     ++at_;
   }
 
-  /// What stands between a bracket and its end, each by `read`, commas between.
+  /// The values between a bracket and its end, each by `read`, commas between.
   template <class Read>
   void read_list(char last, Read read) {
     ++at_;

@@ -7,7 +7,7 @@
 
 namespace compare {
 
-/// A number, a text, a list or an object; what the text does not say is empty.
+/// A number, a text, a list or an object; the other members are empty.
 struct Json {
   double number = 0.0;
   std::string text;

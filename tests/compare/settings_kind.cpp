@@ -263,7 +263,7 @@ struct Range {
   double beyond_relative(double value) const { return beyond(value) / std::clamp(value, low, high); }
 };
 
-/// Of the force on the rail: the part of each component that lies beyond all settings [N].
+/// The part of each component of the force on the rail that lies beyond all settings [N].
 Vector force_beyond(const Csv& file, const CaseRows& rows, const wrc_wrench& wrench) {
   return {Range(file, rows, "Fx_r").beyond(wrench.rail_force[0]),
           Range(file, rows, "Fy_r").beyond(wrench.rail_force[1]),

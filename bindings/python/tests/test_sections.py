@@ -9,6 +9,7 @@ import wrc
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "examples/rails"))
 import rails
+import turnout
 
 
 @pytest.mark.parametrize("name, kinds", [("crossing", {"nose", "wing"}), ("blade", {"blade", "stock"}), ("expansion", {"blade", "stock"}),
@@ -147,3 +148,17 @@ def test_parts_and_pictures(tmp_path):
         assert face.distances[0] <= 0.2 and face.distances[-1] >= 0.5 and len(face.distances) == len(face.outlines) == len(face.marks)
     wrc.plot.rail(faces, 0.0, 0.5, path=tmp_path / "rail.png")
     assert (tmp_path / "rail.png").stat().st_size > 50_000
+
+
+def test_a_bogie_through_the_crossing(monkeypatch):
+    monkeypatch.setattr(turnout, "WAY", 1.9)
+    faces = wrc.rail_faces(rails.crossing(way=True))
+    most = []
+    for step in (1e-3, 5e-4):
+        bogie = turnout.Bogie(faces, "main", 40 / 3.6)
+        told = turnout.stepped(bogie, step)
+        assert bogie.failures == bogie.flagged == 0 and len(told) == int(1.9 / bogie.speed / step)
+        vertical = -np.array([forces[0, 2] for _, _, forces in told])
+        most.append(vertical.max())
+        assert vertical.min() > 0.0 and abs(told[-1][1][1] - told[0][1][1]) < 2e-4  # it stays on the rail, and stands as before
+    assert 100e3 < most[0] < 250e3 and most[1] == pytest.approx(most[0], rel=0.25)

@@ -329,8 +329,8 @@ def _crossing(y: np.ndarray, z: np.ndarray) -> Optional[Tuple[float, float]]:
         return None
     p = np.column_stack([y, z])
     d = np.diff(p, axis=0)
-    for k in np.flatnonzero(d[:, 0] <= 0.0).tolist():  # a crossing has a segment that goes back, within or beside it
-        for a in range(max(k - 1, 0), min(k + 2, len(d))):
+    for k in np.flatnonzero(d[:, 0] <= 0.0):  # a crossing has a segment that goes back, within or beside it
+        for a in range(max(int(k) - 1, 0), min(int(k) + 2, len(d))):
             apart = p[:-1] - p[a]
             determinant = d[a, 0] * d[:, 1] - d[a, 1] * d[:, 0]
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -338,7 +338,8 @@ def _crossing(y: np.ndarray, z: np.ndarray) -> Optional[Tuple[float, float]]:
                 t = (apart[:, 0] * d[a, 1] - apart[:, 1] * d[a, 0]) / determinant
             hit = (s > 1e-9) & (s < 1 - 1e-9) & (t > 1e-9) & (t < 1 - 1e-9) & (np.abs(np.arange(len(d)) - a) > 1)
             if hit.any():
-                return tuple(p[a] + s[np.argmax(hit)] * d[a])
+                at = p[a] + s[np.argmax(hit)] * d[a]
+                return float(at[0]), float(at[1])
     return None
 
 
@@ -511,12 +512,12 @@ def _marks(outlines: List[Tuple[np.ndarray, np.ndarray]]) -> List[List[float]]:
     """y of the corners on the gauge and the field side, where every outline has them, 1.5 mm from the ends and from each other."""
     found: List[List[float]] = []
     for sign in (-1, 1):
-        corner = [_corner(y, z, sign) for y, z in outlines]
-        if any(each is None for each in corner):
+        corner = [each for y, z in outlines for each in [_corner(y, z, sign)] if each is not None]
+        if len(corner) < len(outlines):
             continue
-        from_end = np.array([float(y[-1 if sign > 0 else 0]) - each for each, (y, _) in zip(corner, outlines)])  # type: ignore[operator]
+        from_end = np.array([float(y[-1 if sign > 0 else 0]) - each for each, (y, _) in zip(corner, outlines)])
         if np.abs(np.diff(from_end)).max(initial=0.0) < 5e-3:  # else another corner is met on the way
-            found.append([float(each) for each in corner if each is not None])
+            found.append(corner)
     if len(found) == 2 and any(right - left < 1.5e-3 for left, right in zip(*found)):
         found.pop()
     return [[corner[k] for corner in found] for k in range(len(outlines))]

@@ -45,18 +45,21 @@ def section(distance, *parts):
     return wrc.MeasuredSection(distance, *joined(*parts))
 
 
-def crossing():
-    """A wing rail that leaves sideways 1:10, and a nose that rises from 20 mm below within 60 mm."""
+def crossing(way=False):
+    """A wing rail that rises by 1.5 mm and leaves sideways 1:10, and a nose that rises from 20 mm below within 60 mm, to level with
+    the rail 0.48 m on. `way`: with 4.5 m of rail before and behind it."""
     made = []
-    for x in np.r_[np.arange(-0.5, 0.1, 0.05), np.arange(0.1, 0.24, 0.005), np.arange(0.25, 1.0, 0.05)]:
-        wing = head(-35e-3 + 0.1 * max(0.0, x + 0.4), 0.035 + 0.1 * (x + 0.5), -1.5e-3, field_depth=10e-3)
+    places = np.r_[np.arange(-0.5, 0.1, 0.05), np.arange(0.1, 0.24, 0.005), np.arange(0.25, 1.0, 0.05)]
+    for x in np.r_[-5.0, -1.0, places, 1.2, 5.0] if way else places:
+        lifted = 1.5e-3 * 0.5 * (1.0 - np.cos(np.pi * np.clip((x + 0.45) / 0.4, 0.0, 1.0)))
+        wing = head(-35e-3 + 0.1 * max(0.0, x + 0.4), 0.035 + 0.1 * max(0.0, x + 0.5), -lifted, field_depth=10e-3)
         if x < 0.119:
             made.append(section(x, wing))
             continue
         rise = np.clip((x - 0.12) / 0.06, 0.0, 1.0)
         top = 20e-3 * (1.0 - rise) ** 2 + 3e-3 * np.clip(1.0 - (x - 0.18) / 0.3, 0.0, 1.0)
-        nose = head(-37e-3 + 2e-3 * rise, -19e-3 + 0.1 * (x - 0.12), top, corner=8e-3, depth=GROOVE - top)
-        made.append(section(x, nose, wing))
+        nose = head(-37e-3 + 2e-3 * rise, -19e-3 + min(0.1 * (x - 0.12), 54e-3), top, corner=8e-3 + 4e-3 * min(rise, (x - 0.12) / 0.8), depth=GROOVE - top)
+        made.append(section(x, nose, wing) if x < 1.0 else section(x, nose))
     return made
 
 
