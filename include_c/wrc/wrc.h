@@ -443,8 +443,8 @@ typedef struct wrc_config_planar {
   int32_t start;          /**< enum wrc_start: of the sweeps of WRC_NORMAL_STRIP_HALFSPACE. Warm, the same approach again moves
                                the force by up to 0.1 % [WRC_START_COLD] */
   int32_t regularisation; /**< enum wrc_regularisation [WRC_REGULARISE_KEEP_WIDTH] */
-  int32_t non_steady;     /**< 0..1; 1: contacts remember tractions over the distances told to wrc_planar_roll(). Of
-                               WRC_TANGENTIAL_STRIP_FASTSIM, forwards [0] */
+  int32_t non_steady;     /**< 0..1; 1: contacts remember tractions over the distances told to wrc_planar_roll(), at
+                               rest and rolling either way. Of WRC_TANGENTIAL_STRIP_FASTSIM [0] */
   double gap_limit;       /**< gap up to which rows of a pose reach, 1e-5..0.02 m. Deeper approaches are continued,
                                WRC_FLAG_BEYOND_GAP [1e-3] */
   double reserved[8];     /**< 0 */

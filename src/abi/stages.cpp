@@ -312,8 +312,8 @@ int32_t wrc_planar_roll(wrc_contact* handle, double distance) {
                                 "the model's config.planar.non_steady is 0: rolling is steady");
     }
     constexpr double farthest = 1e6;
-    const Fault outcome =
-        abi::check(distance, "distance", "m", 0.0, farthest, "a contact rolls forwards", "did you pass mm?");
+    const Fault outcome = abi::check(distance, "distance", "m", 0.0, farthest,
+                                     "the sign of creepage.speed is the way", "did you pass mm?");
     if (!outcome.failed())
       contact.rolled = std::min(farthest, contact.rolled + wrc::flush_subnormals(distance));
     return outcome;

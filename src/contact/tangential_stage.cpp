@@ -127,9 +127,12 @@ tangential::TangentialForces roll_heated(Contact& contact, const Patch& patch,
 }
 
 /// The contact's memory of its tractions, for a patch: over the rail's y where a pose is known.
-tangential::RollingMemory memory_of(Contact& contact, const Patch& patch) {
+tangential::RollingMemory memory_of(Contact& contact, const Patch& patch, double direction) {
   // y of the rail = origin + slope * y of the patch.
-  tangential::RollingMemory memory{.at = array(contact, Array::rolling_memory), .rolled = contact.rolled};
+  tangential::RollingMemory memory{.at = array(contact, Array::rolling_memory),
+                                   .rolled = contact.rolled,
+                                   .at_rest = contact.rolling.speed == 0.0,
+                                   .direction = direction};
   if (contact.posed) {
     memory.slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
     memory.origin = contact.point.y_rail;
@@ -138,7 +141,7 @@ tangential::RollingMemory memory_of(Contact& contact, const Patch& patch) {
   return memory;
 }
 
-/// A model that remembers rolls forwards, and its friction is not solved for.
+/// A model that remembers rolls one way in a step, and its friction is not solved for.
 Fault check_memory(const Contact& contact, const Friction& friction, const Rolling& rolling) {
   if (!contact.model->options.non_steady) return {};
   if (friction.law.heated()) {
@@ -146,10 +149,9 @@ Fault check_memory(const Contact& contact, const Friction& friction, const Rolli
         "friction.temperature_law",
         "config.planar.non_steady rolls on once a step, friction over temperature would several times");
   }
-  if (rolling.direction > 0.0 && rolling.reverse_share == 0.0) return {};
-  return Fault::unsupported(
-      "creepage.speed", {rolling.direction * rolling.speed, "m/s"},
-      "config.planar.non_steady remembers rolling forwards, not backwards nor through standstill");
+  if (rolling.reverse_share == 0.0) return {};
+  return Fault::unsupported("creepage.reverse_share", {rolling.reverse_share, ""},
+                            "config.planar.non_steady rolls one way in a step, or rests");
 }
 
 /// One patch, rolling along x times `direction`. `sensitivities`: see solve_tangential().
@@ -185,7 +187,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   rolling.normal_force = patch.extent.normal_force;
   rolling.force_table = &model.force_table;
   rolling.workspace = array(contact, Array::tangential_workspace);
-  if (model.options.non_steady) rolling.memory = memory_of(contact, patch);
+  if (model.options.non_steady) rolling.memory = memory_of(contact, patch, direction);
 
   // Forces [N], [N m] about the method's origin, and cell fields unless derivatives are asked for.
   const tangential::TangentialFields fields =

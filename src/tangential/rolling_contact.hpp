@@ -24,8 +24,10 @@ struct SlopeFall {
 
 /// The memory of a contact whose rolling is not steady (methods/strip_memory.hpp).
 struct RollingMemory {
-  void* at = nullptr;   ///< nullptr: rolling is steady
-  double rolled = 0.0;  ///< distance since the step before [m]
+  void* at = nullptr;      ///< nullptr: rolling is steady
+  double rolled = 0.0;     ///< length over which the creepages act since the step before [m]
+  bool at_rest = false;    ///< creepages times it are a shift; else it is rolled
+  double direction = 1.0;  ///< -1: the contact is the mirror image of one that rolls backwards
   double origin = 0.0,
          slope = 1.0;  ///< the region's y is remembered as origin + slope y: over the rail, if known
 

@@ -15,8 +15,9 @@ namespace {
 /// A contact that is given double ellipses; of a model that remembers, or not.
 class Contact {
  public:
-  explicit Contact(bool remembers = true) {
+  explicit Contact(bool remembers = true, uint32_t strips = 60) {
     wrc_config config = test_config();
+    config.planar.strips = static_cast<int32_t>(strips);
     config.planar.non_steady = remembers ? 1 : 0;
     config.wheel_material.shear_modulus = config.rail_material.shear_modulus = 82e9;
     config.wheel_material.poisson = config.rail_material.poisson = 0.28;
@@ -99,7 +100,7 @@ TEST(RollingMemory, PowerIsTheWorkOfACycle) {
         power += forces.power;
       }
     }
-    EXPECT_NEAR(power / work, 1.0, 0.08) << wave;
+    EXPECT_NEAR(power / work, 1.0, 0.01) << wave;
   }
 }
 
@@ -122,8 +123,8 @@ TEST(RollingMemory, StepsThatStayTheSameEndInSteadyRolling) {
     const wrc_planar_forces end = steady.solve();
     wrc_planar_forces forces{};
     for (double rolled = 0.0; rolled < 60e-3; rolled += step) forces = contact.roll(step);
-    EXPECT_LT(apart(forces, end), 2e-3) << step;
-    EXPECT_NEAR(forces.mz, end.mz, 4e-3) << step;
+    EXPECT_LT(apart(forces, end), 1e-3) << step;
+    EXPECT_NEAR(forces.mz, end.mz, 1e-3) << step;
   }
 }
 
@@ -246,9 +247,116 @@ TEST(RollingMemory, PatchesThatGrowMoveAndVanishStayWithinFriction) {
     contact.creepage.lateral = 2e-3 * std::sin(0.23 * k);
     contact.creepage.spin = std::sin(0.17 * k);
     const wrc_planar_forces forces = contact.roll(k % 7 == 0 ? 0.0 : 1e-3 * (k % 5));
-    EXPECT_LT(std::hypot(forces.fx, forces.fy), 1.01) << k;
+    EXPECT_LT(std::hypot(forces.fx, forces.fy), 1.0 + 1e-12) << k;
     EXPECT_GE(forces.power, 0.0);
   }
+}
+
+/// Displaces the wheel at rest, by creepages over a millimetre.
+wrc_planar_forces shift(Contact& contact, double x, double y, double turn) {
+  contact.creepage.speed = 0.0;
+  contact.creepage.longitudinal = 1e3 * x;
+  contact.creepage.lateral = 1e3 * y;
+  contact.creepage.spin = 1e3 * turn;
+  return contact.roll(1e-3);
+}
+
+TEST(RollingMemory, ShiftsAtRestAreCattaneosAndMindlins) {
+  // A circle, to 0.9 of the full shift, back to -0.9 and on to 0.3: each branch is the first one, doubled.
+  const double G = 82e9, nu = 0.28;
+  for (const bool along_y : {false, true}) {
+    Contact contact;
+    contact.ellipse.b = contact.ellipse.a;
+    const double full = 3.0 * contact.limit() * (2.0 - nu) / (8.0 * contact.ellipse.a * G);
+    const auto first = [](double d) { return 1.0 - std::pow(1.0 - d, 1.5); };
+    const double to[] = {0.9, -0.9, 0.3};
+    double at = 0.0, turned_at = 0.0, turned_force = 0.0;
+    for (int branch = 0; branch < 3; ++branch) {
+      const double sign = branch == 1 ? -1.0 : 1.0;
+      wrc_planar_forces forces{};
+      for (int k = 0; k < 12; ++k) {
+        const double by = (to[branch] - (branch == 0 ? 0.0 : to[branch - 1])) / 12.0;
+        at += by;
+        forces = shift(contact, along_y ? 0.0 : by * full, along_y ? by * full : 0.0, 0.0);
+        const double way = std::fabs(at - turned_at);
+        const double force =
+            branch == 0 ? first(way) : turned_force + sign * 2.0 * first(std::min(1.0, 0.5 * way));
+        EXPECT_NEAR(-(along_y ? forces.fy : forces.fx), force, 0.02) << at;
+        EXPECT_EQ(forces.power, 0.0);
+      }
+      turned_at = at;
+      turned_force = branch == 0 ? first(at) : turned_force + sign * 2.0 * first(0.9);
+    }
+    // rest keeps what there is
+    const wrc_planar_forces before = shift(contact, 0.0, 0.0, 0.0);
+    for (int k = 0; k < 10; ++k) {
+      const wrc_planar_forces after = shift(contact, 0.0, 0.0, 0.0);
+      EXPECT_NEAR(after.fx, before.fx, 1e-12);
+      EXPECT_NEAR(after.fy, before.fy, 1e-12);
+    }
+  }
+}
+
+TEST(RollingMemory, BackwardsIsTheMirrorImage) {
+  // after a shift at rest and a metre's tenth forwards, which are mirrored as well
+  wrc_planar_forces found[2];
+  for (const double way : {1.0, -1.0}) {
+    Contact contact;
+    const wrc_creepage creepage = contact.creepage;
+    shift(contact, way * 4e-6, 3e-6, way * 1e-4);
+    for (const double direction : {1.0, -1.0}) {
+      contact.creepage = creepage;
+      contact.creepage.speed = way * direction;
+      contact.creepage.longitudinal *= way;
+      contact.creepage.spin *= way;
+      contact.roll(2e-3);
+    }
+    wrc_planar_forces& forces = found[way > 0.0 ? 0 : 1];
+    forces = contact.roll(1e-3);
+    forces.fx *= way;
+    forces.mz *= way;
+  }
+  EXPECT_GT(std::fabs(found[0].fx), 0.1);
+  EXPECT_NEAR(found[0].fx, found[1].fx, 1e-12);
+  EXPECT_NEAR(found[0].fy, found[1].fy, 1e-12);
+  EXPECT_NEAR(found[0].mz, found[1].mz, 1e-12);
+}
+
+TEST(RollingMemory, GivesBackNoMoreThanWasPutIn) {
+  // Random shifts, distances either way, loads, widths and friction: the work that was put in never falls
+  // below zero. Steps are small and large against those that slide everywhere.
+  Contact contact(true, 12);
+  contact.creepage = wrc_creepage_default();
+  uint32_t seed = 1;
+  const auto number = [&](double low, double high) {
+    seed = 1664525u * seed + 1013904223u;
+    return low + (high - low) * (seed >> 8) / 16777216.0;
+  };
+  double work = 0.0, exchanged = 0.0, worst = 0.0;
+  for (int k = 0; k < 60000; ++k) {
+    if (number(0.0, 1.0) < 0.3) {
+      const double scale = number(0.9, 1.1);
+      contact.ellipse.normal_force = 70e3 * scale * scale * scale * number(0.8, 1.25);
+      contact.ellipse.a = 6e-3 * scale;
+      contact.ellipse.b = 5e-3 * scale * number(0.9, 1.1);
+      contact.friction.coefficient = number(0.2, 0.4);
+    }
+    const double size = std::pow(10.0, number(-8.0, -4.5)), kind = number(0.0, 1.0);
+    const double x = size * number(-1.0, 1.0), y = size * number(-1.0, 1.0),
+                 turn = 200.0 * size * number(-1.0, 1.0);
+    const double length = kind < 0.5 ? 1e-3 : std::pow(10.0, number(-5.0, -1.5));
+    contact.creepage.speed = kind < 0.5 ? 0.0 : kind < 0.75 ? 1.0 : -1.0;
+    contact.creepage.longitudinal = x / length;
+    contact.creepage.lateral = y / length;
+    contact.creepage.spin = turn / length;
+    const wrc_planar_forces f = contact.roll(length);
+    const double put_in = -contact.limit() * (f.fx * x + f.fy * y + f.mz * contact.ellipse.a * turn);
+    work += put_in;
+    exchanged += std::fabs(put_in);
+    EXPECT_GE(f.power, 0.0);
+    worst = std::max(worst, -work);
+  }
+  EXPECT_LE(worst, 1e-9 * exchanged);
 }
 
 TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
@@ -262,11 +370,11 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   wrc_planar_derivatives slopes = sized<wrc_planar_derivatives>();
   EXPECT_EQ(wrc_planar_tangential_derivatives(contact.handle(), &slopes), WRC_ERROR_UNSUPPORTED);
   wrc_planar_forces forces{};
-  contact.creepage.speed = -1.0;
+  contact.creepage.reverse_share = 0.2;
   EXPECT_EQ(wrc_planar_tangential(contact.handle(), &contact.ellipse, &contact.creepage, &contact.friction,
                                   &forces),
             WRC_ERROR_UNSUPPORTED);
-  EXPECT_NE(contact.why().find("creepage.speed"), std::string::npos) << contact.why();
+  EXPECT_NE(contact.why().find("creepage.reverse_share"), std::string::npos) << contact.why();
 
   wrc_config config = test_config();
   config.planar.non_steady = 1;

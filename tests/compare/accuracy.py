@@ -31,6 +31,7 @@ CASES = [
     ("temperature", "temperature_cases.csv", None, {"temperature": (10, 0.0178, 0.0402)}),
     ("temperature", "temperature_cases.csv", "exact", {"temperature": (10, 0.001, 0.0015)}),
     ("memory", "memory_cases.csv", "exact", {"force": (265, 1e-5, 4e-5), "moment": (265, 1e-5, 4e-5)}),
+    ("memory", "memory_cases.csv", "strip", {"force": (265, 0.0135, 0.035), "moment": (265, 0.0075, 0.0275)}),
     ("loop", "loop_cases.csv", None, {"loop": (12, 0.00063, 0.0029)}),
     ("rollers", "rollers.csv", None,
      {"force": (2, 0.0042, 0.0045), "peak_pressure": (2, 0.0031, 0.0046), "failed": (2, 0, 0)}),

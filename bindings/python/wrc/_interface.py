@@ -929,8 +929,8 @@ class ConfigPlanar(s.Struct):
       start: Start: of the sweeps of NormalMethod.STRIP_HALFSPACE. Warm, the same approach again moves the
           force by up to 0.1 % (default Start.COLD)
       regularisation: Regularisation (default Regularisation.WIDTH)
-      non_steady: 1: contacts remember tractions over the distances told to Contact.planar_roll(). Of
-          TangentialMethod.STRIP_FASTSIM, forwards (0 .. 1; default 0)
+      non_steady: 1: contacts remember tractions over the distances told to Contact.planar_roll(), at rest and
+          rolling either way. Of TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
       gap_limit [m]: gap up to which rows of a pose reach. Deeper approaches are continued,
           Status.FLAG_BEYOND_GAP (1e-5 .. 0.02; default 1e-3)
     """
@@ -3442,11 +3442,13 @@ class ContactCalls(_l.Handle):
     def planar_roll(self, distance: float) -> None:
         """Tells a contact of a model with config.planar.non_steady how far it has rolled since its last
             tangential stage. Distances add up. The next Contact.planar_tangential() takes them: every
-            particle brings along its traction, pressure and creepages are those of the end. Over six lengths
-            of the patch rolling is steady. A contact begins without tractions, also after the bodies have
-            been apart. Save and restore hold them. Theory manual, "Rolling that is not steady".
+            particle brings along its traction, pressure is that of the end, and creepages times the distance
+            are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
+            rolling. With speed 0 the wheel rests, and the displacement is a shift. Over four lengths of the
+            patch rolling is steady. A contact begins without tractions, also after the bodies have been
+            apart. Save and restore hold them. Theory manual, "Contact that remembers".
 
-        distance: 0..1e6 m
+        distance: rolled either way, or at rest the length that creepages are per, 0..1e6 m
 
         C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without
             config.planar.non_steady).

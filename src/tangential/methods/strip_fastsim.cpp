@@ -34,40 +34,6 @@ struct Model {
   double B;                ///< bound of the march [Pa/m^2]
 };
 
-/// The double ellipse that stands for the patch in linear theory, from the strips' pressure: see the header.
-struct Equivalent {
-  double a = 0.0, b = 0.0, shape_number = 0.0;
-  double y_stiff = 0.0;              ///< lateral centre of the strips' stiffness [m]
-  double pressure_per_length = 0.0;  ///< mean of peak / half length over the area [Pa/m]
-  double normal_force = 0.0;         ///< [N]
-};
-
-Equivalent equivalent(const RollingContact& c) {
-  const patch::Strips& strips = c.region;
-  // Int p dy [N/m], Int l dy [m^2] and their first moments; p and l of a strip are its peak and half length
-  double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
-  for (std::int32_t j = 0; j < strips.count; ++j) {
-    const double p = strips.width[j] * strips.peak[j], l = strips.width[j] * strips.half_length[j];
-    pressure += p;
-    pressure_y += p * strips.y[j];
-    length += l;
-    length_y += l * strips.y[j];
-  }
-  const double load = patch::normal_force(strips);
-  if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
-  // a = 3 N / (4 Int p dy), area pi a b = 2 Int l dy, and psi from the centre 8 / (3 pi) psi b of a double
-  // ellipse's length, here midway between the centroids of area and of stiffness (peaks)
-  Equivalent patch;
-  patch.a = 0.75 * load / pressure;
-  patch.b = 2.0 * length / (pi * patch.a);
-  patch.y_stiff = pressure_y / pressure;
-  const double centre = 0.5 * (patch.y_stiff + length_y / length) / patch.b;
-  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -patch::largest_psi, patch::largest_psi);
-  patch.pressure_per_length = pressure / length;
-  patch.normal_force = load;
-  return patch;
-}
-
 /// The terms of the calibration; x, e, s and the limit mu N as forces [N], Q the sum of their squares.
 template <class T>
 std::array<T, StripCalibration::terms> calibration_terms(double u, double shape_number, const T& x,
@@ -100,7 +66,7 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
                const T& phi, Fault& fault) {
   // The equivalent double ellipse, its coefficients of linear theory and its flexibilities. The fault of a
   // shape beyond the tables is reported once.
-  const Equivalent patch = equivalent(c);
+  const StripEllipse patch = strip_ellipse(c);
   const double a = patch.a, b = patch.b, psi = patch.shape_number, u = theory::slenderness(a / b);
   const theory::SdecCoefficients linear = c.linear_theory->at(a / b, psi, fault);
   Fault reported;
@@ -244,23 +210,30 @@ TangentialForces calibrated_strip_fastsim(const RollingContact& contact, const T
   return forces_of(sums);
 }
 
-StripMarch strip_march(const RollingContact& contact, const Creepage& c, Fault& fault) {
-  const Model<double> m =
-      model<double>(contact, fitted_calibration, c.longitudinal, c.lateral, c.spin, fault);
-  const Equivalent patch = equivalent(contact);
-  return {.gx_constant = m.gx_constant,
-          .gx_by_y = m.gx_by_y,
-          .gy_constant = m.gy_constant,
-          .gy_by_x = m.gy_by_x,
-          .gx_by_nu_x = 1.0 / m.l11,
-          .gy_by_nu_y = 1.0 / m.l22,
-          .turn_x = m.turning * m.t11,
-          .turn_y = m.turning * m.t22,
-          .torsion = m.torsion,
-          .elastic = m.elastic,
-          .bound = m.B,
-          .a = patch.a,
-          .b = patch.b};
+StripEllipse strip_ellipse(const RollingContact& c) {
+  const patch::Strips& strips = c.region;
+  // Int p dy [N/m], Int l dy [m^2] and their first moments; p and l of a strip are its peak and half length
+  double pressure = 0.0, pressure_y = 0.0, length = 0.0, length_y = 0.0;
+  for (std::int32_t j = 0; j < strips.count; ++j) {
+    const double p = strips.width[j] * strips.peak[j], l = strips.width[j] * strips.half_length[j];
+    pressure += p;
+    pressure_y += p * strips.y[j];
+    length += l;
+    length_y += l * strips.y[j];
+  }
+  const double load = patch::normal_force(strips);
+  if (!(pressure > 0.0 && length > 0.0)) return {c.a, c.b, c.shape_number, 0.0, 0.0, 0.0};
+  // a = 3 N / (4 Int p dy), area pi a b = 2 Int l dy, and psi from the centre 8 / (3 pi) psi b of a double
+  // ellipse's length, here midway between the centroids of area and of stiffness (peaks)
+  StripEllipse patch;
+  patch.a = 0.75 * load / pressure;
+  patch.b = 2.0 * length / (pi * patch.a);
+  patch.y_stiff = pressure_y / pressure;
+  const double centre = 0.5 * (patch.y_stiff + length_y / length) / patch.b;
+  patch.shape_number = std::clamp(3.0 * pi / 8.0 * centre, -patch::largest_psi, patch::largest_psi);
+  patch.pressure_per_length = pressure / length;
+  patch.normal_force = load;
+  return patch;
 }
 
 }  // namespace wrc::tangential

@@ -65,18 +65,14 @@ Number neutral_line(const Number& u, double poisson, double shape_number) {
          0.077 * shape_number * shape_number;
 }
 
-/// The march of a patch, its load and creepages, for strip_memory.hpp: in the strip at y adhesion tractions
-/// grow by -(gx_constant - gx_by_y y, gy_constant + gy_by_x x) per length [Pa/m].
-struct StripMarch {
-  double gx_constant = 0.0, gx_by_y = 0.0, gy_constant = 0.0, gy_by_x = 0.0;
-  double gx_by_nu_x = 0.0, gy_by_nu_y = 0.0;  ///< their slopes at fixed flexibilities
-  double turn_x = 0.0, turn_y = 0.0;          ///< flexibilities with which slip turns tractions [m/Pa]
-  double torsion = 0.0;                       ///< added to the lateral slip [-]
-  double elastic = 0.0;                       ///< difference of the elastic slip between x and y, per x [1/m]
-  double bound = 0.0;                         ///< B of the bound B u v [Pa/m^2]
-  double a = 0.0, b = 0.0;  ///< semi-axes of the double ellipse that stands for the patch [m]
+/// The double ellipse that stands for the patch in linear theory: see above.
+struct StripEllipse {
+  double a = 0.0, b = 0.0, shape_number = 0.0;  ///< semi-axes [m], psi [-]
+  double y_stiff = 0.0;                         ///< lateral centre of the strips' stiffness [m]
+  double pressure_per_length = 0.0;             ///< mean of peak / half length over the area [Pa/m]
+  double normal_force = 0.0;                    ///< [N]
 };
 
-StripMarch strip_march(const RollingContact& contact, const Creepage& creepage, Fault& fault);
+StripEllipse strip_ellipse(const RollingContact& contact);
 
 }  // namespace wrc::tangential

@@ -1,27 +1,29 @@
-/// Strip FASTSIM of rolling that is not steady: strips that remember their tractions.
+/// Contact that remembers its tractions: strips at rest, rolling either way, and between them.
 ///
-/// Simplified theory along a particle's path, q the distance rolled: dp/dq = -g while it sticks, g made of
-/// the creepages and flexibilities of the moment, |p| <= B u v. A particle brings along the traction it had
-/// where it was a step before, at x + dq: the memory is transported with the bodies (semi-Lagrangian,
-/// parabolas through three cells), whatever became of the patch meanwhile.
+/// Simplified theory with displacements u = L p of the bodies' particles. In a step the wheel is displaced
+/// over the rail by D = creepages times the length of the step, and rolls by that length, or rests. A
+/// particle that is at x now was where the bodies carried it from, with the traction p' of then; it has
+///     p = the point of the disk |p| <= bound nearest to p' - (D - U) / L,
+/// one implicit step of friction, which dissipates. Particles enter without tractions.
 ///
-///  - Tractions are kept in the two parts steady strip FASTSIM has (strip_fastsim.hpp): one that grows evenly
-///    over the strip, and k u v of spin. Over the bound of the march these are c and psi; in steady rolling
-///    |c / t + psi| = 1 at the share t at which slip sets in, and the traction over mu p_n is
-///         psi + c / (1 + sqrt(1 - t)).
-///    Any c and psi define t by that, and so the traction of a cell that is not steady.
-///  - An effect that simplified theory leaves out matters here: the half-spaces yield as a whole, U = S F,
-///    beside the displacement of each place by its own traction. In steady rolling U is constant and without
-///    effect; while forces change the bodies creep by dU/dq more, and forces come later: from rest exact theory
-///    has 95 % of them after 0.7 to 1.7 lengths of the patch, simplified theory after 0.8. S follows from the
-///    difference of the two mean lags in full adhesion; it was fitted to random sequences solved exactly
-///    (tools/transient_report.cpp), as one number along and one across and a power of a / b.
-///  - Coarse cells do: the force is that of steady strip FASTSIM at the creepages of the moment, dU/dq included,
-///    plus the force of the memory's cells less that of the same cells in steady rolling. So conditions that
-///    stay end in the steady method, and a step over six lengths of the patch is the steady method; over the
-///    four before, it fades in. Power is made up in the same way, and the slips are scaled to it.
+///  - The half-spaces yield as a whole, U = S (F - F'), beside the displacement of each place by its own traction.
+///    Local flexibilities give the forces of linear rolling (Kalker), both together the stiffness of a patch that
+///    sticks at rest (Mindlin): S is the difference, no fitted number. U is a translation and a rotation.
+///  - The bound has the friction limit of the patch and the form (1 - r^2)^m. m follows from the share of U in the
+///    whole yield such that shifts at rest are Cattaneo's, 1 - (1 - d)^1.5; hysteresis then is Mindlin's (Masing),
+///    as each cell sticks and slips by itself. Under m = 1 and half of the yield they differ by 0.01 of mu N.
+///  - Arms of spin are longer than the cells' by a factor, for the forces and the displacements alike: the bound is
+///    nearer to the centre than pressure is.
+///  - Rolling steadily this is FASTSIM. The difference of steady strip FASTSIM to the same cells in steady rolling
+///    is added and follows over the length rolled; at rest it stays. It is taken ahead by the yield of the moment.
+///    Conditions that stay end in strip FASTSIM, and a step over four lengths of the patch is strip FASTSIM.
+///  - Passivity: the contact counts the energy that it could give back. It is at most the energy stored in cells and
+///    in U, and at most its value before and the step's work -F.D. Where less were left than a quarter of
+///    the stored energy, tractions and forces are lowered to that. So the work over any path is never below zero,
+///    however patches change.
 ///
-/// Tractions over cells are those of steady rolling at the creepages of the moment.
+/// Constants are fitted to random sequences solved exactly (src/halfspace, 84 of all kinds, by the forces and
+/// moments of all steps). Tractions over cells are those of steady rolling at the creepages of the moment.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +39,8 @@ std::size_t strip_memory_bytes(std::int32_t strips);
 /// Makes the memory of bodies without tractions in zeroed bytes.
 void make_strip_memory(std::int32_t strips, void* memory);
 
-/// A step of one patch, contact.memory.rolled onwards from what end_step() left. Real-time: work proportional
-/// to strips times at most 17 passes over 16 cells.
+/// A step of one patch from the strips end_step() left, contact.memory saying how it moves. Real-time: work
+/// proportional to strips times at most 34 passes over 16 cells.
 TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields,
                                   Fault& fault);
 
