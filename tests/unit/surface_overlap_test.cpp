@@ -53,7 +53,8 @@ struct Bodies {
   }
 
   Overlaps find(const RelativePose& pose, double margin = 0.0) {
-    return find_overlaps(*surfaces.kernels, surfaces.rail, surfaces.wheel, pose, margin, nullptr, scratch, memory);
+    return find_overlaps(*surfaces.kernels, surfaces.rail, surfaces.wheel, pose, margin, nullptr, scratch,
+                         memory);
   }
   /// With all that varies; `distance` along the track.
   Overlaps overlap(const RelativePose& pose, double distance, double angle, double margin = 0.0) {

@@ -92,8 +92,8 @@ class Pair {
     surface::StripPressure p;
     std::vector<double> doubles(static_cast<std::size_t>(cut(Arena(), memory, scratch, p)));
     cut(Arena(doubles.data()), memory, scratch, p);
-    const surface::Overlaps o =
-        surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose, 0.0, nullptr, scratch, memory);
+    const surface::Overlaps o = surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose,
+                                                       0.0, nullptr, scratch, memory);
     std::vector<double> normal(static_cast<std::size_t>(surface::pressure_doubles(o.capacity)));
     auto state = std::make_unique<surface::SurfaceState>();
     surface::PressureStart start{state->length_squared, state->shift, state->depth};

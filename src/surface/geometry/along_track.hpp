@@ -25,8 +25,8 @@ inline constexpr double least_curvature_left = 0.2;
 /// reference point, rail axes.
 template <class Number>
 struct RayStart {
-  Number x, y, z;                 ///< [m]
-  Number slope_y, slope_z;        ///< by x [-]
+  Number x, y, z;                   ///< [m]
+  Number slope_y, slope_z;          ///< by x [-]
   Number curvature_y, curvature_z;  ///< [1/m]
 };
 
@@ -43,7 +43,8 @@ struct RayEnd {
 template <class Number>
 struct RayBeside {
   OnProfile<Number> profile;
-  Number sine, cosine, per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
+  Number sine, cosine,
+      per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
   RayEnd<Number> next;
 };
 
@@ -206,11 +207,13 @@ inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end)
   return end.depth;
 }
 
-/// A contact of overlap d and curvature kappa is about root(d / kappa) long to each side [m].
+/// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
+/// A strip of overlap d and curvature kappa touches over root(d / kappa) to each side in a round contact.
+/// Shorter chords follow kinks of flats better, longer ones the curvature of crossings (accuracy_method.md).
 template <class Number>
 Number half_contact(const Number& depth, const Number& curvature) {
-  constexpr double least_depth = 2e-6, longest = 12e-3;  // [m]
-  return smaller(root(larger(depth, Number(0.0)) + least_depth) / root(curvature), Number(longest));
+  constexpr double share = 0.75, least_depth = 2e-6, longest = 12e-3;  // [-], [m]
+  return smaller(root(share * (larger(depth, Number(0.0)) + least_depth)) / root(curvature), Number(longest));
 }
 
 /// The overlap of a strip as a parabola: through the largest, and those half a contact to both sides of it.
@@ -218,11 +221,9 @@ template <class Number>
 void fit_parabola(const Number& largest, const Number& ahead, const Number& behind, const Number& half,
                   const Number& own, StripOverlap<Number>& o) {
   const Number per = Number(1.0) / (half * half);
-  const Number curvature =
-      larger((2.0 * largest - ahead - behind) * per, least_curvature_left * own);
+  const Number curvature = larger((2.0 * largest - ahead - behind) * per, least_curvature_left * own);
   const Number limit = 0.5 * half;
-  const Number off =
-      smaller(larger((ahead - behind) / (2.0 * half * curvature), -limit), limit);
+  const Number off = smaller(larger((ahead - behind) / (2.0 * half * curvature), -limit), limit);
   o.depth = largest + 0.5 * curvature * off * off;
   o.centre += off;
   o.curvature = curvature;
@@ -251,16 +252,16 @@ RelativePose plain_pose(const RelativePoseOf<Number>& pose) {
   return plain;
 }
 
-/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in plain
-/// numbers, which become those of the largest; `o`: normal and place near those, then the strip's overlap.
-/// Returns the place on the wheel's profile [m].
+/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in
+/// plain numbers, which become those of the largest; `o`: normal and place near those, then the strip's
+/// overlap. Returns the place on the wheel's profile [m].
 template <class Number>
 Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
                    const RelativePoseOf<Number>& pose, std::int32_t strip, const Number& distance,
                    LargestOverlap& found, StripOverlap<Number>& o) {
   const std::int32_t face = face_of(rail, strip);
   const RelativePose rest = plain_pose(pose);
-  StripOverX<double> plain{rail,          wheel, rest, strip, value_of(distance), placed.blend[face],
+  StripOverX<double> plain{rail,           wheel,         rest, strip, value_of(distance), placed.blend[face],
                            value_of(o.ny), value_of(o.nz)};
   const double low = placed.low[face], high = placed.high[face];
   find_largest(plain, low, high, found);
@@ -363,7 +364,6 @@ void follow_roller(double curvature, double z, const Number& distance, StripOver
 template <class Number>
 void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, const Number& y,
                   const Number& angle, StripOverlap<Number>& o) {
-  constexpr double looked_over = 3e-3, least = 0.2, most = 10.0;
   const auto& R = pose.rotation;
   // the radius to the place, in the rail's axes
   const Number along = R[0][1] * o.centre + R[1][1] * o.wy + R[2][1] * o.wz;
@@ -375,19 +375,24 @@ void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, c
   const Number sine = before * per_radius;
   const Number turned = sine * (1.0 + sine * sine / 6.0) - angle;
   const Number outwards = (ry * o.ny + rz * o.nz) * per_radius;
-  // D, D' there, and D'' over 3 mm to both sides, which bends the wheel's circle
-  const double step = looked_over / wheel.radius;
-  const Reach<Number> here = reach_at(wheel, y, turned);
-  const Reach<Number> front = reach_at(wheel, y, turned + Number(step)),
-                      back = reach_at(wheel, y, turned - Number(step));
-  const Number bend = (front.depth - here.depth - (here.depth - back.depth)) / (step * step * wheel.radius);
   // the reach acts along the radius: its part along the strip's normal deepens the overlap
-  const Number deeper = outwards * here.depth;
+  const Reach<Number> here = reach_at(wheel, y, turned);
+  const Number deeper = outwards * here.depth, round = o.curvature;
   o.depth = o.depth + deeper;
   o.wy = o.wy + o.ny * deeper;
   o.wz = o.wz + o.nz * deeper;
   o.centre = o.centre + R[0][0] * here.slope;
-  o.curvature = o.curvature / smaller(larger(1.0 + bend, Number(least)), Number(most));
+  // The overlap falls from there like the circle's and by the surface's deviation: to both sides of the
+  // place, where the edges of the contact will be.
+  const Number touched = turned + here.slope * (1.0 / wheel.radius);
+  const Number middle = surface_at(wheel, y, touched).depth;
+  const auto side = [&](const Number& off) {
+    const Number deviation = surface_at(wheel, y, touched + off * (1.0 / wheel.radius)).depth;
+    return o.depth - round * off * (0.5 * off + here.slope) + outwards * (deviation - middle);
+  };
+  const Number half = half_contact(o.depth, round);
+  constexpr double least_of_round = 0.5;  // of the curvature that least_curvature_left is a part of
+  fit_parabola(o.depth, side(half), side(-half), half, least_of_round * round, o);
 }
 
 }  // namespace wrc::surface

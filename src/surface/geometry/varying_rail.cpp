@@ -334,8 +334,8 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   put(2, 60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per, t * (t * (96.0 - 60.0 * t) - 36.0) * per,
       t * (t * (84.0 - 60.0 * t) - 24.0) * per);
   if (derivatives < 3) return b;
-  put(3, 60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per,
-      (t * (192.0 - 180.0 * t) - 36.0) * per * per, (t * (168.0 - 180.0 * t) - 24.0) * per * per);
+  put(3, 60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per, (t * (192.0 - 180.0 * t) - 36.0) * per * per,
+      (t * (168.0 - 180.0 * t) - 24.0) * per * per);
   return b;
 }
 
@@ -412,8 +412,8 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
 
 }  // namespace
 
-PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        double wheel_radius, const StripArrays& a) {
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double wheel_radius,
+                        const StripArrays& a) {
   PlacedRail placed;
   static_cast<RailStrips&>(placed) = {rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}};
   placed.distance = distance;

@@ -83,8 +83,8 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double distance,
                       const SectionBlend& near, int derivatives = 3);
 
-/// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first, and
-/// how far apart they are: to 60 mm either side [m].
+/// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first,
+/// and how far apart they are: to 60 mm either side [m].
 inline constexpr std::int32_t track_places = 13;
 inline constexpr double place_apart = 10e-3;
 inline constexpr double farthest_along = place_apart * (track_places / 2);
@@ -117,8 +117,8 @@ struct PlacedRail : RailStrips {
 };
 
 /// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].
-PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
-                        double wheel_radius, const StripArrays& arrays);
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double wheel_radius,
+                        const StripArrays& arrays);
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).
