@@ -103,6 +103,7 @@ std::vector<wrc_rail_section> steep_rail(double rise, double aside) {
 
 void give(const std::vector<wrc_rail_section>& sections, wrc_config& config) {
   config.rail_section_count = static_cast<uint32_t>(sections.size());
+  config.rail_section_size = sizeof sections[0];
   config.rail_sections = sections.data();
 }
 
