@@ -87,8 +87,23 @@ std::vector<wrc_rail_section> ramp(double every) {
   return sections;
 }
 
+/// Sections 20 mm apart over 0.4 m, rising and moving aside by so much per length; both zero at 0.2 m.
+std::vector<wrc_rail_section> steep_rail(double rise, double aside) {
+  std::vector<wrc_rail_section> sections;
+  for (int k = 0; k <= 20; ++k) {
+    wrc_rail_section section{};
+    section.distance = 0.02 * k;
+    section.y = aside * (section.distance - 0.2);
+    section.z = -rise * (section.distance - 0.2);
+    section.profile.kind = WRC_PROFILE_60E1;
+    sections.push_back(section);
+  }
+  return sections;
+}
+
 void give(const std::vector<wrc_rail_section>& sections, wrc_config& config) {
   config.rail_section_count = static_cast<uint32_t>(sections.size());
+  config.rail_section_size = sizeof sections[0];
   config.rail_sections = sections.data();
 }
 
@@ -478,7 +493,8 @@ void against_exact() {
     changing[k].y = k % 2 == 0 ? 0.0 : 4e-3;
     if (k % 3 == 0) changing[k].profile = worn_head.profile();
   }
-  const auto straight = ramp(1.0);
+  const auto straight = ramp(1.0), nose10 = steep_rail(0.1, 0.0), nose20 = steep_rail(0.05, 0.0),
+             wing = steep_rail(0.0, 1.0 / 9.0);
   RoundTable polygon(Flat{false}, 720), worn(Flat{false, 0.5e-3, 0.09}, 2000), chord(Flat{true}, 2000);
   for (std::size_t i = 0; i < polygon.angle.size(); ++i)
     polygon.deviation[i] = 1e-4 * std::cos(18.0 * polygon.angle[i]);
@@ -487,6 +503,7 @@ void against_exact() {
   const auto nothing = [](wrc_config&) {};
   const auto still = [](Input&) {};
   const auto anywhere = [&](Input& input) { input.distance = between(random, 1.5, 5.5); };
+  const auto steep = [&](Input& input) { input.distance = between(random, 0.1, 0.3); };
   const auto about = [&](Input& input) { input.angle = between(random, -0.15, 0.15); };
   const auto rounded = [](const RoundTable& table) {
     return [&table](wrc_config& config) { config.roundness = table.table(); };
@@ -506,6 +523,13 @@ void against_exact() {
        [&](Input& input) { input.friction.slope_reduction = between(random, 0.3, 1.0); }},
       {"a ramp of 1:50", [&](wrc_config& config) { give(straight, config); }, anywhere},
       {"profiles and gauge that change", [&](wrc_config& config) { give(changing, config); }, anywhere},
+      {"a nose that rises 1:10", [&](wrc_config& config) { give(nose10, config); }, steep},
+      {"a nose that rises 1:20", [&](wrc_config& config) { give(nose20, config); }, steep},
+      {"a wing that moves aside 1:9", [&](wrc_config& config) { give(wing, config); },
+       [&](Input& input) {
+         input.distance = between(random, 0.17, 0.23);
+         input.wheel.y = between(random, -6e-3, 3e-3);
+       }},
       {"a polygon of 18 corners, 0.1 mm", rounded(polygon), about},
       {"a worn flat of 0.5 mm", rounded(worn), about},
       {"a fresh flat of 0.5 mm", rounded(chord), about},

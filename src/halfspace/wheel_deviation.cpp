@@ -16,7 +16,9 @@ WheelDeviation::Value least_surface(const surface::OutOfRound& wheel, int row, d
   constexpr double furthest = 0.25;  // [rad]: chords of 0.2 m
   // the slope D' + r tau grows with tau: 40 halvings of 0.5 rad leave rounding
   double low = -furthest, high = furthest;
-  const auto reach = [&](double from) { return surface::out_of_round::row_at(wheel, row, theta + from); };
+  const auto reach = [&](double from) {
+    return surface::out_of_round::spline_at(wheel.value, wheel.second, row, theta + from);
+  };
   for (int k = 0; k < 40; ++k) {
     const double middle = 0.5 * (low + high);
     (reach(middle).slope + wheel.radius * middle < 0.0 ? low : high) = middle;
@@ -49,16 +51,7 @@ WheelDeviation::Value WheelDeviation::row_at(int row, double place) const {
 
 // Between rows as the reach is (reach_at).
 WheelDeviation::Value WheelDeviation::at(double y, double place) const {
-  int row = 0;
-  // rows beside y, and between them a blend without kinks, t^2 (3 - 2 t)
-  while (row + 2 < wheel_.rows && y > wheel_.y[row + 1]) ++row;
-  const Value here = row_at(row, place);
-  if (wheel_.rows == 1) return here;
-  const Value there = row_at(row + 1, place);
-  const double t = std::clamp((y - wheel_.y[row]) / (wheel_.y[row + 1] - wheel_.y[row]), 0.0, 1.0);
-  const double part = t * t * (3.0 - 2.0 * t);
-  return {.depth = here.depth + part * (there.depth - here.depth),
-          .slope = here.slope + part * (there.slope - here.slope)};
+  return surface::out_of_round::across_rows(wheel_, y, [&](int row) { return row_at(row, place); });
 }
 
 }  // namespace wrc::halfspace

@@ -23,9 +23,7 @@ class WheelDeviation {
   WheelDeviation(const surface::OutOfRound& wheel, double angle);
 
   /// Deviation of the radius [m], and its slope over the angle [m/rad].
-  struct Value {
-    double depth = 0.0, slope = 0.0;
-  };
+  using Value = surface::Reach<double>;
   /// At y on the wheel's profile [m] and so far forwards from below the axle [rad].
   Value at(double y, double place) const;
 

@@ -60,6 +60,50 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     for (int k = 0; k < 8; ++k) add(1.0 * k, z[k]);
     give();
   }
+  /// Derivatives at the height that carries 60 kN against differences.
+  void expect_differences() {
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 60e3;
+    ASSERT_EQ(step(), WRC_OK);
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = wrench.z;
+    auto slopes = sized<wrc_wrench_derivatives>();
+    ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes), WRC_OK);
+    const double normal = wrench.normal_force;
+    ASSERT_GT(normal, 20e3);
+    struct {
+      double* number;
+      int column;
+      double step;
+    } const each[] = {{&input.distance, WRC_BY_DISTANCE, 1e-6},
+                      {&input.angle, WRC_BY_ANGLE, 2e-6},
+                      {&wheel.y, WRC_BY_Y, 1e-7},
+                      {&wheel.z, WRC_BY_Z, 1e-7},
+                      {&wheel.yaw, WRC_BY_YAW, 1e-7},
+                      {&wheel.roll, WRC_BY_ROLL, 1e-7},
+                      {&wheel.velocity[1], WRC_BY_VELOCITY_Y, 1e-4}};
+    for (const auto& [number, column, h] : each) {
+      const double at = *number;
+      wrc_wrench above, below;
+      *number = at + h;
+      ASSERT_EQ(step(), WRC_OK);
+      above = wrench;
+      *number = at - h;
+      ASSERT_EQ(step(), WRC_OK);
+      below = wrench;
+      *number = at;
+      double largest = 0.0;
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(slopes.wrench[i][column]));
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR((above.force[i] - below.force[i]) / (2.0 * h), slopes.wrench[i][column], 0.01 * largest)
+            << "force " << i << " by " << column;
+        EXPECT_NEAR((above.moment[i] - below.moment[i]) / (2.0 * h), slopes.wrench[3 + i][column],
+                    0.01 * largest)
+            << "moment " << i << " by " << column;
+      }
+    }
+  }
   std::string sentence;
 };
 
@@ -134,47 +178,22 @@ TEST_F(AlongTrack, DerivativesAreThoseOfDifferences) {
   wheel.y = 2e-3;
   wheel.yaw = 4e-3;
   wheel.roll = 1e-3;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  ASSERT_EQ(step(), WRC_OK);
-  input.prescribed = WRC_PRESCRIBE_HEIGHT;
-  input.vertical_load = 0.0;
-  wheel.z = wrench.z;
-  auto slopes = sized<wrc_wrench_derivatives>();
-  ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &slopes), WRC_OK);
-  const double normal = wrench.normal_force;
-  ASSERT_GT(normal, 20e3);
-  struct {
-    double* number;
-    int column;
-    double step;
-  } const each[] = {{&input.distance, WRC_BY_DISTANCE, 1e-6},
-                    {&input.angle, WRC_BY_ANGLE, 2e-6},
-                    {&wheel.y, WRC_BY_Y, 1e-7},
-                    {&wheel.z, WRC_BY_Z, 1e-7},
-                    {&wheel.yaw, WRC_BY_YAW, 1e-7},
-                    {&wheel.roll, WRC_BY_ROLL, 1e-7},
-                    {&wheel.velocity[1], WRC_BY_VELOCITY_Y, 1e-4}};
-  for (const auto& [number, column, h] : each) {
-    const double at = *number;
-    wrc_wrench above, below;
-    *number = at + h;
-    ASSERT_EQ(step(), WRC_OK);
-    above = wrench;
-    *number = at - h;
-    ASSERT_EQ(step(), WRC_OK);
-    below = wrench;
-    *number = at;
-    double largest = 0.0;
-    for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(slopes.wrench[i][column]));
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR((above.force[i] - below.force[i]) / (2.0 * h), slopes.wrench[i][column], 0.01 * largest)
-          << "force " << i << " by " << column;
-      EXPECT_NEAR((above.moment[i] - below.moment[i]) / (2.0 * h), slopes.wrench[3 + i][column],
-                  0.01 * largest)
-          << "moment " << i << " by " << column;
-    }
-  }
+  expect_differences();
+}
+
+/// A rail that rises 1:10 and moves aside 1:9 under a wheel that is not round.
+TEST_F(AlongTrack, DerivativesOnACrossingsNoseAreThoseOfDifferences) {
+  for (int k = 0; k < 12; ++k)
+    add(0.02 * k, -2e-3 * k, 20e-3 / 9.0 * k - 12e-3).profile.kind = WRC_PROFILE_60E1;
+  give();
+  give_wheel(720, [](double a) { return 1e-4 * std::cos(7.0 * a); });
+  friction.coefficient = 0.3;
+  create();
+  input.distance = 0.1012;
+  input.angle = -0.3;
+  wheel.y = 1e-3;
+  wheel.yaw = 4e-3;
+  expect_differences();
 }
 
 TEST_F(AlongTrack, AFlatLowersTheWheelAsItsSupportFunctionSays) {
@@ -499,6 +518,26 @@ TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionWhereTheRailChanges) {
     input.distance = at;
     carry();
     expect_as_real_time(0.02);
+  }
+}
+
+/// A nose that rises 1:10: the wheel touches it 46 mm ahead, 2.3 mm above the section below its axle; and a
+/// wing that moves aside 1:9, whose contact is sheared across the strips.
+TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionOnANoseAndOnAWing) {
+  for (const bool nose : {true, false}) {
+    sections.clear();
+    for (int k = 0; k < 20; ++k)
+      add(0.02 * k, nose ? -2e-3 * k : 0.0, nose ? 0.0 : 20e-3 / 9.0 * k - 22e-3).profile.kind =
+          WRC_PROFILE_60E1;
+    give();
+    wheel.y = 1e-3;
+    wheel.yaw = 3e-3;
+    create();
+    for (const double at : {0.15, 0.22}) {
+      input.distance = at;
+      carry();
+      expect_as_real_time(0.015);
+    }
   }
 }
 

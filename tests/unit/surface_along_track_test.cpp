@@ -120,5 +120,37 @@ TEST(OutOfRound, ReachOfAChordIsThatOfItsEnds) {
   }
 }
 
+// Rows of an eccentric wheel that is eccentric by more from row to row: between rows on a line the deviation
+// lies on it, and at a row where the line bends it is continuously differentiable.
+TEST(OutOfRound, RowsOnALineStayOneAndNothingIsKinked) {
+  constexpr std::int32_t count = 720, rows = 5;
+  const double y[rows] = {-0.02, -0.015, -0.008, 0.0, 0.01};
+  const double size[rows] = {1e-4, 1.5e-4, 2.2e-4, 3e-4, 3e-4};
+  std::vector<double> angle, deviation;
+  for (std::int32_t i = 0; i <= count; ++i) angle.push_back(2.0 * pi * i / count);
+  for (const double each : size)
+    for (std::int32_t i = 0; i <= count; ++i) deviation.push_back(each * std::cos(angle[i % count]));
+  const RadiusTable table{count + 1, rows, angle.data(), y, deviation.data()};
+  std::vector<double> memory;
+  const OutOfRound wheel = make_out_of_round(
+      table, 0.46, cut_into(memory, [&](Arena& arena) { return cut_out_of_round(arena, table); }));
+  const double turned = 0.4;
+  const auto at = [&](double where) { return reach_at(wheel, where, turned); };
+  for (double where = -0.02; where < -0.008; where += 0.3e-3)
+    EXPECT_NEAR(at(where).depth, (1e-4 + 0.01 * (where + 0.02)) * std::cos(turned), 2e-8) << where;
+  constexpr double h = 1e-7;
+  for (const double row : {-0.015, -0.008, 0.0}) {
+    const double left = (at(row).depth - at(row - h).depth) / h,
+                 right = (at(row + h).depth - at(row).depth) / h;
+    EXPECT_NEAR(left, right, 1e-6) << row;
+  }
+  for (double where = 0.0; where < 0.01; where += 0.3e-3)
+    EXPECT_LE(at(where).depth, at(0.01).depth + 1e-12) << where;
+  for (const double where : {-0.0175, -0.01, -0.004, 0.003})
+    EXPECT_NEAR(
+        (reach_at(wheel, where, turned + h).depth - reach_at(wheel, where, turned - h).depth) / (2.0 * h),
+        at(where).slope, 1e-8);
+}
+
 }  // namespace
 }  // namespace wrc::surface

@@ -811,13 +811,14 @@ class ConfigSurface(s.Struct):
     """
     tolerance: float
     """tolerance: part of the contact's area that the last iteration of the normal problem moves; of
-        NormalMethod.STRIP_HALFSPACE. The error of forces is a tenth of it (1e-10 .. 1e-2; default 1e-7)
+        NormalMethod.STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it (1e-10 .. 1e-2;
+        default 1e-5)
     """
     max_work: float
     """max_work: work that a call may take, all heights of a prescribed load included; of
         NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
         takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
-        2e6)
+        2e7)
     """
     def __init__(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ...) -> None:
         """The defaults, and what is given."""
@@ -861,8 +862,8 @@ class ConfigPlanar(s.Struct):
     @regularisation.setter
     def regularisation(self, value: RegularisationLike) -> None: ...
     non_steady: int
-    """non_steady: 1: contacts remember tractions over the distances told to Contact.planar_roll(). Of
-        TangentialMethod.STRIP_FASTSIM, forwards (0 .. 1; default 0)
+    """non_steady: 1: contacts remember tractions over the distances told to Contact.planar_roll(), at rest and
+        rolling either way. Of TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
     """
     gap_limit: float
     """gap_limit [m]: gap up to which rows of a pose reach. Deeper approaches are continued,
@@ -3215,7 +3216,7 @@ class ContactCalls(_l.Handle):
         wrench: as for Contact.wrench(), the same bits; None: a new one
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
-        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 160 strips
+        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 120 strips
             in contact.
         """
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
@@ -3305,11 +3306,13 @@ class ContactCalls(_l.Handle):
     def planar_roll(self, distance: float) -> None:
         """Tells a contact of a model with config.planar.non_steady how far it has rolled since its last
             tangential stage. Distances add up. The next Contact.planar_tangential() takes them: every
-            particle brings along its traction, pressure and creepages are those of the end. Over six lengths
-            of the patch rolling is steady. A contact begins without tractions, also after the bodies have
-            been apart. Save and restore hold them. Theory manual, "Rolling that is not steady".
+            particle brings along its traction, pressure is that of the end, and creepages times the distance
+            are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
+            rolling. With speed 0 the wheel rests, and the displacement is a shift. Over four lengths of the
+            patch rolling is steady. A contact begins without tractions, also after the bodies have been
+            apart. Save and restore hold them. Theory manual, "Contact that remembers".
 
-        distance: 0..1e6 m
+        distance: rolled either way, or at rest the length that creepages are per, 0..1e6 m
 
         C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without
             config.planar.non_steady).

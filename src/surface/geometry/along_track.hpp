@@ -207,11 +207,13 @@ inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end)
   return end.depth;
 }
 
-/// A contact of overlap d and curvature kappa is about root(d / kappa) long to each side [m].
+/// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
+/// A strip of overlap d and curvature kappa touches over root(d / kappa) to each side in a round contact.
+/// Shorter chords follow kinks of flats better, longer ones the curvature of crossings (accuracy_method.md).
 template <class Number>
 Number half_contact(const Number& depth, const Number& curvature) {
-  constexpr double least_depth = 2e-6, longest = 12e-3;  // [m]
-  return smaller(root(larger(depth, Number(0.0)) + least_depth) / root(curvature), Number(longest));
+  constexpr double share = 0.75, least_depth = 2e-6, longest = 12e-3;  // [-], [m]
+  return smaller(root(share * (larger(depth, Number(0.0)) + least_depth)) / root(curvature), Number(longest));
 }
 
 /// The overlap of a strip as a parabola: through the largest, and those half a contact to both sides of it.
@@ -362,7 +364,6 @@ void follow_roller(double curvature, double z, const Number& distance, StripOver
 template <class Number>
 void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, const Number& y,
                   const Number& angle, StripOverlap<Number>& o) {
-  constexpr double looked_over = 3e-3, least = 0.2, most = 10.0;
   const auto& R = pose.rotation;
   // the radius to the place, in the rail's axes
   const Number along = R[0][1] * o.centre + R[1][1] * o.wy + R[2][1] * o.wz;
@@ -374,19 +375,24 @@ void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, c
   const Number sine = before * per_radius;
   const Number turned = sine * (1.0 + sine * sine / 6.0) - angle;
   const Number outwards = (ry * o.ny + rz * o.nz) * per_radius;
-  // D, D' there, and D'' over 3 mm to both sides, which bends the wheel's circle
-  const double step = looked_over / wheel.radius;
-  const Reach<Number> here = reach_at(wheel, y, turned);
-  const Reach<Number> front = reach_at(wheel, y, turned + Number(step)),
-                      back = reach_at(wheel, y, turned - Number(step));
-  const Number bend = (front.depth - here.depth - (here.depth - back.depth)) / (step * step * wheel.radius);
   // the reach acts along the radius: its part along the strip's normal deepens the overlap
-  const Number deeper = outwards * here.depth;
+  const Reach<Number> here = reach_at(wheel, y, turned);
+  const Number deeper = outwards * here.depth, round = o.curvature;
   o.depth = o.depth + deeper;
   o.wy = o.wy + o.ny * deeper;
   o.wz = o.wz + o.nz * deeper;
   o.centre = o.centre + R[0][0] * here.slope;
-  o.curvature = o.curvature / smaller(larger(1.0 + bend, Number(least)), Number(most));
+  // The overlap falls from there like the circle's and by the surface's deviation: to both sides of the
+  // place, where the edges of the contact will be.
+  const Number touched = turned + here.slope * (1.0 / wheel.radius);
+  const Number middle = surface_at(wheel, y, touched).depth;
+  const auto side = [&](const Number& off) {
+    const Number deviation = surface_at(wheel, y, touched + off * (1.0 / wheel.radius)).depth;
+    return o.depth - round * off * (0.5 * off + here.slope) + outwards * (deviation - middle);
+  };
+  const Number half = half_contact(o.depth, round);
+  constexpr double least_of_round = 0.5;  // of the curvature that least_curvature_left is a part of
+  fit_parabola(o.depth, side(half), side(-half), half, least_of_round * round, o);
 }
 
 }  // namespace wrc::surface

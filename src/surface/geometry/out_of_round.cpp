@@ -67,44 +67,64 @@ void sample(const RadiusTable& table, const double* deviation, const double* sec
   }
 }
 
-/// The envelope of its parabolas: the largest at the nodes, the top of the parabola through it and its
-/// neighbours, and the deviations given between these, where an edge may stand out. `place`: scratch.
-void find_reach(const RadiusTable& table, const double* given, const double* deviation, double radius,
-                std::int32_t* place, double* reach) {
-  const double step = 2.0 * pi / nodes;
-  double low = deviation[0], high = deviation[0];
-  for (std::int32_t i = 1; i < nodes; ++i) {
-    low = std::min(low, deviation[i]);
-    high = std::max(high, deviation[i]);
-  }
-  // A parabola further away than sqrt(2 (high - low) / r) lies below the one of the node itself.
-  const auto furthest =
-      std::min(static_cast<std::int32_t>(std::sqrt(2.0 * (high - low) / radius) / step) + 2, nodes / 4);
-  const auto at = [&](std::int32_t i, std::int32_t k) {
+/// Parabolas -r off^2 / 2 below each node's value: at every node, the number of the node whose is highest.
+class Parabolas {
+ public:
+  Parabolas(const double* value, double radius) : value_(value), radius_(radius) {}
+
+  /// The parabola of node k at node i; nodes count on round the wheel.
+  double at(std::int32_t i, std::int32_t k) const {
     const double off = step * (k - i);
-    return deviation[(k + nodes) % nodes] - 0.5 * radius * off * off;
-  };
-  const auto highest = [&](std::int32_t i, std::int32_t from, std::int32_t to) {
+    return value_[(k + nodes) % nodes] - 0.5 * radius_ * off * off;
+  }
+  void find_highest(std::int32_t* place) const {
+    // a parabola further away than sqrt(2 (high - low) / r) lies below the one of the node itself
+    double low = value_[0], high = value_[0];
+    for (std::int32_t i = 1; i < nodes; ++i) {
+      low = std::min(low, value_[i]);
+      high = std::max(high, value_[i]);
+    }
+    const auto furthest =
+        std::min(static_cast<std::int32_t>(std::sqrt(2.0 * (high - low) / radius_) / step) + 2, nodes / 4);
+    // The place of the highest never goes back as the wheel turns on: that of a node lies between those of
+    // the nodes to both sides, which halves the search at each level.
+    place[0] = highest(0, -furthest, furthest);
+    for (std::int32_t apart = nodes / 2; apart > 0; apart /= 2)
+      for (std::int32_t i = apart; i < nodes; i += 2 * apart) {
+        const std::int32_t next = i + apart < nodes ? place[i + apart] : place[0] + nodes;
+        place[i] = highest(i, std::max(place[i - apart], i - furthest), std::min(next, i + furthest));
+      }
+  }
+  /// Top of the parabola through those of node k and its neighbours at node i.
+  double top(std::int32_t i, std::int32_t k) const {
+    const double middle = at(i, k), before = at(i, k - 1), behind = at(i, k + 1);
+    const double bend = before - 2.0 * middle + behind, rise = 0.5 * (behind - before);
+    return bend < 0.0 ? middle - 0.5 * rise * rise / bend : middle;
+  }
+  static constexpr double step = 2.0 * pi / nodes;
+
+ private:
+  std::int32_t highest(std::int32_t i, std::int32_t from, std::int32_t to) const {
     std::int32_t best = from;
     for (std::int32_t k = from + 1; k <= to; ++k)
       if (at(i, k) > at(i, best)) best = k;
     return best;
-  };
-  // The place of the highest parabola never goes back as the wheel turns on: that of a node lies between
-  // those of the nodes to both sides, which halves the search at each level.
-  place[0] = highest(0, -furthest, furthest);
-  for (std::int32_t apart = nodes / 2; apart > 0; apart /= 2)
-    for (std::int32_t i = apart; i < nodes; i += 2 * apart) {
-      const std::int32_t next = i + apart < nodes ? place[i + apart] : place[0] + nodes;
-      place[i] = highest(i, std::max(place[i - apart], i - furthest), std::min(next, i + furthest));
-    }
+  }
+  const double* value_;
+  double radius_;
+};
+
+/// The reach D: the envelope of the deviation's parabolas at the nodes, and of those of the deviations given
+/// between these, where an edge may stand out. `place`: scratch.
+void find_reach(const RadiusTable& table, const double* given, const double* deviation, double radius,
+                std::int32_t* place, double* reach) {
+  constexpr double step = Parabolas::step;
+  const Parabolas parabolas(deviation, radius);
+  parabolas.find_highest(place);
   const double* const end = table.angle + table.angles;
   for (std::int32_t i = 0; i < nodes; ++i) {
     const std::int32_t best = place[i];
-    // top of the parabola through the highest node and its neighbours
-    const double middle = at(i, best), before = at(i, best - 1), behind = at(i, best + 1);
-    const double bend = before - 2.0 * middle + behind, rise = 0.5 * (behind - before);
-    reach[i] = bend < 0.0 ? middle - 0.5 * rise * rise / bend : middle;
+    reach[i] = parabolas.top(i, best);
     // deviations given in the two intervals beside it
     for (const std::int32_t k : {best - 1, best}) {
       const double from = step * ((k + nodes) % nodes);
@@ -116,12 +136,22 @@ void find_reach(const RadiusTable& table, const double* given, const double* dev
   }
 }
 
+/// The least surface d* that reaches so: -d* is the envelope of the parabolas of -D. `reach` is turned over
+/// and back.
+void find_surface(double* reach, double radius, std::int32_t* place, double* surface) {
+  for (std::int32_t i = 0; i < nodes; ++i) reach[i] = -reach[i];
+  const Parabolas parabolas(reach, radius);
+  parabolas.find_highest(place);
+  for (std::int32_t i = 0; i < nodes; ++i) surface[i] = -parabolas.top(i, place[i]);
+  for (std::int32_t i = 0; i < nodes; ++i) reach[i] = -reach[i];
+}
+
 }  // namespace
 
 OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table) {
   OutOfRoundArrays a;
   const std::int64_t all = static_cast<std::int64_t>(table.rows) * nodes;
-  arena.each(all, a.value, a.second);
+  arena.each(all, a.value, a.second, a.surface, a.surface_second);
   arena.each(table.angles, a.given, a.given_pivot, a.given_corner);
   arena.each(nodes, a.sampled, a.corner);
   a.place = arena.take<std::int32_t>(nodes);
@@ -134,6 +164,8 @@ OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutO
   wheel.radius = radius;
   wheel.value = a.value;
   wheel.second = a.second;
+  wheel.surface = a.surface;
+  wheel.surface_second = a.surface_second;
   const auto apart = [&](std::int32_t i) { return table.angle[i + 1] - table.angle[i]; };
   const auto one_apart = [](std::int32_t) { return 1.0; };
   for (std::int32_t r = 0; r < table.rows; ++r) {
@@ -143,10 +175,12 @@ OutOfRound make_out_of_round(const RadiusTable& table, double radius, const OutO
     periodic_second_derivatives(table.angles - 1, apart, deviation, a.given, a.given_pivot, a.given_corner);
     sample(table, deviation, a.given, a.sampled);
     // Its reach D, and the spline through that. The samples are free then.
-    double* const reach = a.value + static_cast<std::int64_t>(r) * nodes;
+    const std::int64_t first = static_cast<std::int64_t>(r) * nodes;
+    double *const reach = a.value + first, *const surface = a.surface + first;
     find_reach(table, deviation, a.sampled, radius, a.place, reach);
-    periodic_second_derivatives(nodes, one_apart, reach, a.second + static_cast<std::int64_t>(r) * nodes,
-                                a.sampled, a.corner);
+    find_surface(reach, radius, a.place, surface);
+    periodic_second_derivatives(nodes, one_apart, reach, a.second + first, a.sampled, a.corner);
+    periodic_second_derivatives(nodes, one_apart, surface, a.surface_second + first, a.sampled, a.corner);
     for (std::int32_t i = 0; i < nodes; ++i) wheel.largest = std::max(wheel.largest, reach[i]);
   }
   return wheel;

@@ -7,9 +7,13 @@
 ///
 /// deeper than the round one's, at xi = D'(tau) before its lowest point, and is curved there by
 /// (1 / r) / (1 + D''(tau) / r) (all from the envelope's condition; xi is a length, primes are by the angle).
-/// So a step needs one reading of D, found when the model is made, and hollows that never touch are bridged
-/// as the rail does. D is a periodic cubic spline over equal steps of the angle; the curvature is that of D
-/// over 3 mm to both sides, which an elastic contact is long, within a tenth and five times the round one's.
+/// So hollows that never touch are bridged as the rail does. The least surface that reaches so deep is
+///
+///     d*(theta) = min over tau of  D(tau) + r (theta - tau)^2 / 2:
+///
+/// d itself wherever the rail can touch it, and a chord over hollows. Both are found when the model is made,
+/// as periodic cubic splines over equal steps of the angle. A step reads D for depth and place, and d* where
+/// the contact's edges will be for the curvature there.
 #pragma once
 
 #include <cstdint>
@@ -39,11 +43,13 @@ struct OutOfRound {
   double largest = 0.0;   ///< largest D, or 0 [m]
   double y[most_radius_rows] = {};
   const double *value = nullptr, *second = nullptr;  ///< D, and its second derivative by the node's number
+  const double *surface = nullptr, *surface_second = nullptr;  ///< the same of d*
 };
 
 /// Arrays of a wheel that is not round, and of its making.
 struct OutOfRoundArrays {
   double *value, *second;                      ///< rows times nodes
+  double *surface, *surface_second;            ///< the same
   double *given, *given_pivot, *given_corner;  ///< over the table's angles
   double *sampled, *corner;                    ///< over the nodes
   std::int32_t* place;                         ///< over the nodes
@@ -61,9 +67,9 @@ struct Reach {
 
 namespace out_of_round {
 
-/// Reach of one row.
+/// One row of the spline of values and second derivatives.
 template <class Number>
-Reach<Number> row_at(const OutOfRound& wheel, std::int32_t row, const Number& angle) {
+Reach<Number> spline_at(const double* value, const double* second, std::int32_t row, const Number& angle) {
   // interval of the angle between two nodes, the last of which is the first
   constexpr double per_turn = 1.0 / (2.0 * pi), n = OutOfRound::nodes;
   double turns = value_of(angle) * per_turn;
@@ -72,8 +78,8 @@ Reach<Number> row_at(const OutOfRound& wheel, std::int32_t row, const Number& an
   auto i = static_cast<std::int32_t>(place);
   if (i >= OutOfRound::nodes) i = OutOfRound::nodes - 1;
   const std::int32_t next = i + 1 < OutOfRound::nodes ? i + 1 : 0;
-  const double *const v = wheel.value + static_cast<std::int64_t>(row) * OutOfRound::nodes,
-                      *const m = wheel.second + static_cast<std::int64_t>(row) * OutOfRound::nodes;
+  const std::int64_t first = static_cast<std::int64_t>(row) * OutOfRound::nodes;
+  const double *const v = value + first, *const m = second + first;
   // cubic spline with weights a, b: D, dD/d(node), d2D/d(node)2
   const double b = place - i, a = 1.0 - b, per_angle = n * per_turn;
   const double depth = a * v[i] + b * v[next] + ((a * a * a - a) * m[i] + (b * b * b - b) * m[next]) / 6.0;
@@ -85,18 +91,75 @@ Reach<Number> row_at(const OutOfRound& wheel, std::int32_t row, const Number& an
 
 }  // namespace out_of_round
 
+namespace out_of_round {
+
+/// Slope across the tread, of the depth and of its derivative by the angle, at a row between two secants a
+/// and b. Their mean m by the parabola through the three rows, times f(w), w = 2 a b / (a^2 + b^2): where
+/// they agree a straight slope stays one; where one is zero a flat's rim does not overshoot.
 template <class Number>
-Reach<Number> reach_at(const OutOfRound& wheel, const Number& y, const Number& angle) {
+Reach<Number> slope_between(const Reach<Number>& a, const Reach<Number>& b, double share_of_a) {
+  // f = 1 - (1 - w^2)^2
+  const double share_of_b = 1.0 - share_of_a;
+  const Reach<Number> m{share_of_a * a.depth + share_of_b * b.depth,
+                        share_of_a * a.slope + share_of_b * b.slope};
+  const Number squares = a.depth * a.depth + b.depth * b.depth;
+  if (!(value_of(squares) > 0.0)) return {Number(0.0), Number(0.0)};
+  const Number per = Number(1.0) / squares, w = 2.0 * (a.depth * b.depth) * per;
+  const Number dw =
+      2.0 * per * (a.slope * b.depth + a.depth * b.slope - w * (a.depth * a.slope + b.depth * b.slope));
+  const Number rest = 1.0 - w * w, f = 1.0 - rest * rest;
+  return {m.depth * f, m.slope * f + m.depth * (4.0 * rest * w * dw)};
+}
+
+/// Between rows by a cubic of their values and slopes: continuously differentiable across the tread, and
+/// straight where the rows lie on a line. `row_at`: depth and its slope by the angle, of a row.
+template <class Number, class RowAt>
+Reach<Number> across_rows(const OutOfRound& wheel, const Number& y, const RowAt& row_at) {
   std::int32_t row = 0;
   while (row + 2 < wheel.rows && value_of(y) > wheel.y[row + 1]) ++row;
-  const Reach<Number> here = out_of_round::row_at(wheel, row, angle);
+  const Reach<Number> here = row_at(row);
   if (wheel.rows == 1) return here;
-  // between two rows by 3 t^2 - 2 t^3, whose slope is zero at each row
-  const Reach<Number> there = out_of_round::row_at(wheel, row + 1, angle);
-  const Number t =
-      smaller(larger((y - wheel.y[row]) / (wheel.y[row + 1] - wheel.y[row]), Number(0.0)), Number(1.0));
-  const Number part = t * t * (3.0 - 2.0 * t);
-  return {here.depth + part * (there.depth - here.depth), here.slope + part * (there.slope - here.slope)};
+  const Reach<Number> there = row_at(row + 1);
+  const double apart = wheel.y[row + 1] - wheel.y[row], per = 1.0 / apart;
+  const auto secant = [](const Reach<Number>& from, const Reach<Number>& to, double inverse) {
+    return Reach<Number>{(to.depth - from.depth) * inverse, (to.slope - from.slope) * inverse};
+  };
+  // slopes at both rows; at the outermost the secant itself
+  const Reach<Number> rise = secant(here, there, per);
+  Reach<Number> left = rise, right = rise;
+  if (row > 0) {
+    const double before = wheel.y[row] - wheel.y[row - 1];
+    left = slope_between(secant(row_at(row - 1), here, 1.0 / before), rise, apart / (apart + before));
+  }
+  if (row + 2 < wheel.rows) {
+    const double behind = wheel.y[row + 2] - wheel.y[row + 1];
+    right = slope_between(rise, secant(there, row_at(row + 2), 1.0 / behind), behind / (apart + behind));
+  }
+  // Hermite's cubic, constant beyond the outermost rows
+  const Number t = smaller(larger((y - wheel.y[row]) * per, Number(0.0)), Number(1.0)), rest = 1.0 - t;
+  const Number bent = apart * t * rest;
+  const auto cubic = [&](const Number& from, const Number& r, const Number& l, const Number& to) {
+    return from + apart * t * r + bent * (rest * (l - r) + t * (r - to));
+  };
+  return {cubic(here.depth, rise.depth, left.depth, right.depth),
+          cubic(here.slope, rise.slope, left.slope, right.slope)};
+}
+
+}  // namespace out_of_round
+
+template <class Number>
+Reach<Number> reach_at(const OutOfRound& wheel, const Number& y, const Number& angle) {
+  return out_of_round::across_rows(wheel, y, [&](std::int32_t row) {
+    return out_of_round::spline_at(wheel.value, wheel.second, row, angle);
+  });
+}
+
+/// The deviation d* at an angle of the wheel, and its slope: of the surface that a rail can touch.
+template <class Number>
+Reach<Number> surface_at(const OutOfRound& wheel, const Number& y, const Number& angle) {
+  return out_of_round::across_rows(wheel, y, [&](std::int32_t row) {
+    return out_of_round::spline_at(wheel.surface, wheel.surface_second, row, angle);
+  });
 }
 
 }  // namespace wrc::surface

@@ -52,11 +52,14 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 
 namespace {
 
-/// Adds all that varies to the overlap of one strip, whose ray ends at `end`, which goes along. Returns
-/// whether it is deeper than -margin then.
+/// The overlap of a strip, and the end of its ray.
+struct FollowedStrip : StripOverlap<double> {
+  RayEnd<double> end;
+};
+
+/// Adds all that varies to the overlap of one strip. Returns whether it is deeper than -margin then.
 bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                  std::int32_t strip, double distance, double angle, double margin, RayEnd<double>& end,
-                  StripOverlap<double>& o) {
+                  std::int32_t strip, double angle, double margin, FollowedStrip& o) {
   const Curve& wheel = surfaces.wheel.curve;
   const bool round = surfaces.out_of_round.rows == 0;
   double y = 0.0;
@@ -66,13 +69,13 @@ bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const
     LargestOverlap found;
     const double deepest = look_along(rail, surfaces.varying, strip, o, found.x);
     if (!(deepest > -margin - looks_within - surfaces.out_of_round.largest)) return false;
-    found.end = {end.piece, end.u, deepest};
-    y = follow_rail<double>(rail, surfaces.varying, wheel, pose, strip, distance, found, o);
-    end = found.end;
+    found.end = {o.end.piece, o.end.u, deepest};
+    y = follow_rail<double>(rail, surfaces.varying, wheel, pose, strip, rail.distance, found, o);
+    o.end = found.end;
   } else if (!round) {
-    y = evaluate(wheel, end.piece, end.u).y;
+    y = evaluate(wheel, o.end.piece, o.end.u).y;
   }
-  follow_others(surfaces, rail, pose, strip, y, distance, angle, o);
+  follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, o);
   return o.depth > -margin;
 }
 
@@ -91,13 +94,12 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   // Those deeper than the margin stay once all that varies is added.
   std::int32_t kept = 0;
   for (std::int32_t i = 0; i < o.count; ++i) {
-    StripOverlap<double> s = strip_of(o, i);
+    FollowedStrip s{strip_of(o, i), {o.piece[i], o.u[i], o.depth[i]}};
     s.grade = 0.0;
-    RayEnd<double> end{o.piece[i], o.u[i], s.depth};
-    if (!follow_track(surfaces, rail, pose, o.strip[i], rail.distance, angle, margin, end, s)) continue;
+    if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s)) continue;
     o.strip[kept] = o.strip[i];
-    o.piece[kept] = end.piece;
-    o.u[kept] = end.u;
+    o.piece[kept] = s.end.piece;
+    o.u[kept] = s.end.u;
     put_strip(s, kept, o);
     ++kept;
   }
