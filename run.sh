@@ -7,8 +7,9 @@ cd "$(dirname "$0")"
 if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
   cat <<'HELP'
 ./run.sh
-    Builds the library and runs the source paper's cases (S1002 on UIC60, and an exact double ellipse): prints patch,
-    forces and frictional power beside CONTACT and the paper, writes the fields as CSV and draws them, into out/.
+    Builds the library and runs the source paper's cases (S1002 on UIC60, and an exact double ellipse): prints tables 1 and 2
+    beside CONTACT and the paper with both traction bounds, writes the fields as CSV and draws figures 1 to 9 as PNG and PDF,
+    into out/. The figures are those of `python -m wrc.paper`.
 
 ./run.sh --wheel FILE --rail FILE [options]
     Your own profiles and load, through examples_c/own_case.c. A profile file has one point per line, y and z, separated
@@ -60,7 +61,8 @@ mkdir -p out
 "$build/examples_c/creep_curves" out | tee out/creep_curves.txt
 (need_packages python3 python3-matplotlib) || true
 if /usr/bin/python3 -c 'import matplotlib' 2>build/matplotlib.log; then
-  /usr/bin/python3 examples_c/draw_paper_figures.py out
+  WRC_LIBRARY=$PWD/$build/libwrc.so PYTHONPATH=$PWD/bindings/python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m wrc.paper out |
+    tee out/paper.txt
   /usr/bin/python3 examples_c/draw_creep_curves.py out
 else
   echo "No pictures: /usr/bin/python3 has no matplotlib."

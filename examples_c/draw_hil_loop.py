@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what hil_loop wrote: when the forces were there, with the wheels and without.
+"""Draws what hil_loop wrote: when the forces were there, on one thread and on two, and fixed arithmetic as long.
 
     draw_hil_loop.py FILE.csv [PICTURE.png]
 
@@ -17,14 +17,16 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 PERIOD = 500.0  # us
-COLOURS = {"two wheels": "#0072B2", "empty": "#999999"}  # Okabe and Ito
+# By kind of cycle, in the colours of Okabe and Ito.
+COLOURS = {"one thread": "#0072B2", "arithmetic as long as one": "#56B4E9", "two threads": "#E69F00",
+           "arithmetic as long as two": "#F0E442"}
 
 
 def read(path):
-    ends = {"two wheels": [], "empty": []}
+    ends = {name: [] for name in COLOURS}
     with open(path, newline="", encoding="ascii") as file:
         for row in csv.DictReader(file):
-            ends["two wheels" if int(row["wheels"]) > 0 else "empty"].append(float(row["solved_us"]))
+            ends[list(COLOURS)[int(row["kind"])]].append(float(row["ended_us"]))
     return {name: np.sort(np.array(values)) for name, values in ends.items()}
 
 
@@ -38,8 +40,8 @@ def main():
     latest = max(values[-1] for values in ends.values())
     bins = np.geomspace(1.0, max(latest, 1.2 * PERIOD), 90)
     for name, values in ends.items():
-        p50, p99, p9999 = np.quantile(values, [0.5, 0.99, 0.9999])
-        label = f"{name}: p50 {p50:.0f}, p99 {p99:.0f}, p99.99 {p9999:.0f}, max {values[-1]:.0f} us"
+        p50, p99, p999 = np.quantile(values, [0.5, 0.99, 0.999])
+        label = f"{name}: p50 {p50:.0f}, p99 {p99:.0f}, p99.9 {p999:.0f}, max {values[-1]:.0f} us"
         left.hist(np.maximum(values, 1.0), bins, color=COLOURS[name], alpha=0.75, label=label)
         right.step(values, 1.0 - np.arange(len(values)) / len(values), where="post", color=COLOURS[name])
     left.set(ylabel="cycles", yscale="log")

@@ -104,6 +104,7 @@ static void wheel_on_rail(wrc_contact* contact) {
   input.wheel.velocity[0] = 20.0;
   input.wheel.pitch_rate = -20.0 / 0.46;
   DO(wrc_contact_wrench_derivatives(contact, &input, &wrench, &by));
+  DO(wrc_contact_mark(contact)); /* accepted: calls with WRC_START_MARK start from it */
   DO(wrc_contact_region(contact, 0, &region));
   DO(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_PEAK, peak, 512, counts));
   printf("wheel:  Fz %.0f N, dFz/dz %.3g N/m, area %.0f mm^2, b %.1f mm, first of %d strips %.0f MPa\n",

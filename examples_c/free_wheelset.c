@@ -1,7 +1,6 @@
 /* free_wheelset.c - a wheelset on its own runs along a straight track, off centre at first.
  *
- *   free_wheelset [METRES]     16 m; prints its lateral motion and the length of its waves. The FMU wrc_wheelset has
- *                              its results
+ *   free_wheelset [METRES]     16 m; prints its lateral motion and the length of its waves
  *
  * What a multibody code does with wrc: in every evaluation, one call per wheel with the wheelset's pose and
  * velocities, and the two wrenches added up about the middle of the axle. Forward speed is held; lateral,

@@ -96,7 +96,7 @@ double load_of(const surface::StripSet& s) {
 
 surface::PressureOptions at_most(std::int32_t iterations) {
   surface::PressureOptions options;
-  options.assured_iterations = options.max_iterations = iterations;
+  options.max_iterations = iterations;
   return options;
 }
 

@@ -7,17 +7,20 @@
 ///                                         forces over the height between two vertical loads [mm, mrad, kN]: anew, from the last
 ///                                         solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
-///     wheel_report times [STEPS]          from the last solution and anew, by regions; eight wheels of one model in a batch
+///     wheel_report times [STEPS]          from marked solutions and anew: one wheel, and eight of one model in a batch; at each
+///                                         resolution. The last line is a JSON object
+///
+/// `--setting NAME` in front of all: a resolution of WRC_RESOLUTION_LIST, for all but times.
 ///
 /// Poses: five pairs of new and worn profiles, both sides, lateral +-15 mm, roll and yaw +-40 mrad, heights
 /// from lifted to 150 kN, ten to a pose; creepages up to full slip; half of them from the last solution,
 /// which is then that of another pose. The sum at the end is of all forces: equal on every machine.
 ///
-/// Times are of this machine in this minute: compare those of one run. S1002 on the benchmark UIC60 in steps
-/// of 1 ms: a wheelset that runs nearly straight (1 mm over 9 m, 20 m/s, 80 kN), and one that weaves by 6 mm
-/// at 40 m/s under a load that changes. Strips are those in contact: calls take by their square.
+/// Times are of this machine in this minute, of the processor: compare those of one run. S1002 on the
+/// benchmark UIC60 in steps of 1 ms: a wheelset that runs nearly straight (1 mm over 9 m, 20 m/s, 80 kN), and
+/// one that weaves by 6 mm at 40 m/s under a load that changes. Strips are those in contact: calls take by
+/// their square.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +32,7 @@
 #include <vector>
 
 #include "csv.hpp"
+#include "realtime/proof/processor_time.hpp"
 #include "test_config.hpp"
 #include "wheel_cases.hpp"
 #include "wrc/wrc_offline.h"
@@ -83,8 +87,7 @@ bool finite(const wrc_wrench& wrench) {
   return std::isfinite(sum);
 }
 
-int poses(const Csv& file, long count, unsigned seed) {
-  Pairs pairs(file);
+int poses(Pairs& pairs, long count, unsigned seed) {
   constexpr long heights = 10;  ///< to a pose
   Random random(seed);
   std::map<std::string, long> statuses;
@@ -142,10 +145,11 @@ int poses(const Csv& file, long count, unsigned seed) {
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
 
+/// Time of the processor [us].
 double microseconds_of(auto&& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = processor_time();
   work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  return processor_time() - begin;
 }
 
 /// Sweeps and times of a way to call.
@@ -162,8 +166,7 @@ struct Taken {
 
 /// Random poses with a load given, 20 to 120 kN, and 1 ms later: y, yaw and load a little different. Beside
 /// them the same poses at the height found.
-int loads(const Csv& file, long count, unsigned seed) {
-  Pairs pairs(file);
+int loads(Pairs& pairs, long count, unsigned seed) {
   Random random(seed);
   enum { load_anew, height_anew, load_later, height_later, ways };
   constexpr const char* names[ways] = {"load, anew", "height, anew", "load, 1 ms later",
@@ -257,8 +260,7 @@ struct Line {
 };
 
 /// Heights in 10 nm from just above first touch to 150 kN, and yaw in 1 urad under a flange contact.
-int lines(const Csv& file) {
-  Pairs pairs(file);
+int lines(Pairs& pairs) {
   PairOptions options;
   options.wheel = pairs_of_profiles[0].wheel;
   options.rail = pairs_of_profiles[0].rail;
@@ -328,9 +330,8 @@ int lines(const Csv& file) {
 
 /// The flange under a yaw, between the heights of two vertical loads: rows of forces. Two solutions at one
 /// height show where going down and going up from the last solution differ.
-int branches(const Csv& file, double y, double yaw, double low, double high) {
+int branches(Pairs& pairs, double y, double yaw, double low, double high) {
   constexpr int steps = 400, exact_heights = 25;
-  Pairs pairs(file);
   PairOptions options;
   options.wheel = pairs_of_profiles[0].wheel;
   options.rail = pairs_of_profiles[0].rail;
@@ -419,108 +420,135 @@ class Contacts {
   std::vector<wrc_contact*> all_;
 };
 
-void time_one(const Solver& solver, const Run& run, int32_t start, long steps) {
+/// Ways to start a solution.
+struct Start {
+  const char* name;
+  int32_t start;
+};
+constexpr Start starts[] = {{"marked", WRC_START_MARK}, {"anew", WRC_START_COLD}};
+
+/// Times of a case from a start: its name in the JSON object, and the numbers there [us].
+struct Timed {
+  std::string name;
+  double median, slow;
+};
+
+/// One wheel along a run; each solution is marked.
+Timed time_one(const Solver& solver, const Run& run, const Start& start, long steps) {
   wrc_contact* const scout = solver.contact();
   const Contacts one(solver, 1);
-  std::vector<double> time[2], strips[2], sweeps;
+  std::vector<double> time[2], strips[2], sweeps, all;
   for (long step = 0; step < steps; ++step) {
     wrc_wheel_input input = run.at(scout, step);
-    input.start = start;
+    input.start = start.start;
     wrc_wrench wrench = sized<wrc_wrench>();
-    const double took = microseconds_of([&] { wrc_contact_wrench(one[0], &input, &wrench); });
+    const double took = microseconds_of([&] {
+      wrc_contact_wrench(one[0], &input, &wrench);
+      if (start.start == WRC_START_MARK) wrc_contact_mark(one[0]);
+    });
     if (step < 10) continue;
     const int two = wrench.region_count > 1;
     time[two].push_back(took);
+    all.push_back(took);
     strips[two].push_back(strips_in_contact(one[0], wrench));
     sweeps.push_back(wrench.iterations);
   }
-  const char* const from = start == WRC_START_COLD ? "anew" : "from the last solution";
   for (const int two : {0, 1})
     if (!time[two].empty())
-      std::printf("%-9s %-22s %-11s %6zu calls, %2g strips, 50 %% %6.1f us  99 %% %6.1f us\n", run.name, from,
-                  two ? "two regions" : "one region", time[two].size(), at_share(strips[two], 0.5),
-                  at_share(time[two], 0.5), at_share(time[two], 0.99));
-  std::printf("%-9s %-22s sweeps 50 %% %g  99 %% %g\n", run.name, from, at_share(sweeps, 0.5),
+      std::printf("%-9s %-7s %-11s %6zu calls, %2g strips, 50 %% %6.1f us  99 %% %6.1f us\n", run.name,
+                  start.name, two ? "two regions" : "one region", time[two].size(),
+                  at_share(strips[two], 0.5), at_share(time[two], 0.5), at_share(time[two], 0.99));
+  std::printf("%-9s %-7s sweeps 50 %% %g  99 %% %g\n", run.name, start.name, at_share(sweeps, 0.5),
               at_share(sweeps, 0.99));
+  return {std::string(run.name) + "_" + start.name, at_share(all, 0.5), at_share(all, 0.999)};
 }
 
-/// Eight wheels of one model in a batch; half of them near the flange, where there are two regions. Beside
-/// them the same calls one by one, each a second time at once: their memory is near then.
-void time_eight(const Solver& solver, long steps) {
+/// Eight wheels of one model in a batch; half of them near the flange, where there are two regions.
+Timed time_eight(const Solver& solver, const Start& start, long steps) {
   constexpr std::size_t wheels = 8;
   wrc_contact* const scout = solver.contact();
   const Contacts contacts(solver, wheels);
   std::vector<wrc_wheel_input> inputs(wheels);
   std::vector<wrc_wrench> wrenches(wheels, sized<wrc_wrench>());
-  std::vector<double> from_last, anew, at_once;
+  std::vector<double> time;
   double with_two = 0.0, strips = 0.0;
-  const auto batch = [&](int32_t start) {
-    for (wrc_wheel_input& input : inputs) input.start = start;
-    return microseconds_of([&] {
-      wrc_contact_wrench_batch(contacts.data(), wheels, inputs.data(), sizeof inputs[0], wrenches.data(),
-                               sizeof wrenches[0], nullptr);
-    });
-  };
   for (long step = 0; step < steps; ++step) {
     for (std::size_t k = 0; k < wheels; ++k) {
       Run run = weaving;
       run.amplitude *= 0.02;
       run.middle = k % 2 == 0 ? 1e-3 : 5.2e-3;
       inputs[k] = run.at(scout, step);
+      inputs[k].start = start.start;
     }
-    const double first = batch(WRC_START_WARM), second = batch(WRC_START_COLD);
-    double third = 0.0;
-    for (std::size_t k = 0; k < wheels; ++k)
-      for (const bool measured : {false, true}) {
-        const double took =
-            microseconds_of([&] { wrc_contact_wrench(contacts[k], &inputs[k], &wrenches[k]); });
-        if (measured) third += took;
-      }
+    const double took = microseconds_of([&] {
+      wrc_contact_wrench_batch(contacts.data(), wheels, inputs.data(), sizeof inputs[0], wrenches.data(),
+                               sizeof wrenches[0], nullptr);
+      for (std::size_t k = 0; k < wheels && start.start == WRC_START_MARK; ++k) wrc_contact_mark(contacts[k]);
+    });
     if (step < 10) continue;
-    from_last.push_back(first);
-    anew.push_back(second);
-    at_once.push_back(third);
+    time.push_back(took);
     for (std::size_t k = 0; k < wheels; ++k) {
       with_two += wrenches[k].region_count > 1 ? 1.0 : 0.0;
       strips += strips_in_contact(contacts[k], wrenches[k]) / static_cast<double>(wheels);
     }
   }
-  const auto calls = static_cast<double>(anew.size());
-  std::printf(
-      "eight wheels, %.1f with two regions, %.0f strips each, 50 %%: from the last solutions %.1f us, anew "
-      "%.1f us, "
-      "anew one by one and each at once again %.1f us\n",
-      with_two / calls, strips / calls, at_share(from_last, 0.5), at_share(anew, 0.5),
-      at_share(at_once, 0.5));
+  const auto calls = static_cast<double>(time.size());
+  const Timed timed{std::string("eight_wheels_") + start.name, at_share(time, 0.5), at_share(time, 0.999)};
+  std::printf("eight wheels %-7s %.1f with two regions, %.0f strips each, 50 %% %.1f us  99.9 %% %.1f us\n",
+              start.name, with_two / calls, strips / calls, timed.median, timed.slow);
+  return timed;
 }
 
+/// Times at each resolution, as a table and as one JSON object.
 int times(const Csv& file, long steps) {
-  Pairs pairs(file);
-  PairOptions options;
-  options.wheel = pairs_of_profiles[0].wheel;
-  options.rail = pairs_of_profiles[0].rail;
-  const Solver& solver = pairs.of(options);
-  for (const Run& run : {straight, weaving})
-    for (const int32_t start : {WRC_START_WARM, WRC_START_COLD}) time_one(solver, run, start, steps);
-  time_eight(solver, steps / 4);
+  std::string json;
+#define WRC_RESOLUTION(identifier, name, ...) name,
+  for (const char* const setting : {WRC_RESOLUTION_LIST(WRC_RESOLUTION)}) {
+#undef WRC_RESOLUTION
+    std::printf("%s\n", setting);
+    Pairs pairs(file, setting);
+    PairOptions options;
+    options.wheel = pairs_of_profiles[0].wheel;
+    options.rail = pairs_of_profiles[0].rail;
+    const Solver& solver = pairs.of(options);
+    std::vector<Timed> all;
+    for (const Run& run : {straight, weaving})
+      for (const Start& start : starts) all.push_back(time_one(solver, run, start, steps));
+    for (const Start& start : starts) all.push_back(time_eight(solver, start, steps / 4));
+    json += (json.empty() ? "\"" : ", \"") + std::string(setting) + "\": {";
+    for (const Timed& timed : all) {
+      char numbers[100];
+      std::snprintf(numbers, sizeof numbers, ": {\"p50\": %.2f, \"p99.9\": %.2f}", timed.median, timed.slow);
+      json += (&timed == all.data() ? "\"" : ", \"") + timed.name + "\"" + numbers;
+    }
+    json += "}";
+  }
+  std::printf("{\"settings\": {%s}}\n", json.c_str());
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::string setting = "default";
+  if (argc > 2 && std::strcmp(argv[1], "--setting") == 0) {
+    setting = argv[2];
+    argc -= 2;
+    argv += 2;
+  }
   const std::string what = argc > 1 ? argv[1] : "";
   try {
     const Csv file(WRC_DATA "/scan_cases.csv");  // beside the profiles
+    Pairs pairs(file, setting);
     if (what == "poses")
-      return poses(file, argc > 2 ? std::atol(argv[2]) : 20000,
+      return poses(pairs, argc > 2 ? std::atol(argv[2]) : 20000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
-    if (what == "lines") return lines(file);
+    if (what == "lines") return lines(pairs);
     if (what == "branches" && argc > 5)
-      return branches(file, 1e-3 * std::atof(argv[2]), 1e-3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]),
+      return branches(pairs, 1e-3 * std::atof(argv[2]), 1e-3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]),
                       1e3 * std::atof(argv[5]));
     if (what == "loads")
-      return loads(file, argc > 2 ? std::atol(argv[2]) : 2000,
+      return loads(pairs, argc > 2 ? std::atol(argv[2]) : 2000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "times") return times(file, argc > 2 ? std::atol(argv[2]) : 4000);
   } catch (const std::exception& error) {
@@ -529,7 +557,7 @@ int main(int argc, char** argv) {
   }
   std::fprintf(
       stderr,
-      "usage: wheel_report poses [COUNT [SEED]] | lines | branches Y YAW LOW HIGH | loads [COUNT [SEED]] | "
-      "times [STEPS]\n");
+      "usage: wheel_report [--setting NAME] poses [COUNT [SEED]] | lines | branches Y YAW LOW HIGH | "
+      "loads [COUNT [SEED]] | times [STEPS]\n");
   return 2;
 }

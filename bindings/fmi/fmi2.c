@@ -140,8 +140,11 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component c, fmi2FMUstate state, fmi2Byte b
 }
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const fmi2Byte bytes[], size_t size,
                                    fmi2FMUstate* state) {
-  if (size != sizeof(saved) || fmi2GetFMUstate(c, state) != fmi2OK) return fmi2Error;
-  memcpy(*state, bytes, sizeof(saved));
+  saved read;
+  if (size != sizeof read) return fmi2Error;
+  memcpy(&read, bytes, sizeof read);
+  if (model_valid(c, &read) != FINE || fmi2GetFMUstate(c, state) != fmi2OK) return fmi2Error;
+  memcpy(*state, &read, sizeof read);
   return fmi2OK;
 }
 

@@ -168,8 +168,11 @@ fmi3Status fmi3SerializeFMUState(fmi3Instance c, fmi3FMUState state, fmi3Byte by
   return fmi3OK;
 }
 fmi3Status fmi3DeserializeFMUState(fmi3Instance c, const fmi3Byte bytes[], size_t size, fmi3FMUState* state) {
-  if (size != sizeof(saved) || fmi3GetFMUState(c, state) != fmi3OK) return fmi3Error;
-  memcpy(*state, bytes, sizeof(saved));
+  saved read;
+  if (size != sizeof read) return fmi3Error;
+  memcpy(&read, bytes, sizeof read);
+  if (model_valid(c, &read) != FINE || fmi3GetFMUState(c, state) != fmi3OK) return fmi3Error;
+  memcpy(*state, &read, sizeof read);
   return fmi3OK;
 }
 

@@ -11,6 +11,7 @@ import argparse
 import os
 import pathlib
 import re
+import sys
 import time
 import zipfile
 from xml.sax.saxutils import quoteattr
@@ -27,7 +28,7 @@ UNITS = {"1": "", "m": 'm="1"', "rad": 'rad="1"', "s": 's="1"', "kg": 'kg="1"', 
          "rad/s": 'rad="1" s="-1"', "s/m": 's="1" m="-1"', "m2": 'm="2"', "N": 'kg="1" m="1" s="-2"', "N.m": 'kg="1" m="2" s="-2"',
          "Pa": 'kg="1" m="-1" s="-2"', "W": 'kg="1" m="2" s="-3"'}
 FIRST_INTEGER, TIME = 1000, 999
-ROW = re.compile(r'^(REAL|INTEGER)\((\w+), (?:"([^"]*)", )?(\w+), (\w+), ([^,]+), "(.*)"\)$')
+ROW = re.compile(r'^(REAL|INTEGER)\((\w+), (?:"([^"]*)", )?(\w+), (\w+), ([^,]+), (?:ANY|RANGE\(([^,]+), ([^,]+)\)), "(.*)"\)$')
 
 
 def lines_of(name):
@@ -41,9 +42,10 @@ def lines_of(name):
 
 class Variable:
     def __init__(self, found, number):
-        self.kind, self.name, self.unit, self.causality, self.variability, self.start, self.text = found.groups()
+        self.kind, self.name, self.unit, self.causality, self.variability, self.start, least, most, self.text = found.groups()
         self.number = number
         self.given = self.causality in ("input", "parameter")  # has a start value
+        self.range = f' min="{least}" max="{most}"' if least else ""
 
 
 def variables(name):
@@ -89,8 +91,9 @@ def describe(model, fmi):
             f'{"instantiationToken" if three else "guid"}={quoteattr(token)} description={quoteattr(text)} version="{version()}" '
             f'license="Apache-2.0" generationTool="wrc {version()}" variableNamingConvention="flat"'
             + ("" if three else ' numberOfEventIndicators="0"') + ">\n"
-            f'  <{kind} modelIdentifier="{model}" canGetAndSetFMU{state}="true" canSerializeFMU{state}="true" {derivatives} {more}/>\n'
-            f"  <UnitDefinitions>\n{units(fmi)}  </UnitDefinitions>\n" + step)
+            f'  <{kind} modelIdentifier="{model}" canGetAndSetFMU{state}="true" canSerializeFMU{state}="true" {derivatives} {more}'
+            + ("/>\n" if three else f">\n    <SourceFiles>\n{files_of_sources(2)}    </SourceFiles>\n  </{kind}>\n")
+            + f"  <UnitDefinitions>\n{units(fmi)}  </UnitDefinitions>\n" + step)
     return head + (structure3 if three else structure2)(every, inputs, outputs) + "</fmiModelDescription>\n"
 
 
@@ -100,12 +103,12 @@ def structure2(every, inputs, outputs):
         kind = "Real" if each.kind == "REAL" else "Integer"
         start = f' start="{each.start}"' if each.given else ""
         unit = f' unit="{each.unit}"' if each.unit else ""
-        initial = ' initial="exact"' if each.causality == "parameter" else ""
+        initial = {"parameter": ' initial="exact"', "calculatedParameter": ' initial="calculated"'}.get(each.causality, "")
         rows.append(f'    <ScalarVariable name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
-                    f'variability="{each.variability}"{initial} description={quoteattr(each.text)}><{kind}{unit}{start}/></ScalarVariable>\n')
+                    f'variability="{each.variability}"{initial} description={quoteattr(each.text)}><{kind}{unit}{each.range}{start}/></ScalarVariable>\n')
     depend = " ".join(str(place[each]) for each in inputs)
     unknown = "".join(f'      <Unknown index="{place[each]}" dependencies="{depend}"/>\n' for each in outputs)
-    first = "".join(f'      <Unknown index="{place[each]}"/>\n' for each in outputs)
+    first = "".join(f'      <Unknown index="{place[each]}"/>\n' for each in every if each in outputs or each.causality == "calculatedParameter")
     return (f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n    <Outputs>\n{unknown}    </Outputs>\n"
             f"    <InitialUnknowns>\n{first}    </InitialUnknowns>\n  </ModelStructure>\n")
 
@@ -117,11 +120,48 @@ def structure3(every, inputs, outputs):
         start = f' start="{each.start}"' if each.given else ""
         unit = f' unit="{each.unit}"' if each.unit else ""
         rows.append(f'    <{kind} name="{each.name}" valueReference="{each.number}" causality="{each.causality}" '
-                    f'variability="{each.variability}"{unit}{start} description={quoteattr(each.text)}/>\n')
+                    f'variability="{each.variability}"{unit}{each.range}{start} description={quoteattr(each.text)}/>\n')
     depend = " ".join(str(each.number) for each in inputs)
     out = "".join(f'    <Output valueReference="{each.number}" dependencies="{depend}"/>\n' for each in outputs)
-    first = "".join(f'    <InitialUnknown valueReference="{each.number}"/>\n' for each in outputs)
+    first = "".join(f'    <InitialUnknown valueReference="{each.number}"/>\n' for each in every
+                    if each in outputs or each.causality == "calculatedParameter")
     return f"  <ModelVariables>\n{''.join(rows)}  </ModelVariables>\n  <ModelStructure>\n{out}{first}  </ModelStructure>\n"
+
+
+def unit_names(fmi):
+    """The C files of a version; wrc.cpp is the library."""
+    return ["model.c", "wheelset.c", f"fmi{fmi}.c"]
+
+
+def files_of_sources(fmi):
+    """FMI 2: the list in the model description."""
+    return "".join(f'      <File name="{name}"/>\n' for name in unit_names(fmi) + ["wrc.cpp"])
+
+
+def build_description(model):
+    """FMI 3: sources/buildDescription.xml"""
+    define = '      <PreprocessorDefinition name="WRC_STATIC"/>\n'
+
+    def file_set(language, names):
+        rows = "".join(f'      <SourceFile name="{name}"/>\n' for name in names)
+        return f'    <SourceFileSet language="{language}">\n{rows}{define}      <IncludeDirectory name="."/>\n    </SourceFileSet>\n'
+
+    return ('<?xml version="1.0" encoding="UTF-8"?>\n<fmiBuildDescription fmiVersion="3.0">\n'
+            f'  <BuildConfiguration modelIdentifier="{model}">\n{file_set("C99", unit_names(3))}{file_set("C++17", ["wrc.cpp"])}'
+            "  </BuildConfiguration>\n</fmiBuildDescription>\n")
+
+
+def sources(model, fmi):
+    """What an importer builds the FMU from, {name: bytes}: all of it in one folder."""
+    files = {name: (HERE / name).read_bytes() for name in ["model.h", "bodies.def", "wheel.def", "wheelset.def"] + unit_names(fmi)}
+    files |= {each.name: each.read_bytes() for each in (HERE / "headers").glob(f"fmi{fmi}*.h")}
+    files |= {f"wrc/{each.name}": each.read_bytes() for each in (ROOT / "include_c/wrc").glob("*.h")}
+    sys.path.insert(0, str(ROOT / "tools/amalgamate"))
+    import amalgamate
+    files["wrc.cpp"] = amalgamate.source().encode()
+    if fmi == 3:
+        files["buildDescription.xml"] = build_description(model).encode()
+    return {f"sources/{name}": data for name, data in files.items()}
 
 
 def write(path, files):
@@ -146,6 +186,7 @@ def build(asked):
             files = {"modelDescription.xml": describe(model, fmi).encode(),
                      "resources/README.txt": b"wheel.txt, rail.txt: points of your profiles, y and z in mm in each line "
                                              b"(make_fmu.py profiles).\n"}
+            files |= sources(model, fmi)
             for system, data in binaries.items():
                 place, ending = folder[fmi, system]
                 files[f"binaries/{place}/{model}.{ending}"] = data

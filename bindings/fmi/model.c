@@ -9,17 +9,22 @@
 /* ------------------------------------------------------------------------------------------------ variables
  */
 
-enum causality { input, output, parameter, local };
+enum causality { input, output, parameter, calculatedParameter, local };
 enum variability { continuous, discrete, tunable, fixed };
+/* A row of a .def file. */
 typedef struct variable {
+  const char* name;
   enum causality causality;
   enum variability variability;
-  double start;
+  double start, least, most;
 } variable;
 
 #define TOKEN(text)
-#define REAL(name, unit, causality, variability, start, description) {causality, variability, start},
-#define INTEGER(name, causality, variability, start, description)
+#define ANY -HUGE_VAL, HUGE_VAL
+#define RANGE(least, most) least, most
+#define REAL(name, unit, causality, variability, start, range, description) \
+  {#name, causality, variability, start, range},
+#define INTEGER(name, causality, variability, start, range, description)
 static const variable wheel_reals[] = {
 #include "wheel.def"
 };
@@ -28,8 +33,9 @@ static const variable wheelset_reals[] = {
 };
 #undef REAL
 #undef INTEGER
-#define REAL(name, unit, causality, variability, start, description)
-#define INTEGER(name, causality, variability, start, description) {causality, variability, start},
+#define REAL(name, unit, causality, variability, start, range, description)
+#define INTEGER(name, causality, variability, start, range, description) \
+  {#name, causality, variability, start, range},
 static const variable wheel_integers[] = {
 #include "wheel.def"
 };
@@ -38,7 +44,7 @@ static const variable wheelset_integers[] = {
 };
 #undef INTEGER
 #undef TOKEN
-#define INTEGER(name, causality, variability, start, description)
+#define INTEGER(name, causality, variability, start, range, description)
 #define TOKEN(text) text
 static const char wheel_token[] =
 #include "wheel.def"
@@ -60,9 +66,27 @@ static uint32_t integer_count(const instance* of) {
   return of->kind == WHEEL ? WHEEL_INTEGERS : SET_INTEGERS;
 }
 
-static outcome wrong(instance* of, int severity, const char* sentence) {
-  if (of->say) of->say(of, severity, sentence);
-  return (outcome)severity;
+outcome model_say(instance* of, outcome severity, const char* sentence) {
+  if (of->say) of->say(of, (int)severity, sentence);
+  return severity;
+}
+static outcome wrong(instance* of, const char* sentence) { return model_say(of, WRONG, sentence); }
+
+/* Is a number finite and in its variable's range? If not, the host is told. */
+static int in_range(instance* of, const variable* which, double value) {
+  char sentence[256];
+  if (value >= which->least && value <= which->most && value - value == 0.0) return 1;
+  if (value - value != 0.0)
+    snprintf(sentence, sizeof sentence, "%s = %g: a finite number is asked for", which->name, value);
+  else
+    snprintf(sentence, sizeof sentence, "%s = %g: allowed are %g to %g", which->name, value, which->least,
+             which->most);
+  return wrong(of, sentence), 0;
+}
+
+/* Does the FMU compute it, from what the host gives? */
+static int computed(const variable* which) {
+  return which->causality == output || which->causality == local || which->causality == calculatedParameter;
 }
 
 /* ------------------------------------------------------------------------------------------------- profiles
@@ -90,7 +114,7 @@ static int read_points(instance* of, const char* name, double** y, double** z, u
   if (!file) {
     snprintf(sentence, sizeof sentence,
              "%s cannot be read: put the profile's points there, or choose a built-in profile", path);
-    return wrong(of, WRONG, sentence), 0;
+    return wrong(of, sentence), 0;
   }
   const char point = *localeconv()->decimal_point; /* of the host: strtod follows it */
   *y = malloc(most * sizeof **y);
@@ -113,7 +137,7 @@ static int read_points(instance* of, const char* name, double** y, double** z, u
       snprintf(sentence, sizeof sentence,
                "%s, line %u: two numbers, y and z in mm, are asked for, in %d lines at most", path, number,
                most);
-      wrong(of, WRONG, sentence);
+      wrong(of, sentence);
     }
   }
   fclose(file);
@@ -203,34 +227,43 @@ void model_free(instance* of) {
   free(of);
 }
 
-/* What a call on a contact ended with: flags are kept, a failure is told to the host. A number out of range
- * is an integrator's attempt as often as a mistake: the step may be tried again. */
-static outcome answer(instance* of, const wrc_contact* contact, int32_t status, const wrc_wrench* wrench) {
-  INTEGER_OF_KIND(of, flags) |= (int32_t)wrench->flags;
+/* A status of the library as FMI's: a failure is told to the host with the library's sentence. A wheel's pose
+ * out of range is an integrator's attempt as often as a mistake: it may be tried again with a smaller step.
+ */
+static outcome answer(instance* of, const wrc_contact* contact, int32_t status) {
   if (status >= 0) return FINE;
   char sentence[512] = "";
   wrc_contact_last_error(contact, sentence, sizeof sentence);
-  const int outside = status == WRC_ERROR_RANGE || status == WRC_ERROR_NOT_FINITE || status == WRC_ERROR_LOAD;
-  return wrong(of, outside ? DISCARDED : WRONG, *sentence ? sentence : wrc_status_text(status));
+  const int attempt = of->kind == WHEEL && status == WRC_ERROR_RANGE;
+  return model_say(of, attempt ? DISCARDED : WRONG, *sentence ? sentence : wrc_status_text(status));
 }
 
-static double standing(instance* of, outcome* how) {
+/* Height of a centred wheel that rolls straight on under a load [N]. */
+static outcome standing(instance* of, wrc_contact* contact, double load, double* z) {
   wrc_wheel_input given = wrc_wheel_input_default();
   wrc_wrench wrench = {.struct_size = sizeof wrench};
-  const double speed = of->now.real[SET_speed];
+  const double speed = of->kind == WHEELSET && of->now.real[SET_speed] != 0.0 ? of->now.real[SET_speed] : 1.0;
   given.wheel.velocity[0] = speed;
   given.wheel.pitch_rate = -speed / OF_KIND(of, wheel_radius);
   given.friction.coefficient = OF_KIND(of, friction);
   given.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  given.vertical_load = 0.5 * of->now.real[SET_load];
-  wrc_contact* right = of->contact[WRC_SIDE_RIGHT];
-  const int32_t status = wrc_contact_wrench(right, &given, &wrench);
-  *how = answer(of, right, status, &wrench);
-  return wrench.z;
+  given.vertical_load = load;
+  const int32_t status = wrc_contact_wrench(contact, &given, &wrench);
+  *z = wrench.z;
+  return answer(of, contact, status);
 }
 
-outcome model_start(instance* of) {
-  drop_model(of);
+/* Sets all that is computed to NaN, so that a host which ignores a failed start sees that nothing was
+ * computed. */
+static void have_nothing(instance* of) {
+  for (uint32_t i = 0; i < real_count(of); ++i)
+    if (computed(&reals(of)[i])) of->now.real[i] = NAN;
+  for (uint32_t i = 0; i < integer_count(of); ++i)
+    if (computed(&integers(of)[i])) of->now.integer[i] = 0;
+}
+
+/* Model and contacts of the parameters. */
+static outcome make_model(instance* of) {
   wrc_config config = wrc_config_default();
   config.wheelset.wheel_radius = OF_KIND(of, wheel_radius);
   config.wheelset.tape_circle_distance = OF_KIND(of, tape_circle_distance);
@@ -248,26 +281,34 @@ outcome model_start(instance* of) {
     int32_t status = wrc_model_create(&config, NULL, &of->model, sentence, sizeof sentence);
     const int first = of->kind == WHEEL ? of->now.integer[WHEEL_side] : WRC_SIDE_RIGHT;
     const int last = of->kind == WHEEL ? first : WRC_SIDE_LEFT;
-    if (status >= 0 && (first < WRC_SIDE_RIGHT || first > WRC_SIDE_LEFT)) { /* there is no room for it */
-      status = WRC_ERROR_UNSUPPORTED;
-      snprintf(sentence, sizeof sentence, "side = %d: 0 is the right wheel, 1 the left one", first);
-    }
     for (int side = first; side <= last && status >= 0; ++side)
       status = wrc_contact_create(of->model, side, NULL, &of->contact[side], sentence, sizeof sentence);
-    how = status < 0 ? wrong(of, WRONG, sentence) : FINE;
+    how = status < 0 ? wrong(of, sentence) : FINE;
   }
   for (int i = 0; i < 4; ++i) free(points[i]);
+  return how;
+}
+
+outcome model_start(instance* of) {
+  drop_model(of);
   of->input = wrc_wheel_input_default();
-  of->now.solved = 0;
-  INTEGER_OF_KIND(of, flags) = 0;
-  if (how == FINE && of->kind == WHEELSET) {
-    double* now = of->now.real;
+  of->now.solved = of->slopes_known = 0;
+  double* now = of->now.real;
+  outcome how = make_model(of);
+  if (of->kind == WHEEL) {
+    if (how == FINE)
+      how = standing(of, of->contact[of->now.integer[WHEEL_side]], now[WHEEL_load], &now[WHEEL_standing_z]);
+  } else {
+    for (int i = SET_y; i <= SET_pitch_rate; ++i) now[i] = 0.0;
     now[SET_y] = now[SET_start_y];
     now[SET_yaw] = now[SET_start_yaw];
     now[SET_pitch_rate] = -now[SET_speed] / now[SET_wheel_radius];
-    now[SET_z] = standing(of, &how);
+    if (how == FINE) how = standing(of, of->contact[WRC_SIDE_RIGHT], 0.5 * now[SET_load], &now[SET_z]);
   }
-  return how;
+  if (how == FINE) return FINE;
+  drop_model(of);
+  have_nothing(of);
+  return WRONG;
 }
 
 /* ------------------------------------------------------------------------------------------------- wrenches
@@ -301,8 +342,11 @@ static void give_wheel(instance* of) {
   of->input.damping = from[WHEEL_damping];
 }
 
-static void take_wheel(instance* of, const wrc_wrench* wrench) {
+/* Outputs of a wrench, where there is one. */
+static outcome take_wheel(instance* of, int32_t status, const wrc_wrench* wrench) {
   double* to = of->now.real;
+  of->now.integer[WHEEL_flags] = (int32_t)wrench->flags;
+  if (status < 0) return answer(of, of_wheel(of), status);
   for (int i = 0; i < 3; ++i) {
     to[WHEEL_fx + i] = wrench->force[i];
     to[WHEEL_mx + i] = wrench->moment[i];
@@ -313,47 +357,6 @@ static void take_wheel(instance* of, const wrc_wrench* wrench) {
   to[WHEEL_power] = wrench->power;
   of->now.integer[WHEEL_regions] = wrench->region_count;
   of->now.solved = 1;
-}
-
-/* Forces and moments of both rails on the wheelset as it stands, added to what is in `force` and `moment`. */
-static outcome wheelset_forces(instance* of, double force[3], double moment[3]) {
-  double* now = of->now.real;
-  wrc_wheel_state* wheel = &of->input.wheel;
-  wrc_wrench wrench = {.struct_size = sizeof wrench};
-  wheel->y = now[SET_y];
-  wheel->z = now[SET_z];
-  wheel->roll = now[SET_roll];
-  wheel->yaw = now[SET_yaw];
-  wheel->velocity[0] = now[SET_speed];
-  wheel->velocity[1] = now[SET_y_rate];
-  wheel->velocity[2] = now[SET_z_rate];
-  wheel->roll_rate = now[SET_roll_rate];
-  wheel->pitch_rate = now[SET_pitch_rate];
-  wheel->yaw_rate = now[SET_yaw_rate];
-  of->input.friction.coefficient = now[SET_friction];
-  of->input.damping = now[SET_damping];
-  of->now.integer[SET_flags] = 0;
-  now[SET_power] = 0.0;
-  for (int side = 0; side < 2; ++side) {
-    const double* rail = now + (side == WRC_SIDE_RIGHT ? SET_right_rail_y : SET_left_rail_y);
-    of->input.rail.y = rail[0];
-    of->input.rail.z = rail[1];
-    of->input.rail.y_velocity = rail[2];
-    of->input.rail.z_velocity = rail[3];
-    of->input.rail.y_slope = rail[4];
-    of->input.rail.z_slope = rail[5];
-    const int32_t status = wrc_contact_wrench(of->contact[side], &of->input, &wrench);
-    const outcome how = answer(of, of->contact[side], status, &wrench);
-    if (how != FINE) return how;
-    for (int i = 0; i < 3; ++i) {
-      force[i] += wrench.force[i];
-      moment[i] += wrench.moment[i];
-    }
-    double* shown = now + (side == WRC_SIDE_RIGHT ? SET_right_fy : SET_left_fy);
-    shown[0] = wrench.force[1];
-    shown[1] = wrench.force[2];
-    now[SET_power] += wrench.power;
-  }
   return FINE;
 }
 
@@ -364,20 +367,13 @@ static outcome solve(instance* of) {
     if (made != FINE) return made;
   }
   if (of->now.solved || !of->model) return FINE;
-  outcome how;
-  if (of->kind == WHEEL) {
-    wrc_wrench wrench = {.struct_size = sizeof wrench};
-    give_wheel(of);
-    of->now.integer[WHEEL_flags] = 0;
-    const int32_t status = wrc_contact_wrench(of_wheel(of), &of->input, &wrench);
-    how = answer(of, of_wheel(of), status, &wrench);
-    if (how == FINE) take_wheel(of, &wrench);
-  } else {
-    double force[3] = {0.0, 0.0, 0.0}, moment[3] = {0.0, 0.0, 0.0};
-    how = wheelset_forces(of, force, moment);
-    of->now.solved = how == FINE;
+  if (of->kind == WHEELSET) {
+    const wrc_contact* failed = NULL;
+    return answer(of, failed, wheelset_solve(of, &failed));
   }
-  return how;
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  give_wheel(of);
+  return take_wheel(of, wrc_contact_wrench(of_wheel(of), &of->input, &wrench), &wrench);
 }
 
 /* The column of an input's derivatives. */
@@ -390,22 +386,18 @@ static uint32_t column_of(uint32_t number) {
 /* Rows of the wrench, columns of the inputs. */
 outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns, size_t unknown_count,
                           const uint32_t* knowns, size_t known_count, const double* seed, double* result) {
-  if (of->kind != WHEEL || !of->model)
-    return wrong(of, WRONG, "no derivatives: of an initialised wheel alone");
+  if (of->kind != WHEEL || !of->model) return wrong(of, "no derivatives: of an initialised wheel alone");
   for (size_t i = 0; i < unknown_count; ++i)
-    if (unknowns[i] < WHEEL_fx || unknowns[i] > WHEEL_mz)
-      return wrong(of, WRONG, "derivatives are of fx .. mz");
+    if (unknowns[i] < WHEEL_fx || unknowns[i] > WHEEL_mz) return wrong(of, "derivatives are of fx .. mz");
   for (size_t j = 0; j < known_count; ++j)
-    if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, WRONG, "derivatives are by the inputs");
+    if (knowns[j] > WHEEL_rail_z_slope) return wrong(of, "derivatives are by the inputs");
   if (!of->slopes_known) {
     wrc_wrench wrench = {.struct_size = sizeof wrench};
     give_wheel(of);
-    of->now.integer[WHEEL_flags] = 0;
     of->slopes.struct_size = sizeof of->slopes;
     const int32_t status = wrc_contact_wrench_derivatives(of_wheel(of), &of->input, &wrench, &of->slopes);
-    const outcome how = answer(of, of_wheel(of), status, &wrench);
+    const outcome how = take_wheel(of, status, &wrench);
     if (how != FINE) return how;
-    take_wheel(of, &wrench);
     of->slopes_known = 1;
   }
   const size_t results = transposed ? known_count : unknown_count;
@@ -421,44 +413,6 @@ outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns
   return FINE;
 }
 
-/* ----------------------------------------------------------------------------------------------------- steps
- */
-
-/* Semi-implicit Euler, as in examples_c/free_wheelset.c. */
-outcome model_step(instance* of, double from, double length) {
-  if (of->kind != WHEELSET || !of->model)
-    return wrong(of, WRONG, "no step: of an initialised wheelset alone");
-  if (!(length > 0.0)) return wrong(of, WRONG, "a step's length must be positive");
-  double* now = of->now.real;
-  const double wished = length / now[SET_step], nearest = floor(wished + 0.5);
-  if (!(wished > 0.0) || wished > 1e9)
-    return wrong(of, WRONG, "step must be positive and not far below the host's");
-  const int whole = nearest >= 1.0 && fabs(wished - nearest) <= 1e-9 * nearest;
-  const double count = whole ? nearest : ceil(wished);
-  const double step = whole ? now[SET_step] : length / count;
-  const double mass = now[SET_mass], across = now[SET_inertia_across],
-               about_axle = now[SET_inertia_about_axle];
-  for (double n = 0.0; n < count; n += 1.0) {
-    double force[3] = {0.0, now[SET_force_y], now[SET_load] + now[SET_force_z]};
-    double moment[3] = {now[SET_moment_x], now[SET_moment_y], now[SET_moment_z]};
-    const outcome how = wheelset_forces(of, force, moment);
-    if (how != FINE) return how;
-    const double pitch_rate = now[SET_pitch_rate];
-    now[SET_y_rate] += step * force[1] / mass;
-    now[SET_z_rate] += step * force[2] / mass;
-    now[SET_roll_rate] += step * (moment[0] + about_axle * pitch_rate * now[SET_yaw_rate]) / across;
-    now[SET_yaw_rate] += step * (moment[2] - about_axle * pitch_rate * now[SET_roll_rate]) / across;
-    now[SET_pitch_rate] += step * moment[1] / about_axle;
-    now[SET_y] += step * now[SET_y_rate];
-    now[SET_z] += step * now[SET_z_rate];
-    now[SET_roll] += step * now[SET_roll_rate];
-    now[SET_yaw] += step * now[SET_yaw_rate];
-  }
-  of->now.time = from + length;
-  of->now.solved = 0;
-  return FINE;
-}
-
 /* ------------------------------------------------------------------------------------------------- variables
  */
 
@@ -468,9 +422,8 @@ outcome model_get_real(instance* of, const uint32_t* numbers, size_t count, doub
       values[i] = of->now.time;
       continue;
     }
-    if (numbers[i] >= real_count(of)) return wrong(of, WRONG, "no such real variable");
-    const enum causality causality = reals(of)[numbers[i]].causality;
-    if (causality == output || causality == local) {
+    if (numbers[i] >= real_count(of)) return wrong(of, "no such real variable");
+    if (computed(&reals(of)[numbers[i]])) {
       const outcome how = solve(of);
       if (how != FINE) return how;
     }
@@ -479,20 +432,26 @@ outcome model_get_real(instance* of, const uint32_t* numbers, size_t count, doub
   return FINE;
 }
 
-/* A fixed parameter is what models are made of. */
-static outcome change_fixed(instance* of, const variable* which) {
+/* May it be set, now and to this value? A fixed parameter is what models are made of. */
+static outcome may_change(instance* of, const variable* which, double value) {
+  char sentence[160];
+  if (computed(which)) {
+    snprintf(sentence, sizeof sentence, "%s cannot be set: it is computed", which->name);
+    return wrong(of, sentence);
+  }
+  if (!in_range(of, which, value)) return WRONG;
   if (which->variability != fixed) return FINE;
-  if (of->model && !of->initialising) return wrong(of, WRONG, "a fixed parameter cannot be changed any more");
+  if (of->model && !of->initialising) return wrong(of, "a fixed parameter cannot be changed any more");
   drop_model(of);
   return FINE;
 }
 
 outcome model_set_real(instance* of, const uint32_t* numbers, size_t count, const double* values) {
   for (size_t i = 0; i < count; ++i) {
-    if (numbers[i] >= real_count(of)) return wrong(of, WRONG, "no such real variable");
+    if (numbers[i] >= real_count(of)) return wrong(of, "no such real variable");
     double* to = &of->now.real[numbers[i]];
     if (memcmp(to, &values[i], sizeof *to) == 0) continue;
-    if (change_fixed(of, &reals(of)[numbers[i]]) != FINE) return WRONG;
+    if (may_change(of, &reals(of)[numbers[i]], values[i]) != FINE) return WRONG;
     *to = values[i];
     of->now.solved = of->slopes_known = 0;
   }
@@ -500,11 +459,13 @@ outcome model_set_real(instance* of, const uint32_t* numbers, size_t count, cons
 }
 
 outcome model_get_integer(instance* of, const uint32_t* numbers, size_t count, int32_t* values) {
-  const outcome how = solve(of);
-  if (how != FINE) return how;
   for (size_t i = 0; i < count; ++i) {
     const uint32_t number = numbers[i] - FIRST_INTEGER;
-    if (number >= integer_count(of)) return wrong(of, WRONG, "no such integer variable");
+    if (number >= integer_count(of)) return wrong(of, "no such integer variable");
+    if (computed(&integers(of)[number])) {
+      const outcome how = solve(of);
+      if (how != FINE) return how;
+    }
     values[i] = of->now.integer[number];
   }
   return FINE;
@@ -513,9 +474,9 @@ outcome model_get_integer(instance* of, const uint32_t* numbers, size_t count, i
 outcome model_set_integer(instance* of, const uint32_t* numbers, size_t count, const int32_t* values) {
   for (size_t i = 0; i < count; ++i) {
     const uint32_t number = numbers[i] - FIRST_INTEGER;
-    if (number >= integer_count(of)) return wrong(of, WRONG, "no such integer variable");
+    if (number >= integer_count(of)) return wrong(of, "no such integer variable");
     if (of->now.integer[number] == values[i]) continue;
-    if (change_fixed(of, &integers(of)[number]) != FINE) return WRONG;
+    if (may_change(of, &integers(of)[number], values[i]) != FINE) return WRONG;
     of->now.integer[number] = values[i];
     of->now.solved = of->slopes_known = 0;
   }
@@ -531,11 +492,20 @@ void model_save(const instance* of, saved* into) {
   into->now = of->now;
 }
 
-outcome model_restore(instance* of, const saved* from) {
+outcome model_valid(instance* of, const saved* from) {
   saved own;
   model_save(of, &own);
   if (memcmp(own.mark, from->mark, sizeof own.mark) != 0)
-    return wrong(of, WRONG, "not a state of this FMU in this version");
+    return wrong(of, "not a state of this FMU in this version");
+  int good = (from->now.solved == 0 || from->now.solved == 1) && from->now.time - from->now.time == 0.0;
+  for (uint32_t i = 0; good && i < real_count(of); ++i) good = in_range(of, &reals(of)[i], from->now.real[i]);
+  for (uint32_t i = 0; good && i < integer_count(of); ++i)
+    good = in_range(of, &integers(of)[i], from->now.integer[i]);
+  return good ? FINE : wrong(of, "not a state that can be gone on from");
+}
+
+outcome model_restore(instance* of, const saved* from) {
+  if (model_valid(of, from) != FINE) return WRONG;
   /* another instance's parameters may be others */
   int same = of->model != NULL;
   for (uint32_t i = 0; i < real_count(of); ++i)

@@ -12,28 +12,28 @@ enum { TIME = 999, FIRST_INTEGER = 1000, MOST_REALS = 64, MOST_INTEGERS = 8 };
 
 /* Numbers of the variables: WHEEL_y and so on. */
 #define TOKEN(text)
-#define REAL(name, unit, causality, variability, start, description) WHEEL_##name,
-#define INTEGER(name, causality, variability, start, description)
+#define REAL(name, unit, causality, variability, start, range, description) WHEEL_##name,
+#define INTEGER(name, causality, variability, start, range, description)
 enum {
 #include "wheel.def"
   WHEEL_REALS
 };
 #undef REAL
-#define REAL(name, unit, causality, variability, start, description) SET_##name,
+#define REAL(name, unit, causality, variability, start, range, description) SET_##name,
 enum {
 #include "wheelset.def"
   SET_REALS
 };
 #undef REAL
 #undef INTEGER
-#define REAL(name, unit, causality, variability, start, description)
-#define INTEGER(name, causality, variability, start, description) WHEEL_##name,
+#define REAL(name, unit, causality, variability, start, range, description)
+#define INTEGER(name, causality, variability, start, range, description) WHEEL_##name,
 enum {
 #include "wheel.def"
   WHEEL_INTEGERS
 };
 #undef INTEGER
-#define INTEGER(name, causality, variability, start, description) SET_##name,
+#define INTEGER(name, causality, variability, start, range, description) SET_##name,
 enum {
 #include "wheelset.def"
   SET_INTEGERS
@@ -83,6 +83,9 @@ struct instance {
 /* As fmi2Status and fmi3Status number it. */
 typedef enum { FINE = 0, DISCARDED = 2, WRONG = 3 } outcome;
 
+/* Tells the host a sentence; returns its severity as outcome. */
+outcome model_say(instance* of, outcome severity, const char* sentence);
+
 /* The instance a token asks for; NULL: of another FMU, or no memory. Resources: a path or a file URI. */
 instance* model_new(const char* token, const char* resources);
 void model_free(instance* of);
@@ -101,12 +104,16 @@ outcome model_set_integer(instance* of, const uint32_t* numbers, size_t count, c
 outcome model_derivatives(instance* of, int transposed, const uint32_t* unknowns, size_t unknown_count,
                           const uint32_t* knowns, size_t known_count, const double* seed, double* result);
 
-/* One communication step of a wheelset. */
+/* wheelset.c: its forces as it stands, brought into the outputs; status of the library, which says more to
+ * wrc_contact_last_error() of *failed. */
+int32_t wheelset_solve(instance* of, const wrc_contact** failed);
+/* One communication step of a wheelset. One that cannot be done leaves everything as it was before. */
 outcome model_step(instance* of, double from, double length);
 
 /* Bytes of a state, for this process and others on such processors. A state of other parameters brings them
- * along. */
+ * along. Valid: of this FMU in this version, numbers finite and in their ranges. */
 void model_save(const instance* of, saved* into);
+outcome model_valid(instance* of, const saved* from);
 outcome model_restore(instance* of, const saved* from);
 
 #endif

@@ -12,7 +12,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_config_check_rail(5)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(5)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(7)
-  integer(c_size_t), bind(C) :: layout_wrc_config_surface(4)
+  integer(c_size_t), bind(C) :: layout_wrc_config_surface(8)
   integer(c_size_t), bind(C) :: layout_wrc_config_planar(11)
   integer(c_size_t), bind(C) :: layout_wrc_config(21)
   integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
@@ -23,7 +23,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_input(14)
-  integer(c_size_t), bind(C) :: layout_wrc_wrench(16)
+  integer(c_size_t), bind(C) :: layout_wrc_wrench(18)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_derivatives(5)
   integer(c_size_t), bind(C) :: layout_wrc_creepage(8)
   integer(c_size_t), bind(C) :: layout_wrc_ellipse(7)
@@ -305,8 +305,16 @@ contains
       distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_surface(2))
     call same('wrc_config_surface', 'reserved0', &
       distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_config_surface(3))
+    call same('wrc_config_surface', 'tread_width', &
+      distance(c_loc(a), c_loc(a%tread_width)), layout_wrc_config_surface(4))
+    call same('wrc_config_surface', 'corner_width', &
+      distance(c_loc(a), c_loc(a%corner_width)), layout_wrc_config_surface(5))
+    call same('wrc_config_surface', 'tolerance', &
+      distance(c_loc(a), c_loc(a%tolerance)), layout_wrc_config_surface(6))
+    call same('wrc_config_surface', 'max_work', &
+      distance(c_loc(a), c_loc(a%max_work)), layout_wrc_config_surface(7))
     call same('wrc_config_surface', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_surface(4))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_surface(8))
   end subroutine
   subroutine test_wrc_config_planar()
     type(wrc_config_planar), target :: a
@@ -601,6 +609,10 @@ contains
       distance(c_loc(a), c_loc(a%power)), layout_wrc_wrench(15))
     call same('wrc_wrench', 'steepest_angle', &
       distance(c_loc(a), c_loc(a%steepest_angle)), layout_wrc_wrench(16))
+    call same('wrc_wrench', 'residual', &
+      distance(c_loc(a), c_loc(a%residual)), layout_wrc_wrench(17))
+    call same('wrc_wrench', 'work', &
+      distance(c_loc(a), c_loc(a%work)), layout_wrc_wrench(18))
   end subroutine
   subroutine test_wrc_wrench_derivatives()
     type(wrc_wrench_derivatives), target :: a

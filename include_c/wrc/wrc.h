@@ -89,7 +89,7 @@
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
- *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.4 MB, with profiles 3.1 MB; a saved state 0.25 MB.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.4 MB, with profiles 1.8 MB; a saved state 0.25 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
@@ -230,8 +230,11 @@ enum wrc_prescribed {
 /** Where iterations begin. */
 enum wrc_start {
   WRC_START_COLD = 0, /**< anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving */
-  WRC_START_WARM = 1  /**< from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a
-                           wheel. For explicit integrators and fixed steps, not for implicit ones */
+  WRC_START_WARM = 1, /**< from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit
+                           integrators and fixed steps, not for implicit ones */
+  WRC_START_MARK = 2  /**< of wrc_contact_wrench() alone: from the solution that wrc_contact_mark() marked; anew before the first
+                           mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every
+                           integrator that accepts its steps */
 };
 
 /** What a result holds besides what it always has. */
@@ -412,11 +415,20 @@ typedef struct wrc_config_tangential {
   double reserved[6];      /**< 0 */
 } wrc_config_tangential;
 
-/** Options of wrc_contact_wrench() alone. */
+/** Options of wrc_contact_wrench() alone. wrc_config_use() sets resolution, tolerance and work by the name of a setting. Times and
+ * errors of settings: docs/realtime.md. */
 typedef struct wrc_config_surface {
   int32_t cells;       /**< cells along each strip, in which it rolls and fields are given, 4..512 [32] */
   uint32_t reserved0;  /**< 0 */
-  double reserved[14]; /**< 0 */
+  double tread_width;  /**< width of the rail's strips where its radius of curvature is 60 mm or more, 1e-4..2e-3 m [5e-4] */
+  double corner_width; /**< the same where it is 20 mm or less, at most tread_width, 5e-5..1e-3 m; linear between. Faces that
+                            guide, of a check rail, have 0.2e-3 m at most [2.5e-4] */
+  double tolerance;    /**< part of the contact's area that the last iteration of the normal problem moves, 1e-10..1e-2; of
+                            WRC_NORMAL_STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it [1e-5] */
+  double max_work;     /**< work that a call may take, all heights of a prescribed load included, 1e3..1e9; of
+                            WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
+                            takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
+  double reserved[10]; /**< 0 */
 } wrc_config_surface;
 
 /** Options of the stages of wrc_planar.h, and of their normal methods where wrc_contact_wrench() applies them. The ellipse of any
@@ -599,6 +611,9 @@ typedef struct wrc_wrench {
   double peak_pressure;  /**< [Pa] */
   double power;          /**< frictional power, >= 0 [W] */
   double steepest_angle; /**< largest angle of a rail strip in contact against the horizontal. It steps where strips enter [rad] */
+  double residual;       /**< part of the area that the last iteration of the normal problem moved: within config.surface.tolerance
+                              but for WRC_FLAG_ITERATION_CAP. Of WRC_NORMAL_STRIP_HALFSPACE [-] */
+  double work;           /**< of the call, in the unit of config.surface.max_work [-] */
 } wrc_wrench;
 
 /** Derivatives of the wrench on the wheel about its reference point. What is prescribed is held: under a given load the height
@@ -743,11 +758,14 @@ WRC_DEFAULT_SIZED(wrc_wheel_input)
 
 /* ---------------------------------------------------------------------------------------------------------- model */
 
-/** Makes a configuration that of a published tangential method: sets method, patch_model, bound, flexibility of
- * config.tangential and config.planar.regularisation, and nothing else. "modified FASTSIM" is FASTSIM-EQ.L until
- * friction.slope_fall > 0. "KBTNH-type table" needs config.tangential.force_table.
+/** Sets members of a configuration by a name, and no others.
+ *  - A published tangential method, of WRC_PRESET_LIST (wrc_methods.h), for example "FASTSIM-SDEC": method, patch_model, bound,
+ *    flexibility of config.tangential and config.planar.regularisation. "modified FASTSIM" is FASTSIM-EQ.L until
+ *    friction.slope_fall > 0. "KBTNH-type table" needs config.tangential.force_table.
+ *  - A resolution of wrc_contact_wrench(), of WRC_RESOLUTION_LIST: "default", "real time" or "reference": tread_width,
+ *    corner_width, tolerance, max_work of config.surface.
  * @param[in,out] config of wrc_config_default()
- * @param name one of WRC_PRESET_LIST (wrc_methods.h), for example "FASTSIM-SDEC"
+ * @param name one of both lists
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name; the sentence lists all). @rt init @thread free */
@@ -928,6 +946,12 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * zones in a contact frame; friction over temperature of a method without tractions. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
+/** Marks the contact's last solution of a wheel as accepted. Calls with WRC_START_MARK start from it until the next mark, whatever
+ * was called in between: trial steps, Jacobians by differences, steps taken back. The mark is saved and restored with the state.
+ * @param contact after a successful wrc_contact_wrench()
+ * @return WRC_OK; WRC_ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_mark(wrc_contact* contact);
+
 /** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
  * differences. Over temperature the part of the tractions is a difference. Two to three times the time of the wrench, over
  * temperature four to five times. Theory manual, section 9.
@@ -935,7 +959,7 @@ WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* 
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted
- * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more than 160 strips in contact.
+ * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more than 120 strips in contact.
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
                                                wrc_wrench_derivatives* derivatives);

@@ -69,6 +69,7 @@ struct wrc_api {
     /**< wrc_planar_tangential() */
   int32_t (*planar_tangential_derivatives)(wrc_contact*, wrc_planar_derivatives*);
     /**< wrc_planar_tangential_derivatives() */
+  int32_t (*contact_mark)(wrc_contact*); /**< wrc_contact_mark() */
 };
 
 #endif /* WRC_API_H */

@@ -264,9 +264,11 @@ WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const d
 
 /** @name Non-steady rolling
  *
- * In each step the bodies roll on by one cell, grid.dx, under pressure, friction and creepages of that step. Displacements of before
- * stay with them: s(x) = w + (u(x) - u_before(x + dx)) / dx (Kalker 1990; CONTACT's T = 2 with dq = dx). Conditions that stay the
- * same end in wrc_exact_rolling().
+ * In each step the bodies roll on by r = 1 cells, back by one (r = -1), or rest (r = 0), under pressure, friction and creepages of
+ * that step. Displacements of before stay with them: s(x) = w + (u(x) - u_before(x + r dx)) / dx (Kalker 1990; CONTACT's T = 2 with
+ * dq = dx, at rest its T = 1). Creepages times grid.dx are the rigid displacement of the wheel over the rail in the step, rolling
+ * either way or at rest. Conditions that stay the same end in wrc_exact_rolling(), or in its mirror image. Loads and shifts at rest
+ * are those of Cattaneo and Mindlin.
  * @{ */
 
 /** Two bodies that roll, with their history. One thread at a time. */
@@ -282,12 +284,13 @@ typedef struct wrc_exact_transient wrc_exact_transient;
 WRC_API int32_t wrc_exact_transient_create(const wrc_grid* grid, const wrc_material* wheel, const wrc_material* rail,
                                            wrc_exact_transient** transient, char* text, uint64_t size);
 
-/** Rolls on by one cell. A failed or cancelled step leaves the bodies where they were; one without a cell under pressure
+/** One step. A failed or cancelled step leaves the bodies where they were; one without a cell under pressure
  * leaves them without tractions.
  * @param transient the bodies
- * @param problem pressure and friction at the end of the step, creepages of its middle, grid and materials of the handle
+ * @param problem pressure and friction at the end of the step, creepages of its middle, grid and materials of the handle. The sign of
+ * creepage.speed is that of r: 0 is a step at rest
  * @param[in,out] solution at the end of the step; power is what slip dissipates, power_by_balance the work of the
- * creepages, which the elastic energy of the bodies takes its part of
+ * creepages, which the elastic energy of the bodies takes its part of; both are 0 at rest, where no speed scales them
  * @param[out] text what went wrong; NULL: not wanted @param size bytes of text
  * @return as wrc_exact_rolling(); _RANGE: grid or materials are not the handle's. @rt init @thread contact */
 WRC_API int32_t wrc_exact_transient_step(wrc_exact_transient* transient, const wrc_exact_rolling_problem* problem,

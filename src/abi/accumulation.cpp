@@ -22,7 +22,7 @@ Fault read_bins(const wrc_damage_bins* theirs, const char* name, damage::DamageB
   if (ours.bin_size < sizeof(damage::DamageBin) || ours.bin_size % alignof(damage::DamageBin) != 0)
     return Fault::struct_size(
         {name, "bin_size"},
-        {ours.bin_size, "bytes", sizeof(damage::DamageBin), member<wrc_damage_bins>("bin_size").high},
+        {ours.bin_size, "bytes", sizeof(damage::DamageBin), MEMBER(wrc_damage_bins, "bin_size").high},
         "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)");
   bins.across = {ours.first, ours.width, static_cast<std::int64_t>(ours.count)};
   bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.row_count)};
@@ -49,8 +49,8 @@ Fault read_fatigue_laws(const wrc_fatigue_laws* theirs, const char* name, damage
          .peak_at = ours.whole_life_peak_at,
          .end = ours.whole_life_end,
          .peak = ours.whole_life_peak};
-  return first_of({above(member<wrc_fatigue_laws>("whole_life_peak_at"), law.peak_at, law.start),
-                   above(member<wrc_fatigue_laws>("whole_life_end"), law.end, law.peak_at)});
+  return first_of({above(MEMBER(wrc_fatigue_laws, "whole_life_peak_at"), law.peak_at, law.start),
+                   above(MEMBER(wrc_fatigue_laws, "whole_life_end"), law.end, law.peak_at)});
 }
 
 Fault read_accumulation(const wrc_accumulation* theirs, contact::Accumulation& accumulation) {

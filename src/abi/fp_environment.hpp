@@ -54,6 +54,16 @@ class FloatingPointScope {
 
  private:
   std::uint64_t control_, status_;
+#elif defined(__arm__) && defined(__ARM_FP)
+  // FPSCR = 0: no traps, round to nearest, denormals kept. Its sticky flags are the host's again afterwards.
+  FloatingPointScope() {
+    asm volatile("vmrs %0, fpscr" : "=r"(control_));
+    asm volatile("vmsr fpscr, %0" : : "r"(std::uint32_t{0}));
+  }
+  ~FloatingPointScope() { asm volatile("vmsr fpscr, %0" : : "r"(control_)); }
+
+ private:
+  std::uint32_t control_;
 #else
 #error "name this processor's floating-point control register here"
 #endif

@@ -20,7 +20,7 @@ Fault read_zones(const wrc_friction& theirs, const char* of, contact::Friction& 
   return {};
 }
 
-static_assert(member<wrc_friction>("zone_count").high == contact::zone_capacity);
+static_assert(MEMBER(wrc_friction, "zone_count").high == contact::zone_capacity);
 
 /// Friction over temperature needs tractions to heat with, and room to fall in.
 Fault check_temperature_law(const wrc_friction& ours, const char* of,
@@ -32,7 +32,7 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
         "this tangential method has no tractions that heat: choose another, or WRC_TEMPERATURE_LAW_NONE");
   }
   constexpr double least_range = 1.0;
-  Member above = member<wrc_friction>("hot_temperature");
+  Member above = MEMBER(wrc_friction, "hot_temperature");
   above.low = ours.cold_temperature + least_range;
   above.too_small = "it must be at least 1 degC above cold_temperature";
   return check(above, of, ours.hot_temperature);
@@ -42,7 +42,7 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
 /// nothing.
 Fault check_some(const wrc_friction& ours, const char* of) {
   if (ours.coefficient > 0.0 || ours.zone_count > 0) return {};
-  Member positive = member<wrc_friction>("coefficient");
+  Member positive = MEMBER(wrc_friction, "coefficient");
   positive.or_zero = false;
   return check(positive, of, ours.coefficient);
 }

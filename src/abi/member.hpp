@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace wrc::abi {
 
@@ -67,19 +68,33 @@ struct Member {
   bool by_caller = false;             ///< read() leaves the check to whoever knows more
 };
 
+/// Smallest size of a caller's struct, that of its first published version. Published sizes are those of
+/// processors with pointers of 64 bits; elsewhere caller and library have one version.
+constexpr bool pointers_of_64_bits = sizeof(void*) == 8;
+template <typename Struct>
+constexpr std::size_t first_size(std::size_t published) {
+  return pointers_of_64_bits ? published : sizeof(Struct);
+}
+
 /// Name, first published size (that of the oldest caller), defaults and members of a struct.
 template <typename Struct>
 struct Description;
 
-/// The member of that name; a name that is none does not compile.
+/// Place of the member of that name; a name that is none does not compile.
 template <typename Struct>
-consteval const Member& member(const char* name) {
+constexpr std::size_t place_of(const char* name) {
+  std::size_t place = 0;
   for (const Member& each : Description<Struct>::members) {
     const char *ours = each.name, *theirs = name;
     while (*ours != '\0' && *ours == *theirs) ++ours, ++theirs;
-    if (*ours == *theirs) return each;
+    if (*ours == *theirs) return place;
+    ++place;
   }
   throw "no such member";
 }
+
+/// The member of that name, found by the compiler.
+#define MEMBER(Struct, name) \
+  (Description<Struct>::members[std::integral_constant<std::size_t, place_of<Struct>(name)>::value])
 
 }  // namespace wrc::abi

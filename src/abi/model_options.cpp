@@ -105,21 +105,26 @@ constexpr struct {
   contact::Option option;
   const Member& member;
 } options_of_methods[] = {
-    {contact::Option::max_iterations, member<wrc_config>("normal.max_iterations")},
-    {contact::Option::max_sweeps, member<wrc_config>("planar.max_sweeps")},
-    {contact::Option::load_tolerance, member<wrc_config>("normal.load_tolerance")},
-    {contact::Option::warm_start, member<wrc_config>("planar.start")},
-    {contact::Option::patch_model, member<wrc_config>("tangential.patch_model")},
-    {contact::Option::traction_bound, member<wrc_config>("tangential.bound")},
-    {contact::Option::flexibility, member<wrc_config>("tangential.flexibility")},
-    {contact::Option::non_steady, member<wrc_config>("planar.non_steady")},
+    {contact::Option::max_iterations, MEMBER(wrc_config, "normal.max_iterations")},
+    {contact::Option::max_sweeps, MEMBER(wrc_config, "planar.max_sweeps")},
+    {contact::Option::load_tolerance, MEMBER(wrc_config, "normal.load_tolerance")},
+    {contact::Option::warm_start, MEMBER(wrc_config, "planar.start")},
+    {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.tolerance")},
+    {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.max_work")},
+    {contact::Option::patch_model, MEMBER(wrc_config, "tangential.patch_model")},
+    {contact::Option::traction_bound, MEMBER(wrc_config, "tangential.bound")},
+    {contact::Option::flexibility, MEMBER(wrc_config, "tangential.flexibility")},
+    {contact::Option::non_steady, MEMBER(wrc_config, "planar.non_steady")},
 };
 
-/// Members that place profiles, and are read with profiles only.
-constexpr const Member* places_of_profiles[] = {
-    &member<wrc_config>("wheelset.tape_circle_distance"), &member<wrc_config>("track.gauge"),
-    &member<wrc_config>("track.gauge_depth"), &member<wrc_config>("track.rail_inclination"),
-    &member<wrc_config>("track.placement")};
+/// Members that place profiles or cut them, and are read with profiles only.
+constexpr const Member* read_with_profiles[] = {&MEMBER(wrc_config, "wheelset.tape_circle_distance"),
+                                                &MEMBER(wrc_config, "track.gauge"),
+                                                &MEMBER(wrc_config, "track.gauge_depth"),
+                                                &MEMBER(wrc_config, "track.rail_inclination"),
+                                                &MEMBER(wrc_config, "track.placement"),
+                                                &MEMBER(wrc_config, "surface.tread_width"),
+                                                &MEMBER(wrc_config, "surface.corner_width")};
 
 /// Refuses options that are not at their defaults although nothing reads them: without effect they are
 /// mistakes of the caller's.
@@ -139,10 +144,23 @@ Fault check_unread(const wrc_config& config, const contact::ModelOptions& option
     return Fault::unsupported("config.tangential.force_table",
                               contact::readers_of(contact::Option::force_table));
   if (has_profiles(config)) return {};
-  for (const Member* const member : places_of_profiles)
+  for (const Member* const member : read_with_profiles)
     if (changed(*member))
-      return refused(*member,
-                     "the model has no profiles to place: what the caller hands over is taken as it is");
+      return refused(
+          *member, "the model has no profiles to place or cut: what the caller hands over is taken as it is");
+  return {};
+}
+
+/// Widths of the rail's strips, and how far and how long their pressures are iterated.
+Fault read_resolution(const wrc_config_surface& surface, contact::ModelOptions& options) {
+  if (!(surface.corner_width <= surface.tread_width))
+    return Fault::range(
+        "config.surface.corner_width", {surface.corner_width, "m", 0.0, surface.tread_width},
+        "strips are narrower where the rail is curved more: at most config.surface.tread_width");
+  options.strip_widths.widest = options.strip_widths.guiding = surface.tread_width;
+  options.strip_widths.narrowest = surface.corner_width;
+  options.pressure.tolerance = surface.tolerance;
+  options.pressure.max_work = surface.max_work;
   return {};
 }
 
@@ -205,7 +223,7 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
   if (ours.surface == before.surface && !(ours.distance >= before.distance + nearest))
     return Fault::range(
         {name, "distance"},
-        {ours.distance, "m", before.distance + nearest, member<wrc_rail_section>("distance").high},
+        {ours.distance, "m", before.distance + nearest, MEMBER(wrc_rail_section, "distance").high},
         "the sections of a surface stand in order, 1 mm or more from each other");
   if (ours.surface == before.surface && ours.mark_count != before.mark_count)
     return Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
@@ -223,7 +241,7 @@ Fault read_sections(const wrc_config* theirs, const wrc_config& config, contact:
     return Fault::struct_size(
         "config.rail_section_size",
         {config.rail_section_size, "bytes", Description<wrc_rail_section>::first,
-         member<wrc_config>("rail_section_size").high},
+         MEMBER(wrc_config, "rail_section_size").high},
         "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)");
   for (std::int32_t k = 0; k < count; ++k) {
     Fault fault = check_section(config, k);
@@ -363,8 +381,8 @@ template <std::size_t... i>
 std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<i...>) {
   Checksum sum;
   const auto* const bytes = reinterpret_cast<const char*>(&config);
-  const auto add = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
-    constexpr const Member& member = Description<wrc_config>::members[k];
+  const auto add = [&](auto place) {
+    constexpr const Member& member = Description<wrc_config>::members[decltype(place)::value];
     if (member.offset == offsetof(wrc_config, struct_size) ||
         member.offset == offsetof(wrc_config, instruction_set))
       return;
@@ -385,7 +403,7 @@ std::uint64_t checksum_of_numbers(const wrc_config& config, std::index_sequence<
 
 }  // namespace
 
-static_assert(member<wrc_config>("planar.max_patches").high == contact::patch_capacity);
+static_assert(MEMBER(wrc_config, "planar.max_patches").high == contact::patch_capacity);
 
 Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
   wrc_config config;
@@ -395,6 +413,9 @@ Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
       checksum_of_numbers(config, std::make_index_sequence<std::size(Description<wrc_config>::members)>());
 
   RETURN_IF_FAILED(check_unread(config, options));
+  if (config.planar.start == WRC_START_MARK)
+    return Fault::unsupported("config.planar.start", {config.planar.start, ""},
+                              "marks are of wrc_contact_wrench alone: WRC_START_COLD or WRC_START_WARM");
   RETURN_IF_FAILED(check_no_points(config.wheel, "config.wheel"));
   RETURN_IF_FAILED(check_no_points(config.rail, "config.rail"));
   RETURN_IF_FAILED(check_no_points(config.check_rail.profile, "config.check_rail.profile"));
@@ -403,6 +424,7 @@ Fault read_options(const wrc_config* theirs, contact::ModelOptions& options) {
   options.sizes = {
       .strips = config.planar.strips, .cells = config.planar.cells, .gap_rows = config.planar.gap_rows};
   options.surface_cells = config.surface.cells;
+  RETURN_IF_FAILED(read_resolution(config.surface, options));
   options.max_patches = config.planar.max_patches;
   options.gap_limit = config.planar.gap_limit;
   options.max_iterations = config.normal.max_iterations;

@@ -1,5 +1,6 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "abi/guarded.hpp"
@@ -96,7 +97,7 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   zero_field(solution.pressure, grid.cells());
   const patch::Material material = bodies_of(ours.wheel_material, ours.rail_material).material;
   halfspace::GapProblem problem;
-  fault = read_field(member<wrc_exact_normal_problem>("gap"), ours.gap, grid.cells(), problem.gap);
+  fault = read_field(MEMBER(wrc_exact_normal_problem, "gap"), ours.gap, grid.cells(), problem.gap);
   if (fault.failed()) return fault;
   problem.prescribed =
       ours.prescribed == WRC_PRESCRIBE_NORMAL_FORCE ? normal::Prescribed::load : normal::Prescribed::approach;
@@ -119,25 +120,29 @@ Fault solve_normal_problem(const wrc_exact_normal_problem* theirs, wrc_exact_nor
   return found.fault;
 }
 
+/// Steady rolling goes along x, steps go both ways and stand still.
+enum class Ways { along_x, all };
+
 /// A rolling problem as the solver takes it, `grid` being that of `ours`. The reporter must outlive it.
-Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Grid& grid, Reporter& reporter,
-                      halfspace::RollingProblem& problem) {
+Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Grid& grid, Ways ways,
+                      Reporter& reporter, halfspace::RollingProblem& problem) {
   const std::size_t cells = grid.cells();
   const wrc_creepage& creepage = ours.creepage;
   Fault fault = first_of(
-      {read_field(member<wrc_exact_rolling_problem>("pressure"), ours.pressure, cells, problem.pressure),
-       check(creepage.speed, "problem.creepage.speed", "m/s", 0.0, geometry::fastest_rolling,
-             "the exact solver rolls along x: mirror the problem"),
+      {read_field(MEMBER(wrc_exact_rolling_problem, "pressure"), ours.pressure, cells, problem.pressure),
+       check(creepage.speed, "problem.creepage.speed", "m/s",
+             ways == Ways::all ? -geometry::fastest_rolling : 0.0, geometry::fastest_rolling,
+             "steady rolling is solved along x: mirror the problem"),
        check(creepage.reverse_share, "problem.creepage.reverse_share", "", 0.0, 0.0, nullptr,
              "the exact solver rolls one way only")});
   if (fault.failed()) return fault;
   if (ours.adhesion == WRC_ADHESION_FULL) {
     problem.friction.assign(1, 0.0);  // unused: no traction bound
   } else if (ours.friction != nullptr) {
-    fault = read_field(member<wrc_exact_rolling_problem>("friction"), ours.friction, cells, problem.friction);
+    fault = read_field(MEMBER(wrc_exact_rolling_problem, "friction"), ours.friction, cells, problem.friction);
     if (fault.failed()) return fault;
   } else {
-    fault = check(member<wrc_exact_rolling_problem>("coefficient"), "problem", ours.coefficient);
+    fault = check(MEMBER(wrc_exact_rolling_problem, "coefficient"), "problem", ours.coefficient);
     if (fault.failed()) return fault;
     problem.friction.assign(1, ours.coefficient);
   }
@@ -157,9 +162,9 @@ bool touching(const halfspace::RollingProblem& problem) {
   return std::any_of(problem.pressure.begin(), problem.pressure.end(), [](double p) { return p > 0.0; });
 }
 
-/// Reads a rolling problem, has it solved and fills in the solution; solve(grid, materials, problem).
+/// Reads a rolling problem, has it solved and fills in the solution; solve(ours, problem).
 template <typename Solve>
-Fault solve_rolling(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution,
+Fault solve_rolling(const wrc_exact_rolling_problem* theirs, Ways ways, wrc_exact_rolling_solution& solution,
                     Solve&& solve) {
   wrc_exact_rolling_problem ours;
   Fault fault = read(theirs, "problem", ours);
@@ -170,12 +175,12 @@ Fault solve_rolling(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_s
   }
   Reporter reporter{.progress = ours.progress, .user = ours.user};
   halfspace::RollingProblem problem;
-  fault = rolling_problem(ours, grid, reporter, problem);
+  fault = rolling_problem(ours, grid, ways, reporter, problem);
   if (fault.failed()) return fault;
 
   const halfspace::RollingSolution found = solve(ours, problem);
   if (found.fault.failed() || found.fault.status == WRC_FLAG_NO_CONTACT) return found.fault;
-  const double speed = ours.creepage.speed;
+  const double speed = std::fabs(ours.creepage.speed);
   solution.iterations = found.iterations;
   solution.fx = found.forces.fx;
   solution.fy = found.forces.fy;
@@ -208,9 +213,9 @@ Fault read_loads(const wrc_exact_loads* theirs, halfspace::BodyLoads& loads, std
     if (!of_field.failed()) field.assign(values, values + cells);
     return of_field;
   };
-  fault = first_of({read_one(member<wrc_exact_loads>("pressure"), ours.pressure, loads.pressure),
-                    read_one(member<wrc_exact_loads>("traction_x"), ours.traction_x, loads.traction_x),
-                    read_one(member<wrc_exact_loads>("traction_y"), ours.traction_y, loads.traction_y)});
+  fault = first_of({read_one(MEMBER(wrc_exact_loads, "pressure"), ours.pressure, loads.pressure),
+                    read_one(MEMBER(wrc_exact_loads, "traction_x"), ours.traction_x, loads.traction_x),
+                    read_one(MEMBER(wrc_exact_loads, "traction_y"), ours.traction_y, loads.traction_y)});
   if (ours.body == WRC_BODY_RAIL) {
     for (halfspace::Field* field : {&loads.traction_x, &loads.traction_y})
       for (double& traction : *field) traction = 0.0 - traction;
@@ -268,15 +273,16 @@ Fault find_largest_stresses(const wrc_exact_loads* theirs, const double* depths,
 }
 
 Fault solve_rolling_problem(const wrc_exact_rolling_problem* theirs, wrc_exact_rolling_solution& solution) {
-  return solve_rolling(
-      theirs, solution, [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
-        halfspace::RollingSolution found;
-        found.fault = Fault::no_contact();
-        if (!touching(problem)) return found;
-        const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
-        return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {}, bodies.coupling)
-            .solve(problem);
-      });
+  return solve_rolling(theirs, Ways::along_x, solution,
+                       [](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+                         halfspace::RollingSolution found;
+                         found.fault = Fault::no_contact();
+                         if (!touching(problem)) return found;
+                         const PressedBodies bodies = bodies_of(ours.wheel_material, ours.rail_material);
+                         return halfspace::RollingSolver(grid_of(ours.grid), bodies.material, {},
+                                                         bodies.coupling)
+                             .solve(problem);
+                       });
 }
 
 /// The contact's own problem, exactly: all its strips with their pressure on one grid.
@@ -368,20 +374,26 @@ Fault create_transient(const wrc_grid* grid, const wrc_material* wheel, const wr
 
 Fault step_transient(wrc_exact_transient& handle, const wrc_exact_rolling_problem* theirs,
                      wrc_exact_rolling_solution& solution) {
-  return solve_rolling(
-      theirs, solution, [&](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
-        const bool other_grid = !equal(ours.grid, handle.grid);
-        halfspace::RollingSolution found;
-        if (other_grid || !equal(ours.wheel_material, handle.wheel) ||
-            !equal(ours.rail_material, handle.rail)) {
-          found.fault = Fault::range(other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
-                                     "other than the handle was made with: its history does not fit");
-          return found;
-        }
-        found = handle.solver.step(problem);
-        if (!found.fault.failed() && !touching(problem)) found.fault = Fault::no_contact();
-        return found;
-      });
+  return solve_rolling(theirs, Ways::all, solution,
+                       [&](const wrc_exact_rolling_problem& ours, const halfspace::RollingProblem& problem) {
+                         const bool other_grid = !equal(ours.grid, handle.grid);
+                         halfspace::RollingSolution found;
+                         if (other_grid || !equal(ours.wheel_material, handle.wheel) ||
+                             !equal(ours.rail_material, handle.rail)) {
+                           found.fault = Fault::range(
+                               other_grid ? "problem.grid" : "problem.wheel_material or rail_material",
+                               "other than the handle was made with: its history does not fit");
+                           return found;
+                         }
+                         // the way of rolling, as the sign of the speed has it
+                         const double speed = ours.creepage.speed;
+                         using halfspace::Rolled;
+                         found = handle.solver.step(problem, speed > 0.0   ? Rolled::forwards
+                                                             : speed < 0.0 ? Rolled::backwards
+                                                                           : Rolled::at_rest);
+                         if (!found.fault.failed() && !touching(problem)) found.fault = Fault::no_contact();
+                         return found;
+                       });
 }
 
 /// Only where the caller wants the fields; every number zero.

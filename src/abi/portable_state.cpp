@@ -1,6 +1,5 @@
 /// The state of a contact for another process: a header that identifies it, then the bytes of
 /// wrc_contact_save() without addresses.
-#include <bit>
 #include <cstddef>
 #include <cstring>
 
@@ -28,7 +27,7 @@ static_assert(sizeof(PortableHeader) == 64);
 
 constexpr char portable_mark[8] = {'w', 'r', 'c', 's', 't', 'a', 't', 'e'};
 constexpr std::uint32_t native_order = 0x01020304, other_order = 0x04030201, portable_format = 1;
-static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ || __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
 
 std::uint64_t layout_of(const contact::Model& model) {
   Checksum sum;
@@ -46,8 +45,9 @@ std::uint64_t checksum_of(const PortableHeader& header, const void* state, std::
 
 /// Addresses of this process stand in the first member, the model, and in the sentence's parts; the rest are
 /// numbers.
-static_assert(offsetof(contact::Contact, model) == 0 && offsetof(contact::Contact, last) == sizeof(void*));
-constexpr std::size_t addressed = sizeof(void*) + sizeof(Fault);
+static_assert(offsetof(contact::Contact, model) == 0 &&
+              offsetof(contact::Contact, last) < 2 * sizeof(double));
+constexpr std::size_t addressed = offsetof(contact::Contact, last) + sizeof(Fault);
 
 /// The beginning of a state without addresses: of the last fault its status and number of an element.
 void without_addresses(const contact::Contact& contact, unsigned char (&bytes)[addressed]) {

@@ -1,4 +1,4 @@
-/// Published methods by name, each with its members of the configuration.
+/// Published methods and resolutions by name, each with its members of the configuration.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -29,28 +29,58 @@ constexpr Preset presets[] = {
 #undef WRC_PRESET
 };
 
-constexpr const char* known_names = "no such method; there are"
+struct Resolution {
+  const char* name;
+  double tread_width, corner_width, tolerance, max_work;
+};
+
+constexpr Resolution resolutions[] = {
+#define WRC_RESOLUTION(identifier, name, tread_width, corner_width, tolerance, max_work) \
+  {name, tread_width, corner_width, tolerance, max_work},
+    WRC_RESOLUTION_LIST(WRC_RESOLUTION)
+#undef WRC_RESOLUTION
+};
+
+constexpr const char* known_names = "no such method or resolution; there are"
 #define WRC_PRESET(identifier, name, ...) " \"" name "\""
-    WRC_PRESET_LIST(WRC_PRESET);
+    WRC_PRESET_LIST(WRC_PRESET)
 #undef WRC_PRESET
+#define WRC_RESOLUTION(identifier, name, ...) " \"" name "\""
+        WRC_RESOLUTION_LIST(WRC_RESOLUTION);
+#undef WRC_RESOLUTION
+
+/// The row of a name; the end of the table where there is none.
+template <typename Row, std::size_t rows>
+const Row* row_of(const Row (&table)[rows], const char* name) {
+  return std::find_if(std::begin(table), std::end(table),
+                      [&](const Row& each) { return std::strcmp(each.name, name) == 0; });
+}
 
 Fault use(wrc_config* config, const char* name) {
   if (config == nullptr) return Fault::null("config");
   RETURN_IF_FAILED(abi::check_size(*config));
   if (name == nullptr) return Fault::null("name");
-  const Preset* const preset = std::find_if(std::begin(presets), std::end(presets), [&](const Preset& each) {
-    return std::strcmp(each.name, name) == 0;
-  });
-  if (preset == std::end(presets)) return Fault::unsupported("name", known_names);
+  const Preset* const preset = row_of(presets, name);
+  const Resolution* const resolution = row_of(resolutions, name);
+  if (preset == std::end(presets) && resolution == std::end(resolutions))
+    return Fault::unsupported("name", known_names);
   wrc_config ours = abi::defaults<wrc_config>();
   const std::size_t known = std::min<std::size_t>(config->struct_size, sizeof ours);
   std::memcpy(&ours, config, known);  // not checked: other members may not be set yet
-  wrc_config_tangential& tangential = ours.tangential;
-  tangential.method = preset->method;
-  tangential.patch_model = preset->patch_model;
-  tangential.bound = preset->bound;
-  tangential.flexibility = preset->flexibility;
-  ours.planar.regularisation = preset->regularisation;
+  if (preset != std::end(presets)) {
+    wrc_config_tangential& tangential = ours.tangential;
+    tangential.method = preset->method;
+    tangential.patch_model = preset->patch_model;
+    tangential.bound = preset->bound;
+    tangential.flexibility = preset->flexibility;
+    ours.planar.regularisation = preset->regularisation;
+  } else {
+    wrc_config_surface& surface = ours.surface;
+    surface.tread_width = resolution->tread_width;
+    surface.corner_width = resolution->corner_width;
+    surface.tolerance = resolution->tolerance;
+    surface.max_work = resolution->max_work;
+  }
   ours.struct_size = config->struct_size;
   std::memcpy(config, &ours, known);  // members of a newer header stay
   return {};

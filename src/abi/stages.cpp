@@ -33,12 +33,12 @@ contact::Load load_of(const wrc_planar_load& checked) {
 }
 
 // Creepages of wrc_planar_creepages() are within the range that wrc_planar_tangential() takes.
-static_assert(member<wrc_creepage>("longitudinal").high == geometry::largest_creepage);
-static_assert(member<wrc_creepage>("lateral").high == geometry::largest_creepage);
-static_assert(member<wrc_creepage>("spin").high == geometry::largest_spin);
-static_assert(member<wrc_creepage>("speed").high == geometry::fastest_rolling);
-static_assert(member<wrc_creepage>("reverse_share").high == geometry::largest_share_of_other_way);
-static_assert(member<wrc_planar_motion>("speed").high == geometry::fastest_rolling);
+static_assert(MEMBER(wrc_creepage, "longitudinal").high == geometry::largest_creepage);
+static_assert(MEMBER(wrc_creepage, "lateral").high == geometry::largest_creepage);
+static_assert(MEMBER(wrc_creepage, "spin").high == geometry::largest_spin);
+static_assert(MEMBER(wrc_creepage, "speed").high == geometry::fastest_rolling);
+static_assert(MEMBER(wrc_creepage, "reverse_share").high == geometry::largest_share_of_other_way);
+static_assert(MEMBER(wrc_planar_motion, "speed").high == geometry::fastest_rolling);
 
 tangential::Creepage creepage_of(const wrc_creepage& checked) {
   return {flush_subnormals(checked.longitudinal), flush_subnormals(checked.lateral),
@@ -76,7 +76,7 @@ Fault take_gap(contact::Contact& contact, const wrc_planar_gap* theirs, const ch
   wrc_planar_gap gap;
   RETURN_IF_FAILED(read(theirs, of, gap));
   const std::int32_t room = contact.model->options.sizes.gap_rows;
-  RETURN_IF_FAILED(check(member<wrc_planar_gap>("row_count"), of, gap.row_count, room));
+  RETURN_IF_FAILED(check(MEMBER(wrc_planar_gap, "row_count"), of, gap.row_count, room));
   RETURN_IF_FAILED(check_increasing(gap.y, gap.row_count, of, "y", "y: spacing",
                                     "rows must be in order of strictly increasing y"));
   const auto rows = static_cast<std::int32_t>(gap.row_count);
@@ -87,7 +87,7 @@ Fault take_gap(contact::Contact& contact, const wrc_planar_gap* theirs, const ch
     RETURN_IF_FAILED(check_increasing(gap.x, gap.column_count, of, "x", "x: spacing",
                                       "columns must be in order of strictly increasing x"));
     for (std::uint32_t j = 0; j < gap.row_count; ++j) {
-      Fault fault = check_all(member<wrc_planar_gap>("h"), of, gap.h + j * gap.row_stride, gap.column_count);
+      Fault fault = check_all(MEMBER(wrc_planar_gap, "h"), of, gap.h + j * gap.row_stride, gap.column_count);
       fault.index += static_cast<std::int32_t>(j * gap.row_stride);
       if (fault.failed()) return fault;
     }
@@ -104,7 +104,7 @@ Fault take_strips(contact::Contact& contact, const wrc_planar_strips* theirs) {
   wrc_planar_strips strips;
   RETURN_IF_FAILED(read(theirs, "strips", strips));
   const std::int32_t room = contact.model->options.sizes.strips;
-  RETURN_IF_FAILED(check(member<wrc_planar_strips>("count"), "strips", strips.count, room));
+  RETURN_IF_FAILED(check(MEMBER(wrc_planar_strips, "count"), "strips", strips.count, room));
   for (std::uint32_t j = 1; j < strips.count; ++j) {
     const double allowed = 1e-9 * strips.width[j];  // borders may meet up to rounding
     if (strips.y[j] - 0.5 * strips.width[j] < strips.y[j - 1] + 0.5 * strips.width[j - 1] - allowed) {

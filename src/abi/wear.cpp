@@ -10,14 +10,14 @@ Fault check_order(const wrc_wear_laws& laws) {
     member.low = low;
     return check(member, "laws", value);
   };
-  Member offset = member<wrc_wear_laws>("t_gamma_severe_offset");
+  Member offset = MEMBER(wrc_wear_laws, "t_gamma_severe_offset");
   offset.high = laws.t_gamma_severe_slope * laws.t_gamma_severe_start;
-  return first_of({at_least(member<wrc_wear_laws>("t_gamma_severe_start"), laws.t_gamma_severe_start,
+  return first_of({at_least(MEMBER(wrc_wear_laws, "t_gamma_severe_start"), laws.t_gamma_severe_start,
                             laws.t_gamma_mild_end),
                    check(offset, "laws", laws.t_gamma_severe_offset),
-                   at_least(member<wrc_wear_laws>("sheffield_severe_end"), laws.sheffield_severe_end,
+                   at_least(MEMBER(wrc_wear_laws, "sheffield_severe_end"), laws.sheffield_severe_end,
                             laws.sheffield_mild_end),
-                   at_least(member<wrc_wear_laws>("archard_severe_end"), laws.archard_severe_end,
+                   at_least(MEMBER(wrc_wear_laws, "archard_severe_end"), laws.archard_severe_end,
                             laws.archard_severe_start)});
 }
 

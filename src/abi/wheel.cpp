@@ -126,7 +126,7 @@ Fault look_for_transpose(const wrc_wheel_state& ours, const double (&body)[3][3]
 Fault read_wheel(const wrc_wheel_state& ours, bool height_read, contact::HostWheel& hosted) {
   Fault fault;
   double body[3][3];
-  if (height_read) fault = check(member<wrc_wheel_state>("z"), "input.wheel", ours.z);
+  if (height_read) fault = check(MEMBER(wrc_wheel_state, "z"), "input.wheel", ours.z);
   if (!fault.failed()) fault = read_axle(ours, hosted, body);
   if (fault.failed()) return fault;
   read_turning(ours, body, hosted);
@@ -180,7 +180,10 @@ Fault read_hosted(const wrc_wheel_input* theirs, const contact::TangentialMethod
   hosted.frame_turning[1] = hosted.frame_speed * ours.frame.vertical_curvature;
   hosted.frame_turning[2] = hosted.frame_speed * ours.frame.curvature;
   hosted.load_prescribed = !height;
-  hosted.from_scratch = ours.start == WRC_START_COLD;
+  static_assert(same<WRC_START_COLD>(surface::SolutionStart::anew) &&
+                same<WRC_START_WARM>(surface::SolutionStart::last) &&
+                same<WRC_START_MARK>(surface::SolutionStart::mark));
+  hosted.from = static_cast<surface::SolutionStart>(ours.start);
   hosted.vertical_load = ours.vertical_load;
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
@@ -206,6 +209,8 @@ wrc_wrench wrench_of(const contact::HostWrench& hosted) {
   ours.peak_pressure = wrench.peak_pressure;
   ours.power = wrench.power;
   ours.steepest_angle = wrench.steepest_angle;
+  ours.residual = wrench.residual;
+  ours.work = wrench.work;
   return ours;
 }
 
@@ -262,6 +267,11 @@ int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_inpu
                      if (derivatives != nullptr) abi::write(abi::derivatives_of(slopes), derivatives);
                      return outcome;
                    });
+}
+
+int32_t wrc_contact_mark(wrc_contact* handle) {
+  return abi::call(__func__, handle, wrc::Fault{},
+                   [](wrc::contact::Contact& contact) { return wrc::contact::mark_wheel(contact); });
 }
 
 int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 namespace wrc {
 
@@ -15,18 +14,18 @@ class Arena {
   /// `memory`: aligned to a cache line, or nullptr to count.
   explicit Arena(void* memory) : memory_(static_cast<std::byte*>(memory)) {}
 
-  /// An array of `count` elements; nullptr while it counts.
+  /// An array of `count` elements; while it counts, the address of nothing_, which nobody may use.
   template <class T = double>
   T* take(std::int64_t count) {
     const std::int64_t begin = bytes_;
     bytes_ += (count * static_cast<std::int64_t>(sizeof(T)) + line - 1) / line * line;
-    return memory_ ? reinterpret_cast<T*>(memory_ + begin) : nullptr;
+    return reinterpret_cast<T*>(memory_ ? memory_ + begin : const_cast<std::byte*>(&nothing_));
   }
 
-  /// An array of `count` elements for each of the pointers.
-  template <class T>
-  void each(std::int64_t count, std::initializer_list<T**> arrays) {
-    for (T** array : arrays) *array = take<T>(count);
+  /// An array of `count` elements for each of the pointers, in their order.
+  template <class... T>
+  void each(std::int64_t count, T*&... arrays) {
+    ((arrays = take<T>(count)), ...);
   }
 
   /// Bytes cut so far.
@@ -35,6 +34,7 @@ class Arena {
 
  private:
   static constexpr std::int64_t line = 64;  // bytes of a cache line
+  alignas(64) static constexpr std::byte nothing_{};
 
   std::byte* memory_ = nullptr;
   std::int64_t bytes_ = 0;

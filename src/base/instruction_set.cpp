@@ -1,12 +1,12 @@
 #include "base/instruction_set.hpp"
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
 #include <cpuid.h>
 #endif
 
 namespace wrc {
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
 
 namespace {
 

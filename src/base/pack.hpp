@@ -248,7 +248,7 @@ inline Mask operator>(Pack x, Pack y) { return y < x; }
 inline Mask operator>=(Pack x, Pack y) { return y <= x; }
 inline bool any(Mask x) { return any_lane(either(x.a, x.b)); }
 
-/// What decides between branches: of a number with derivatives its value, here every lane.
+/// The number that decides between branches: the value of one with derivatives, here every lane.
 inline Pack value_of(Pack x) { return x; }
 inline Pack select(Mask m, Pack yes, Pack no) { return {choose(m.a, yes.a, no.a), choose(m.b, yes.b, no.b)}; }
 inline Pack root(Pack x) { return {root_of(x.a), root_of(x.b)}; }

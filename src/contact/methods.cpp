@@ -93,7 +93,8 @@ constexpr NormalMethod normal_methods[] = {
      .reads = {Option::max_iterations, Option::load_tolerance},
      .planar = normal::solve_stripes},
     {.is = WRC_ENUMERATOR(WRC_NORMAL_STRIP_HALFSPACE),
-     .reads = {Option::max_sweeps, Option::warm_start},  // the load is met to rounding
+     .reads = {Option::max_sweeps, Option::warm_start,
+               Option::surface_iteration},  // the load is met to rounding
      .half_space = true,
      .workspace = normal::strip_halfspace_workspace,
      .solve = solve_from_start},

@@ -145,7 +145,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (!has_surface(options)) return;
   sizes.surface_state_bytes = surface::surface_state_bytes();
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
-      node_count(options.wheel), surface_methods(options), options.surface_cells,
+      node_count(options.wheel), surface_methods(options), options.strip_widths, options.surface_cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
 }
 
@@ -261,7 +261,9 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                                        .kernels = model.kernels,
                                        .ellipse = &model.linear_theory.ellipse(),
                                        .grid = &model.surface_grid,
-                                       .methods = methods},
+                                       .methods = methods,
+                                       .widths = options.strip_widths,
+                                       .pressure = options.pressure},
                                       surface, model.surface);
   // Planar methods need no surface: that a profile cannot be cut into strips is found when a wheel is solved.
   return options.normal_method->half_space ? fault : Fault{};

@@ -124,22 +124,24 @@ struct Contact {
 
 // A contact is saved as its bytes: with padding, where anything may lie, equal states could differ in their
 // bytes. Each line is a struct and the sum of its members.
-static_assert(sizeof(tangential::FrictionLaw) == 13 * sizeof(double));
+static_assert(sizeof(void*) != 8 || sizeof(tangential::FrictionLaw) == 13 * sizeof(double));
 static_assert(sizeof(Friction) ==
               sizeof(tangential::FrictionLaw) + 2 * sizeof(double) + sizeof(tangential::SlopeFall));
 static_assert(sizeof(normal::NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(patch::StripTotals) + sizeof(patch::Sdec) +
                                    sizeof(tangential::TangentialForces) + 2 * sizeof(double));
-static_assert(sizeof(Contact) ==
-              sizeof(void*) + sizeof(Fault) + sizeof(Stage) + sizeof(Solution) + 4 * sizeof(bool) +
-                  5 * sizeof(std::int32_t) + sizeof(geometry::Side) + sizeof(geometry::Pose) +
-                  sizeof(geometry::ContactPoint) + sizeof(normal::NormalSolution) +
-                  sizeof(patch::StripTotals) + sizeof(Patch[patch_capacity]) + sizeof(tangential::Creepage) +
-                  sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) + sizeof(Rolling) +
-                  sizeof(tangential::TangentialForces) + sizeof(DamageNumbers) + sizeof(HostWrench));
+static_assert(sizeof(void*) != 8 ||
+              sizeof(Contact) == sizeof(void*) + sizeof(Fault) + sizeof(Stage) + sizeof(Solution) +
+                                     4 * sizeof(bool) + 5 * sizeof(std::int32_t) + sizeof(geometry::Side) +
+                                     sizeof(geometry::Pose) + sizeof(geometry::ContactPoint) +
+                                     sizeof(normal::NormalSolution) + sizeof(patch::StripTotals) +
+                                     sizeof(Patch[patch_capacity]) + sizeof(tangential::Creepage) +
+                                     sizeof(Friction) + (3 + 2 * zone_capacity) * sizeof(double) +
+                                     sizeof(Rolling) + sizeof(tangential::TangentialForces) +
+                                     sizeof(DamageNumbers) + sizeof(HostWrench));
 static_assert(sizeof(surface::SurfaceRegion) == 2 * sizeof(std::int32_t) + 17 * sizeof(double));
 static_assert(sizeof(HostWrench) ==
-              2 * sizeof(std::int32_t) + 16 * sizeof(double) +
+              2 * sizeof(std::int32_t) + 18 * sizeof(double) +
                   surface::most_surface_regions * (sizeof(surface::SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Bytes of a contact: its state, and behind it the larger of a copy of the state, on which sensitivities are

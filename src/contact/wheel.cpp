@@ -60,6 +60,10 @@ RegionPlace place_of(const Model& model, const surface::WheelOnRail& problem, do
 
 namespace {
 
+surface::SurfaceState& surface_state(Contact& contact) {
+  return *reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state));
+}
+
 /// Does anything change with the distance along the track?
 bool reads_distance(const Model& model) {
   const surface::SurfaceModel& surface = *model.surface;
@@ -150,6 +154,13 @@ void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench&
   for (int i = 0; i < 3; ++i) result.rail_moment[i] = -about_rail[i];
 }
 
+Fault mark_wheel(Contact& contact) {
+  if (!contact.wheel_solved)
+    return Fault::sequence("wrench", "there is none to mark: call wrc_contact_wrench first");
+  surface::mark_solution(surface_state(contact));
+  return {};
+}
+
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
   // the results of the last solve are gone, whatever follows
   contact.wheel_solved = false;
@@ -172,15 +183,14 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
                               "wrc_contact_wrench rolls steadily: use a model without it");
   }
 
-  // solved as right-hand bodies, from the last solution unless told otherwise
-  auto& state = *reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state));
+  // solved as right-hand bodies
   HostWrench& result = contact.wheel;
   surface::Wrench& wrench = result.wrench;
   const surface::WheelOnRail& problem = placed.problem;
   surface::RailFrameJacobian found, by_track;
-  fault =
-      surface::solve_wheel_on_rail(*model.surface, problem, !hosted.from_scratch, state, work_space(contact),
-                                   wrench, slopes ? &found : nullptr, slopes ? &by_track : nullptr);
+  fault = surface::solve_wheel_on_rail(*model.surface, problem, hosted.from, surface_state(contact),
+                                       work_space(contact), wrench, slopes ? &found : nullptr,
+                                       slopes ? &by_track : nullptr);
 
   // a load that no height carries is an error, but for that of the climbing flag, which says where the wheel
   // is

@@ -24,7 +24,7 @@ struct HostWheel {
   surface::RailMotion rail;
   bool load_prescribed = false;
   double vertical_load = 0.0;  ///< [N]
-  bool from_scratch = false;   ///< do not start from the last solution
+  surface::SolutionStart from = surface::SolutionStart::anew;
   bool frictionless = true;
   Friction friction;      ///< zones over the rail's y, in the caller's arrays
   double damping = 0.0;   ///< alpha of normal/damping.hpp [s/m]
@@ -83,6 +83,9 @@ void hand_back_wrench(const Model& model, const PlacedWheel& placed, HostWrench&
 void hand_back_jacobian(const Model& model, const HostWheel& hosted, const PlacedWheel& placed, double height,
                         const surface::RailFrameJacobian& found, const surface::RailFrameJacobian& by_track,
                         HostJacobian& jacobian);
+
+/// Marks the last solution, for later ones to start from.
+Fault mark_wheel(Contact& contact);
 
 /// Solves for the wrench, kept in the contact. `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes = nullptr);

@@ -214,15 +214,6 @@ void LoadLanes::add_patch(const patch::Strips& region, const double* pressure,
   }
 }
 
-void LoadLanes::add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
-                           const double* across, double x, double y, double z, double spared_length,
-                           simd::StressParts& sum) const {
-  kernels_.damage.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
-                                    lane.pressure * lane.width * std::abs(lane.half_length), count,
-                                    rule.place, rule.weight, along, across, spared_length},
-                                   sum);
-}
-
 void LoadLanes::add_cells(std::int32_t which, std::int32_t first, std::int32_t last, double x, double y,
                           Corners& corners) const {
   // A border has the difference of the loads of its two cells.
@@ -272,17 +263,26 @@ Stress LoadLanes::at(double x, double y, double z) const {
   Corners corners;
   for (std::int32_t k = 0; k < lanes_; ++k) {
     const Lane& lane = lane_[k];
+    // Adds the stresses by `count` points of the lane with these tractions over pressure; loads nearer than
+    // `near_limit` [m] are left to add_cells().
+    const auto add_points = [&](const Rule& rule, std::int32_t count, const double* along,
+                                const double* across, double near_limit) {
+      kernels_.damage.stress_of_points({poisson_, x - lane.centre, y - lane.y, z, lane.half_length,
+                                        lane.pressure * lane.width * std::abs(lane.half_length), count,
+                                        rule.place, rule.weight, along, across, near_limit},
+                                       sum);
+    };
     const double away2 = square(y - lane.y) + square(z);
     const double along = deep_steps * (pi / deep) * std::abs(lane.half_length);
     if (z >= std::max(along, deep_widths * lane.width) ||
         away2 >= square(std::max(along, near_cell * lane.width))) {
-      add_points(lane, of_depths_, deep, deep_along_[k], deep_across_[k], x, y, z, 0.0, sum);
+      add_points(of_depths_, deep, deep_along_[k], deep_across_[k], 0.0);
       continue;
     }
     const double size2 = square(pi / cells * lane.half_length) + square(lane.width);
     const double left = square(near_cell) * size2 - away2;
     const double near = left > 0.0 ? std::sqrt(left) : 0.0;
-    add_points(lane, of_cells_, cells, along_[k], across_[k], x, y, z, near, sum);
+    add_points(of_cells_, cells, along_[k], across_[k], near);
     if (!(near > 0.0)) continue;
     std::int32_t first = 0, last = cells;
     const auto is_near = [&](std::int32_t cell) {  // as the kernel has it

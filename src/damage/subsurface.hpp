@@ -72,10 +72,6 @@ class LoadLanes {
   double middle_of(const Lane& lane, std::int32_t cell) const;
   /// x of a cell's middle, or of its mirror image behind an end [m].
   double x_of(const Lane& lane, std::int32_t cell) const;
-  /// Adds the stresses at a target by a lane's points.
-  void add_points(const Lane& lane, const Rule& rule, std::int32_t count, const double* along,
-                  const double* across, double x, double y, double z, double spared_length,
-                  simd::StressParts& sum) const;
   /// Cells first..last - 1 of a lane as rectangles.
   void add_cells(std::int32_t lane, std::int32_t first, std::int32_t last, double x, double y,
                  Corners& corners) const;

@@ -295,9 +295,10 @@ RollingFace::RollingFace(const FaceProblem& in, const RollingSurfaces& surfaces,
     direction.problem.collocation = in.options.collocation;
     direction.problem.tolerance = in.options.rolling_tolerance;
   }
-  if (!warm_) return;
-  s.traction_x = moved(in.start->grid, in.start->traction_x, s.grid);
-  s.traction_y = moved(in.start->grid, in.start->traction_y, s.grid);
+  const SurfaceSolution* const start = warm_ ? in.start : nullptr;
+  if (start == nullptr) return;
+  s.traction_x = moved(start->grid, start->traction_x, s.grid);
+  s.traction_y = moved(start->grid, start->traction_y, s.grid);
 }
 
 // Gaps under the tractions of the turn before.
@@ -402,6 +403,7 @@ void RollingFace::solve(NormalSolver& normal, GapProblem& gap) {
     PartOfProgress pressing(in_.progress, 1.0 - ahead, 1.0 - 0.9 * ahead);
     gap.progress = pressing.callback();
     const double normal_force = press(normal, gap);
+    gap.progress = {};
     if (s_.fault.failed()) return;
     if (normal_force <= 0.0) {
       for (Field* field : {&s_.traction_x, &s_.traction_y}) field->assign(s_.grid.cells(), 0.0);

@@ -314,7 +314,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
     // the four knots around s and their weights, L_k = prod over l != k of (s - s_l) / (s_k - s_l)
     const std::vector<double>& places = surface_.section.places();
     const auto above = std::upper_bound(places.begin(), places.end(), s) - places.begin();
-    const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(places) - 4);
+    const auto first =
+        std::clamp<std::ptrdiff_t>(above - 2, 0, static_cast<std::ptrdiff_t>(places.size()) - 4);
     row.strip = surface_.first + static_cast<std::int32_t>(first);
     const double* const place = places.data() + first;
     for (int k = 0; k < 4; ++k) {

@@ -99,7 +99,8 @@ void StressField::evaluate(double z) {
           damage::corner_stress(poisson_, (mx - 0.5) * grid_.dx, (c - reach_y - 0.5) * grid_.dy, z);
     if (mx > -reach_x) {
       for (int my = -reach_y; my <= reach_y; ++my) {
-        const auto c = static_cast<std::size_t>(my + reach_y);
+        const int column = my + reach_y;
+        const auto c = static_cast<std::size_t>(column);
         damage::CellStress& cell =
             cells[static_cast<std::size_t>(mx - 1 + reach_x) * static_cast<std::size_t>(2 * reach_y + 1) + c];
         damage::add(here[c + 1], 1.0, cell);

@@ -107,7 +107,8 @@ SurfaceCells lay_cells(const RollingSurfaces& surfaces, double rail_length, cons
   const int first = std::max(extent.first - border, 0);
   cells.points.resize(g.cells());
   for (int j = 0; j < g.ny; ++j) {
-    const NearestCell& c = nearest[static_cast<std::size_t>(first + j)];
+    const int row = first + j;
+    const NearestCell& c = nearest[static_cast<std::size_t>(row)];
     cells.rows.push_back(c.row);
     if (!c.found) continue;
     const int middle = std::clamp(nearest_integer((c.row.middle - g.x0) / g.dx), 0, g.nx - 1);

@@ -18,10 +18,10 @@ Fault capped(double residual, double tolerance) {
                               "the cap ended the iteration (problem.max_iterations, in wrc_exact_check 60)");
 }
 
-// Rigid slips of all cells where the collocation wants them.
-void find_rigid_slip(const Grid& grid, RollingProblem& problem) {
+// Rigid slips of all cells where the collocation wants them. At rest no cell is ahead of another.
+void find_rigid_slip(const Grid& grid, RollingProblem& problem, Rolled rolled = Rolled::forwards) {
   if (!problem.rigid_slip_x.empty()) return;
-  const double ahead = rigid_slip_ahead(problem.collocation) * grid.dx;
+  const double ahead = rigid_slip_ahead(problem.collocation) * static_cast<double>(rolled) * grid.dx;
   const tangential::Creepage& c = problem.creepage;
   // w = (nu_x - phi y, nu_y + phi x), x ahead of the cell's centre
   for (int j = 0; j < grid.ny; ++j) {
@@ -85,8 +85,8 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
     of_factors += tangential::newton_factors(of_row);
   }
   // Not cleared: pages that are never written take no memory.
-  vectors = std::make_unique_for_overwrite<double[]>(tangential::newton_vectors(with_traction, max_products));
-  factors = std::make_unique_for_overwrite<float[]>(of_factors);
+  vectors.reset(new double[tangential::newton_vectors(with_traction, max_products)]);
+  factors.reset(new float[of_factors]);
   // Coulomb: solved loosely, as the next step moves the adhesion area anyway; full adhesion is one linear
   // system.
   const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
@@ -257,8 +257,9 @@ bool TransientStep::run() {
 }
 
 // Forces, moment, power and adhesion area from the fields.
-void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s) {
-  const double shift = -traction_behind(problem.collocation) * grid.dx;
+void finish(const Grid& grid, const RollingProblem& problem, RollingSolution& s,
+            Rolled rolled = Rolled::forwards) {
+  const double shift = -traction_behind(problem.collocation) * static_cast<double>(rolled) * grid.dx;
   const bool by_cell = !problem.rigid_slip_x.empty();
   // F = sum p dA, M_z = sum (x p_y - y p_x) dA at the collocated places, P / V = -sum p . s dA
   double fx = 0.0, fy = 0.0, mz = 0.0, power = 0.0, balance = 0.0;
@@ -324,6 +325,28 @@ void prolong(const Grid& coarse, const RollingProblem& coarse_problem, const Rol
     to.traction_x[k] *= std::max(problem.pressure[k], 0.0);
     to.traction_y[k] *= std::max(problem.pressure[k], 0.0);
   }
+}
+
+// (u(x) - u(x + r dx)) / dx of fields that `forwards` gives for r = 1, in place. Backwards it is that of the
+// mirror image, in which x and components along it change their signs.
+void displace_by_rolling(const Grid& grid, Rolled rolled, TurnedConvolution& forwards, Field& x, Field& y) {
+  if (rolled == Rolled::at_rest) {
+    x.assign(grid.cells(), 0.0);
+    y.assign(grid.cells(), 0.0);
+    return;
+  }
+  const auto mirror = [&] {
+    if (rolled == Rolled::forwards) return;
+    for (std::size_t row = 0; row < grid.cells(); row += static_cast<std::size_t>(grid.nx)) {
+      const auto first = static_cast<std::ptrdiff_t>(row), behind = first + grid.nx;
+      std::reverse(x.begin() + first, x.begin() + behind);
+      std::reverse(y.begin() + first, y.begin() + behind);
+    }
+    for (double& along : x) along = -along;
+  };
+  mirror();
+  forwards.tangential(x, y);
+  mirror();
 }
 
 void clear(const Grid& grid, RollingSolution& s) {
@@ -469,17 +492,17 @@ TransientSolver::TransientSolver(const Grid& grid, const patch::Material& materi
       std::make_unique<TurnedConvolution>(grid, material, Kernel::coupling_slip, Field{}, coupling);
 }
 
-RollingSolution TransientSolver::step(const RollingProblem& problem) {
+RollingSolution TransientSolver::step(const RollingProblem& problem, Rolled rolled) {
   RollingSolution solution;
   clear(grid_, solution);
   solution.fault = check(grid_, problem);
   if (solution.fault.failed()) return solution;
-  // The steady slip of the tractions before is (u_before(x) - u_before(x + dx)) / dx; without its first term:
-  // s(x) = w + u(x) / dx - u_before(x + dx) / dx.
+  // s(x) = w + u(x) / dx - u_before(x + r dx) / dx, the last term by the displacement that rolling changed
+  // and u_before(x) / dx.
   RollingProblem with = problem;
-  find_rigid_slip(grid_, with);
+  find_rigid_slip(grid_, with, rolled);
   Field earlier_x = traction_x_, earlier_y = traction_y_, own_x = traction_x_, own_y = traction_y_;
-  steady_.tangential(earlier_x, earlier_y);
+  displace_by_rolling(grid_, rolled, steady_, earlier_x, earlier_y);
   displacement_.tangential(own_x, own_y);
   for (std::size_t k = 0; k < earlier_x.size(); ++k) {
     with.rigid_slip_x[k] += earlier_x[k] - own_x[k];
@@ -488,13 +511,13 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
     solution.traction_x[k] = traction_x_[k];
     solution.traction_y[k] = traction_y_[k];
   }
-  if (pressed_) {  // displaced by -C p now and, a cell ahead, by -C p before
+  if (pressed_) {  // displaced by -C p now and, r cells ahead, by -C p before
     const std::size_t n = grid_.cells();
     const Field pressure = compressive(problem.pressure);
     Field x(n, 0.0), y(n), before_x(n, 0.0), before_y = pressure_;
     for (std::size_t k = 0; k < n; ++k) y[k] = (pressure[k] - pressure_[k]) / grid_.dx;
     pressed_->tangential(x, y);
-    pressed_steady_->tangential(before_x, before_y);
+    displace_by_rolling(grid_, rolled, *pressed_steady_, before_x, before_y);
     for (std::size_t k = 0; k < n; ++k) {
       with.rigid_slip_x[k] -= x[k] + before_x[k];
       with.rigid_slip_y[k] -= y[k] + before_y[k];
@@ -505,7 +528,7 @@ RollingSolution TransientSolver::step(const RollingProblem& problem) {
     solution.fault = Fault::cancelled();
     return solution;
   }
-  finish(grid_, problem, solution);
+  finish(grid_, problem, solution, rolled);
   // the bodies' state at the next step's beginning
   traction_x_ = solution.traction_x;
   traction_y_ = solution.traction_y;

@@ -119,11 +119,15 @@ class RollingSolver {
   std::unique_ptr<TurnedConvolution> pressed_;  // slip under pressure; none of like bodies
 };
 
+/// How far the bodies roll in a step of TransientSolver: a cell along x, a cell against it, or not at all.
+enum class Rolled { forwards = 1, backwards = -1, at_rest = 0 };
+
 /// Non-steady rolling in the contact frame, from bodies without tractions. In a step the bodies advance by
-/// one cell: particles at x were at x + dx before, with the displacements of then:
-///     s(x) = w + (u(x) - u_before(x + dx)) / dx
-/// (Kalker 1990, 1.3; CONTACT's T = 2 with dq = dx). Everything else is as in steady rolling, in which a long
-/// time under equal conditions ends, to the tolerance. Not to be shared by threads.
+/// r = 1, 0 or -1 cells: particles at x were at x + r dx before, with the displacements of then:
+///     s(x) = w + (u(x) - u_before(x + r dx)) / dx
+/// (Kalker 1990, 1.3; CONTACT's T = 2 with dq = dx, and with r = 0 its T = 1). w dx is the rigid displacement
+/// of the wheel over the rail in the step, whichever way it rolls. Everything else is as in steady rolling,
+/// in which a long time under equal conditions ends, to the tolerance. Not to be shared by threads.
 class TransientSolver {
  public:
   /// `coupling`: Kalker's K.
@@ -133,8 +137,9 @@ class TransientSolver {
 
   /// One step: pressure and friction as they are at its end, creepages those of its middle. A failed or
   /// cancelled step leaves the state where it was. `start` is not used, the tractions before are the start.
-  /// power_by_balance is the work of the creepages: dissipation plus the gain of elastic energy.
-  RollingSolution step(const RollingProblem& problem);
+  /// power_by_balance is the work of the creepages: dissipation plus the gain of elastic energy. Powers are
+  /// per dx, so that times dx they are the step's work.
+  RollingSolution step(const RollingProblem& problem, Rolled rolled = Rolled::forwards);
 
  private:
   Grid grid_;

@@ -15,13 +15,14 @@ namespace wrc {
   }
 
 WRC_KERNELS_OF(baseline)
-#if defined(__x86_64__)
+// WRC_BASELINE_ALONE: all sources are one unit, compiled for one set (tools/amalgamate).
+#if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
 WRC_KERNELS_OF(avx2)
 WRC_KERNELS_OF(avx512)
 #endif
 
 const Kernels& kernels_for(InstructionSet set) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
   if (set == InstructionSet::avx512) return simd::avx512::kernels;
   if (set == InstructionSet::avx2) return simd::avx2::kernels;
 #endif

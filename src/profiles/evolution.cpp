@@ -84,7 +84,8 @@ Fault wear_profile(std::uint32_t count, const double* y, const double* z, const 
   if (fault.failed()) return fault;
   // depth of wear at even places along the curve, smoothed
   const double length = given.end() - given.begin();
-  const auto pieces = std::max<std::int32_t>(8, static_cast<std::int32_t>(length / step.spacing + 0.5));
+  const auto pieces =
+      std::max<std::int32_t>(8, static_cast<std::int32_t>(std::floor(length / step.spacing + 0.5)));
   const double spacing = length / pieces;
   std::vector<double> depth(static_cast<std::size_t>(pieces) + 1);
   for (std::int32_t i = 0; i <= pieces; ++i)

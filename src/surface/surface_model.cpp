@@ -33,7 +33,7 @@ ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
   a.rail = cut_curve(arena, sizes.rail_nodes);
   a.knots = cut_knots(arena, most_curve_pieces(sizes.wheel_nodes));
   a.strips = cut_strips(arena, most_strips_of_a_rail);
-  arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), {&a.y, &a.z});
+  arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), a.y, a.z);
   if (sizes.sections > 0)
     a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);
   if (radius.rows > 0) a.radius = cut_out_of_round(arena, radius);
@@ -82,11 +82,11 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   Fault fault = make_wheel(bodies, arrays, model->wheel);
   if (!fault.failed()) fault = make_rail(bodies, arrays, model->rail_curve);
   if (fault.failed()) return fault;
-  model->rail = cut_rail(model->rail_curve, {}, most_strips_of_a_rail, arrays.strips);
+  model->rail = cut_rail(model->rail_curve, bodies.widths, most_strips_of_a_rail, arrays.strips);
   // a rail that changes along the track, a wheel whose radius changes round it
   if (bodies.sections > 0) {
-    fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, most_strips_of_a_rail,
-                              arrays.varying, model->varying);
+    fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, bodies.widths,
+                              most_strips_of_a_rail, arrays.varying, model->varying);
     if (fault.failed()) return fault;
   }
   if (bodies.radius.rows > 0)
@@ -103,6 +103,10 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->coefficients = StripCoefficientTable(*bodies.ellipse);
   model->grid = bodies.grid;
   model->methods = bodies.methods;
+  model->pressure = bodies.pressure;
+  // planar methods have no tolerance of the surface's: prescribed loads are searched as to this one
+  if (model->methods.planar.solve) model->pressure.tolerance = 1e-7;
+  model->most_overlapping = overlapping_strips(bodies.widths);
   made = model;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/number.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
@@ -50,6 +51,8 @@ struct SurfaceBodies {
   const theory::KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
+  StripWidths widths;  ///< of the rail's strips
+  PressureOptions pressure;
 };
 
 struct SurfaceModel : SurfaceGeometry {
@@ -60,10 +63,20 @@ struct SurfaceModel : SurfaceGeometry {
   StripCoefficientTable coefficients;
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
+  PressureOptions pressure;           ///< of a solution to the end
+  std::int32_t most_overlapping = 0;  ///< overlapping_strips() of its widths
 };
 
 /// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.
 inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_strips = 256;
+
+/// Strips of these widths that may overlap a wheel at a time: as many as 64 mm of a rail's tread and 16 mm of
+/// its corner are cut into, within most_overlapping_strips. Memory goes with the square.
+inline std::int32_t overlapping_strips(const StripWidths& widths) {
+  constexpr double tread = 64e-3, corner = 16e-3;  // [m]
+  const double strips = tread / widths.widest + corner / widths.narrowest;
+  return static_cast<std::int32_t>(smaller(strips + 0.5, most_overlapping_strips));
+}
 
 /// `sections`, `section_nodes`: how many, and nodes of the longest.
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,

@@ -39,6 +39,7 @@ class RailSlope : public testing::Test, protected PlacedWheel {
     rail.z_velocity = -0.02;
     rail.roll_rate = 0.05;
     input.damping = 0.05;
+    config.surface.tolerance = 1e-7;
   }
   void SetUp() override { create(); }
   static double outwards_of(int32_t which) { return which == WRC_SIDE_LEFT ? -1.0 : 1.0; }

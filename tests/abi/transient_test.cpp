@@ -62,6 +62,66 @@ TEST_F(Transient, FirstStepIsCattaneosShift) {
   EXPECT_NEAR(solution.adhesion_fraction, 0.6, 0.03);  // radius of the stuck circle: sqrt(1 - 0.4) a
 }
 
+TEST_F(Transient, ShiftsAtRestFollowMindlin) {
+  // Cattaneo's first loading to 0.6 of the full shift, back to -0.2, both at rest: Q_1 - 2 mu N (1 - (1 -
+  // (d_1 - d) / (2 d_full))^1.5). A step of no shift changes nothing. Poisson's ratio 0 as above.
+  const double a = 4e-3, load = 50e3, mu = 0.3, G = 80e9;
+  press(a, a, 0.0, load, grid_over(1.02 * a, 1.02 * a, 48));
+  problem.wheel_material.poisson = problem.rail_material.poisson = 0.0;
+  problem.coefficient = mu;
+  problem.creepage.speed = 0.0;
+  create();
+  const double full = 3.0 * mu * load / (16.0 * a) * (4.0 / G);
+  const double first = 1.0 - std::pow(0.4, 1.5), back = first - 2.0 * (1.0 - std::pow(0.6, 1.5));
+  for (int k = 0; k < 3; ++k) {
+    problem.creepage.longitudinal = -0.2 * full / problem.grid.dx;
+    ASSERT_EQ(step(), WRC_OK) << text;
+  }
+  EXPECT_NEAR(solution.fx / (mu * load), first, 0.006);
+  EXPECT_EQ(solution.power, 0.0);
+  for (int k = 0; k < 4; ++k) {
+    problem.creepage.longitudinal = 0.2 * full / problem.grid.dx;
+    ASSERT_EQ(step(), WRC_OK) << text;
+  }
+  EXPECT_NEAR(solution.fx / (mu * load), back, 0.006);
+  const double before = solution.fx;
+  problem.creepage.longitudinal = 0.0;
+  ASSERT_EQ(step(), WRC_OK) << text;
+  EXPECT_NEAR(solution.fx / (mu * load), before / (mu * load), 1e-4);
+}
+
+TEST_F(Transient, BackwardsIsTheMirrorImage) {
+  // x -> -x of everything: nu_x and phi change their signs, F_x and M_z too. Unlike bodies, pressed along
+  // each other.
+  const double a = 5e-3, b = 4e-3, load = 60e3;
+  double forwards[3] = {};
+  for (const double way : {1.0, -1.0}) {
+    press(a, b, 0.0, load, grid_over(a, b, 20));
+    problem.wheel_material.poisson = 0.2;
+    problem.creepage.speed = 3.0 * way;
+    problem.creepage.longitudinal = 1e-3 * way;
+    problem.creepage.lateral = -5e-4;
+    problem.creepage.spin = 0.2 * way;
+    problem.tolerance = 1e-8;
+    wrc_exact_transient_destroy(bodies);
+    create();
+    for (int k = 0; k < 6; ++k) {
+      ASSERT_EQ(step(), WRC_OK) << text;
+      EXPECT_GT(solution.power, 0.0);
+    }
+    if (way > 0.0) {
+      forwards[0] = solution.fx;
+      forwards[1] = solution.fy;
+      forwards[2] = solution.mz;
+    }
+  }
+  const double limit = 0.3 * load;
+  EXPECT_LT(forwards[0], -0.1 * limit);
+  EXPECT_NEAR(-solution.fx / limit, forwards[0] / limit, 1e-7);
+  EXPECT_NEAR(solution.fy / limit, forwards[1] / limit, 1e-7);
+  EXPECT_NEAR(-solution.mz / (limit * a), forwards[2] / (limit * a), 1e-7);
+}
+
 TEST_F(Transient, EndsInSteadyRolling) {
   const double a = 5e-3, b = 4e-3, load = 60e3;
   press(a, b, 0.0, load, grid_over(a, b, 20));

@@ -437,6 +437,8 @@ TEST_F(WheelOnRail, RegionsAddUpToTheWrench) {
 // physics
 
 TEST_F(WheelOnRail, APrescribedLoadFindsItsHeight) {
+  config.surface.tolerance = 1e-7;
+  create();
   for (const double load : {20e3, 80e3, 150e3}) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     input.vertical_load = load;
@@ -493,6 +495,7 @@ TEST_F(WheelOnRail, ALoadIsCarriedByTheFaceThatIsMetFromAbove) {
   config = test_config();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config.surface.tolerance = 1e-7;
   create();
   friction.coefficient = 0.0;
   rail = wrc_wheel_input_default().rail;
@@ -1155,6 +1158,8 @@ class RidgedRail : public testing::Test, protected PlacedWheel {
 };
 
 TEST_F(RidgedRail, TheLastRegionTakesWhatIsNotListed) {
+  config.surface.tolerance = 1e-7;
+  create();
   ASSERT_EQ(step(), WRC_FLAG_MORE_PATCHES) << error();
   ASSERT_EQ(wrench.region_count, 16);
   Vector force{};

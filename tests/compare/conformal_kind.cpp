@@ -25,7 +25,7 @@ Report compare_conformal(const Csv& file, const Options& options) {
   report.default_variant = "conformal_angle";
   report.measures = {"force", "peak_pressure", "force_steep", "force_steep_height"};
   for (const char* setting : settings) report.variants.emplace_back(setting);
-  Pairs pairs(file);
+  Pairs pairs(file, options.setting);
   if (options.list)
     std::printf("case setting, steepest angle, errors of force and peak pressure, at height\n");
   for (const CaseRows& rows : case_rows(file)) {

@@ -7,10 +7,14 @@
 namespace compare {
 namespace {
 
+/// The cells of a line. A cell in quotes may hold commas; its quotes are left out.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> pieces(1);
+  bool quoted = false;
   for (char c : line) {
-    if (c == ',') {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
       pieces.emplace_back();
     } else if (c != '\r' && c != ' ') {
       pieces.back() += c;
@@ -56,6 +60,13 @@ const std::string& Csv::text(std::size_t row, const std::string& column) const {
   const auto found = columns_.find(column);
   if (found == columns_.end()) throw std::runtime_error("the file has no column '" + column + "'");
   return found->second.at(row);
+}
+
+std::string parameters_of(const std::string& path) {
+  const std::size_t at = path.rfind("cases");
+  if (at == std::string::npos)
+    throw std::runtime_error(path + ": no 'cases' in its name to make 'params' of");
+  return path.substr(0, at) + "params" + path.substr(at + 5);
 }
 
 }  // namespace compare

@@ -28,4 +28,8 @@ class Csv {
   std::size_t rows_ = 0;
 };
 
+/// The file of parameters beside a file of cases: params in the place of cases in its name. Throws
+/// std::runtime_error where the name has no cases.
+std::string parameters_of(const std::string& path);
+
 }  // namespace compare

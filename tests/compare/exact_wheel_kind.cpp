@@ -95,7 +95,7 @@ Report compare_exact_wheel(const Csv& file, const Options& options) {
   report.numbered = true;
   report.default_variant = real_time;
   report.measures = {"force", "moment", "peak_pressure", "area", "power"};
-  Pairs pairs(file);
+  Pairs pairs(file, options.setting);
   for (const CaseRows& rows : case_rows(file)) {
     if (!options.wanted(rows.number)) continue;
     ++report.rows;

@@ -13,11 +13,13 @@ using Names = std::vector<std::string>;
 
 /// What the wheel's kinds may be told on the command line.
 struct Options {
-  std::vector<long> cases;    ///< to run; empty: all
-  Names only;                 ///< pairs of methods, NORMAL+TANGENTIAL; empty: the default
-  bool list = false;          ///< print each case
-  double smoothing = 4.5e-3;  ///< wrc_profile.smoothing of measured points with noise [m]
-  double cell = 2e-4;         ///< of the exact solver [m]
+  std::string kind;                 ///< its name on the command line
+  std::vector<long> cases;          ///< to run; empty: all
+  Names only;                       ///< pairs of methods, NORMAL+TANGENTIAL; empty: the default
+  std::string setting = "default";  ///< resolution, of WRC_RESOLUTION_LIST
+  bool list = false;                ///< print each case
+  double smoothing = 4.5e-3;        ///< wrc_profile.smoothing of measured points with noise [m]
+  double cell = 2e-4;               ///< of the exact solver [m]
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
@@ -41,6 +43,11 @@ Report compare_halfspace_normal(const Csv& file, const Names& only);
 /// Errors are over mu times the row's load; beside all rows they are listed by wave length.
 Report compare_transient(const Csv& file, const Names& only);
 
+/// Contact with a memory at rest and rolling either way: the exact solver step by step. Errors of forces are
+/// over mu times the row's load, those of the moment also over sqrt(ab); beside all rows they are listed by
+/// family.
+Report compare_memory(const Csv& file, const Names& only);
+
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);
@@ -62,5 +69,10 @@ Report compare_loop(const Csv& file, const Options& options);
 /// The exact solver on the rail's surface (wrc_exact_wrench) against the rows of wheelset and conformal
 /// files, and wrc_contact_wrench against that solver on the same poses.
 Report compare_exact_wheel(const Csv& file, const Options& options);
+
+/// Wheels on rails of every kind (rollers, unlike materials, friction laws, not round, along the track) from
+/// the pose to the force. Each case has several settings of the reference. An error is the part that lies
+/// beyond all of them.
+Report compare_settings(const Csv& file, const Options& options);
 
 }  // namespace compare

@@ -1,8 +1,10 @@
 /// wrc_compare - errors of every variant against exact results.
 ///
 ///   wrc_compare KIND FILE.csv [--only VARIANT[,VARIANT]] [--json]
-///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--case N[,N]] [--list] [--smoothing MM] [--json]
+///   wrc_compare wheelset|conformal|scan|loop FILE.csv [--setting NAME] [--case N[,N]] [--list] [--smoothing MM]
+///   [--json]
 ///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
+///   wrc_compare rollers|...|track FILE.csv [--case N[,N]] [--list] [--only VARIANT[,VARIANT]] [--cell MM] [--json]
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
 #include <cstdio>
 #include <cstdlib>
@@ -35,6 +37,11 @@ struct Kind {
   bool methods = false;  ///< --only names pairs of methods
 };
 
+/// One of the kinds whose cases have several settings of the reference; all have the same columns.
+constexpr Kind settings_kind(const char* name, const char* about) {
+  return {name, nullptr, compare::compare_settings, {"--cell", &Options::cell}, about, true};
+}
+
 constexpr Kind kinds[] = {
     {"sdec", compare::compare_sdec, nullptr, none,
      "those of sdec_cases.csv: exact double ellipses, CONTACT's forces and power"},
@@ -48,6 +55,9 @@ constexpr Kind kinds[] = {
      "those of normal_rows.csv: the exact solver, 0.2 mm cells"},
     {"transient", compare::compare_transient, nullptr, none,
      "those of transient_cases.csv, transient_params.csv beside it: rolling that is not steady"},
+    {"memory", compare::compare_memory, nullptr, none,
+     "those of memory_cases.csv, memory_params.csv beside it: shifts at rest, rolling either way, loads that "
+     "vary"},
     {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
     {"subsurf", compare::compare_subsurface, nullptr, none,
@@ -72,6 +82,16 @@ constexpr Kind kinds[] = {
      compare::compare_exact_wheel,
      {"--cell", &Options::cell},
      "those of wheelset_cases.csv or conformal_cases.csv: the exact solver on the rail's surface"},
+    settings_kind("rollers", "wheels on rollers"),
+    settings_kind("materials", "wheel and rail of different materials"),
+    settings_kind("friction_laws", "friction that falls with the sliding speed"),
+    settings_kind("friction_zones", "friction over the rail's inclination"),
+    settings_kind("loads_yaw", "vertical load prescribed, large yaw"),
+    settings_kind("driven", "driven, braked, sliding and backwards wheels"),
+    settings_kind("manchester", "the Manchester benchmark, vertical load prescribed"),
+    settings_kind("out_of_round", "wheels that are not round"),
+    settings_kind("flat", "a wheel with a measured flat"),
+    settings_kind("track", "rails that change along the track; also at the reference's height"),
 };
 
 void usage(FILE* to) {
@@ -89,9 +109,13 @@ void usage(FILE* to) {
       "--only NORMAL+TANGENTIAL[,...] (wheelset, scan, loop): in the default's stead a wheel on a rail with "
       "these\n"
       "        methods, by the identifiers of wrc_methods.h, as in hertz+fastsim,ekp+strip_fastsim\n"
+      "--setting NAME: resolution of the wheel on a rail, as in --setting 'real time' [default]\n"
       "--list: every case as well, with its error and forces\n"
       "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
-      "--cell MM (exact-wheel): cells of the exact solver [0.2]\n");
+      "--cell MM (exact-wheel; rollers to track): cells of the exact solver [0.2]\n"
+      "rollers to track have the columns of tests/data/README.md, geometry beside FILE, and --only "
+      "wrc_contact_wrench (the\n"
+      "        default), wrc_exact_wrench\n");
 }
 
 /// Refuses the command line.
@@ -136,6 +160,7 @@ int main(int argc, char** argv) {
   bool json = false;
   Names only;
   Options options;
+  options.kind = kind->name;
   for (std::size_t i = 2; i < words.size(); ++i) {
     const bool has_value = i + 1 < words.size();
     double value = 0.0;
@@ -143,6 +168,8 @@ int main(int argc, char** argv) {
       json = true;
     } else if (words[i] == "--only" && (kind->variants || kind->methods) && has_value) {
       only = options.only = split(words[++i]);
+    } else if (words[i] == "--setting" && kind->cases && has_value) {
+      options.setting = words[++i];
     } else if (words[i] == "--list" && kind->cases) {
       options.list = true;
     } else if (words[i] == "--case" && kind->cases && has_value) {

@@ -119,7 +119,7 @@ Report compare_scan(const Csv& file, const Options& options) {
   report.measures = {"jump", "jump_tread"};
   if (standard) report.measures.emplace_back("warm_from_cold");
   static constexpr const char* names[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
-  Pairs pairs(file);
+  Pairs pairs(file, options.setting);
   for (std::size_t row = 0; row < file.rows(); ++row) {
     const auto number = static_cast<std::size_t>(file(row, "case"));
     if (!options.wanted(static_cast<long>(number))) continue;
@@ -176,7 +176,7 @@ Report compare_loop(const Csv& file, const Options& options) {
   report.variants = standard ? Names{"as given", "steps halved"} : options.only;
   report.default_variant = report.variants.front();
   report.measures = {"loop"};
-  Pairs pairs(file);
+  Pairs pairs(file, options.setting);
   for (std::size_t row = 0; row < file.rows(); ++row) {
     const auto number = static_cast<std::size_t>(file(row, "case"));
     if (!options.wanted(static_cast<long>(number))) continue;

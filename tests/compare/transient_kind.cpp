@@ -77,14 +77,6 @@ Sequence sequence_of(const Csv& file, std::size_t row) {
   return q;
 }
 
-/// The parameters' file that belongs to a file of cases.
-std::string parameters_of(const std::string& path) {
-  const std::size_t at = path.rfind("cases");
-  if (at == std::string::npos)
-    throw std::runtime_error(path + ": no 'cases' in its name to make 'params' of");
-  return path.substr(0, at) + "params" + path.substr(at + 5);
-}
-
 struct Force {
   double fx = 0.0, fy = 0.0;
 };

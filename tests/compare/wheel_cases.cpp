@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -33,14 +32,10 @@ CaseRows setting_rows(const Csv& file, const CaseRows& rows, const std::string& 
   return found;
 }
 
-const Pairs::Points& Pairs::points(const std::string& name) {
-  if (const auto found = points_.find(name); found != points_.end()) return found->second;
-  std::string file_name = name == "S1002" ? "s1002_benchmark" : name == "UIC60" ? "uic60_benchmark" : name;
-  if (file_name.size() < 4 || file_name.substr(file_name.size() - 4) != ".txt") file_name += ".txt";
-  const auto path = std::filesystem::path(folder_).parent_path() / "profiles" / file_name;
+ProfilePoints read_profile(const std::filesystem::path& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path.string());
-  Points& points = points_[name];
+  ProfilePoints points;
   for (std::string line; std::getline(file, line);) {
     std::istringstream numbers(line);
     double y = 0.0, z = 0.0;
@@ -52,13 +47,20 @@ const Pairs::Points& Pairs::points(const std::string& name) {
   return points;
 }
 
+const ProfilePoints& Pairs::points(const std::string& name) {
+  if (const auto found = points_.find(name); found != points_.end()) return found->second;
+  std::string file_name = name == "S1002" ? "s1002_benchmark" : name == "UIC60" ? "uic60_benchmark" : name;
+  if (file_name.size() < 4 || file_name.substr(file_name.size() - 4) != ".txt") file_name += ".txt";
+  return points_[name] = read_profile(std::filesystem::path(folder_).parent_path() / "profiles" / file_name);
+}
+
 const Solver& Pairs::of(const PairOptions& options) {
   auto& solver =
       solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson, options.radius,
                 options.smoothing, options.side, options.normal, options.tangential}];
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
-    const Points& given = points(name);
+    const ProfilePoints& given = points(name);
     wrc_profile profile = sized<wrc_profile>();
     profile.kind = WRC_PROFILE_POINTS;
     profile.count = static_cast<uint32_t>(given.y.size());
@@ -68,6 +70,8 @@ const Solver& Pairs::of(const PairOptions& options) {
     return profile;
   };
   wrc_config config = test_config();
+  char text[1024] = "";
+  if (wrc_config_use(&config, setting_.c_str(), text, sizeof text) != WRC_OK) throw std::runtime_error(text);
   config.wheel_material.shear_modulus = config.rail_material.shear_modulus = options.shear_modulus;
   config.wheel_material.poisson = config.rail_material.poisson = options.poisson;
   config.wheelset.wheel_radius = options.radius;

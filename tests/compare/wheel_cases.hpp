@@ -6,10 +6,12 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "csv.hpp"
@@ -50,20 +52,27 @@ struct PairOptions {
 /// Methods by the name NORMAL+TANGENTIAL; throws std::runtime_error where it is none.
 void choose_methods(const std::string& name, PairOptions& options);
 
-/// The contacts of a file, each pair of profiles made once.
+/// Points of a profile [m].
+struct ProfilePoints {
+  std::vector<double> y, z;
+};
+
+/// Reads a file with y and z in mm on each line, # before a comment; throws std::runtime_error where it
+/// cannot.
+ProfilePoints read_profile(const std::filesystem::path& path);
+
+/// The contacts of a file, each pair of profiles made once. `setting`: a resolution of WRC_RESOLUTION_LIST.
 class Pairs {
  public:
-  explicit Pairs(const Csv& file) : folder_(file.path()) {}
+  explicit Pairs(const Csv& file, std::string setting = "default")
+      : folder_(file.path()), setting_(std::move(setting)) {}
   const Solver& of(const PairOptions& options);
 
  private:
-  struct Points {
-    std::vector<double> y, z;
-  };
-  const Points& points(const std::string& name);
+  const ProfilePoints& points(const std::string& name);
 
-  std::string folder_;
-  std::map<std::string, Points> points_;
+  std::string folder_, setting_;
+  std::map<std::string, ProfilePoints> points_;
   std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
            std::unique_ptr<Solver>>
       solvers_;

@@ -205,7 +205,7 @@ Report compare_wheelset(const Csv& file, const Options& options) {
     report.measures.emplace_back("time");
     report.units["time"] = "us";
   }
-  Pairs pairs(file);
+  Pairs pairs(file, options.setting);
   if (options.list) {
     std::printf(
         "case side steepest angle, error of the force, of sep alone | library - sep Fx Fy Fz [N] | sep "

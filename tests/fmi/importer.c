@@ -11,30 +11,12 @@
 #include <string.h>
 #include <time.h>
 
-#ifdef _WIN32
-#include <windows.h>
-#else
-#include <dlfcn.h>
-#endif
-
 #include "fmi2FunctionTypes.h"
 #include "fmi3FunctionTypes.h"
+#include "load.h"
 #include "wrc/wrc.h"
 
 enum { inputs = 18, outputs = 6, poses = 40 }; /* as in wheel.def; force and moment */
-
-static void find(void* library, const char* name, void* function) {
-#ifdef _WIN32
-  FARPROC found = GetProcAddress((HMODULE)library, name);
-#else
-  void* found = dlsym(library, name);
-#endif
-  if (!found) {
-    fprintf(stderr, "%s is not there\n", name);
-    exit(2);
-  }
-  memcpy(function, &found, sizeof found);
-}
 
 static double seconds(void) {
   struct timespec now;
@@ -77,15 +59,7 @@ static void quiet(fmi2ComponentEnvironment of, fmi2String name, fmi2Status statu
 
 int main(int count, char** words) {
   if (count < 2) return 2;
-#ifdef _WIN32
-  void* library = (void*)LoadLibraryA(words[1]);
-#else
-  void* library = dlopen(words[1], RTLD_NOW | RTLD_LOCAL);
-#endif
-  if (!library) {
-    fprintf(stderr, "%s cannot be loaded\n", words[1]);
-    return 2;
-  }
+  void* library = load(words[1]);
   fmi2InstantiateTYPE* instantiate2;
   fmi2SetupExperimentTYPE* setup2;
   fmi2EnterInitializationModeTYPE *enter2, *exit2, *free2;
@@ -112,9 +86,9 @@ int main(int count, char** words) {
   find(library, "fmi3GetFloat64", &get3);
 
   const fmi2CallbackFunctions callbacks = {quiet, calloc, free, NULL, NULL};
-  fmi2Component two = instantiate2("two", fmi2ModelExchange, "wrc_wheel 2", "file:///nowhere", &callbacks,
+  fmi2Component two = instantiate2("two", fmi2ModelExchange, "wrc_wheel 3", "file:///nowhere", &callbacks,
                                    fmi2False, fmi2False);
-  fmi3Instance three = instantiate3("three", "wrc_wheel 2", "/nowhere/", false, false, NULL, NULL);
+  fmi3Instance three = instantiate3("three", "wrc_wheel 3", "/nowhere/", false, false, NULL, NULL);
   if (!two || !three) return 3;
   if (instantiate2("other", fmi2ModelExchange, "another", "", &callbacks, fmi2False, fmi2False)) return 4;
   if (setup2(two, fmi2False, 0.0, 0.0, fmi2False, 0.0) != fmi2OK || enter2(two) != fmi2OK ||

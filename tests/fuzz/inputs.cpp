@@ -120,7 +120,7 @@ void make_points(Choices& choices, double from, double to, double (*height)(doub
   made.profile.count = count;
   made.profile.y = made.y.data();
   made.profile.z = made.z.data();
-  if (choices.one_in(3)) made.profile.smoothing = sized(choices, member<wrc_profile>("smoothing"), 1e-6);
+  if (choices.one_in(3)) made.profile.smoothing = sized(choices, MEMBER(wrc_profile, "smoothing"), 1e-6);
   if (choices.one_in(100)) made.profile.smoothing = choices.poison();
 }
 
@@ -177,40 +177,40 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
   if (choices.one_in(8)) config.tangential.patch_model = static_cast<std::int32_t>(choices.below(4));
   config.tangential.bound = static_cast<std::int32_t>(choices.below(3));
   config.tangential.flexibility = static_cast<std::int32_t>(choices.below(3));
-  config.planar.strips = count(member<wrc_config>("planar.strips").low, finest);
-  config.planar.cells = count(member<wrc_config>("planar.cells").low, finest);
-  config.surface.cells = count(member<wrc_config>("surface.cells").low, finest);
-  config.planar.gap_rows = count(member<wrc_config>("planar.gap_rows").low, 8.0 * finest);
+  config.planar.strips = count(MEMBER(wrc_config, "planar.strips").low, finest);
+  config.planar.cells = count(MEMBER(wrc_config, "planar.cells").low, finest);
+  config.surface.cells = count(MEMBER(wrc_config, "surface.cells").low, finest);
+  config.planar.gap_rows = count(MEMBER(wrc_config, "planar.gap_rows").low, 8.0 * finest);
   config.planar.max_patches =
-      static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_patches")));
+      static_cast<std::int32_t>(sized(choices, MEMBER(wrc_config, "planar.max_patches")));
   config.planar.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(2))
     config.normal.max_iterations = config.planar.max_sweeps =
-        static_cast<std::int32_t>(sized(choices, member<wrc_config>("planar.max_sweeps")));
+        static_cast<std::int32_t>(sized(choices, MEMBER(wrc_config, "planar.max_sweeps")));
   for (wrc_material* each : {&config.wheel_material, &config.rail_material}) {
-    if (choices.one_in(4)) each->shear_modulus = sized(choices, member<wrc_material>("shear_modulus"));
-    if (choices.one_in(4)) each->poisson = anywhere(choices, member<wrc_material>("poisson"));
-    if (choices.one_in(4)) each->shear_yield = sized(choices, member<wrc_material>("shear_yield"));
+    if (choices.one_in(4)) each->shear_modulus = sized(choices, MEMBER(wrc_material, "shear_modulus"));
+    if (choices.one_in(4)) each->poisson = anywhere(choices, MEMBER(wrc_material, "poisson"));
+    if (choices.one_in(4)) each->shear_yield = sized(choices, MEMBER(wrc_material, "shear_yield"));
   }
   if (choices.one_in(2)) config.rail_material = config.wheel_material;
   for (wrc_heat_properties* each : {&config.wheel_heat, &config.rail_heat}) {
     if (!choices.one_in(4)) continue;
-    each->conductivity = sized(choices, member<wrc_heat_properties>("conductivity"));
-    each->density = sized(choices, member<wrc_heat_properties>("density"));
-    each->specific_heat = sized(choices, member<wrc_heat_properties>("specific_heat"));
+    each->conductivity = sized(choices, MEMBER(wrc_heat_properties, "conductivity"));
+    each->density = sized(choices, MEMBER(wrc_heat_properties, "density"));
+    each->specific_heat = sized(choices, MEMBER(wrc_heat_properties, "specific_heat"));
   }
   if (choices.one_in(2))
-    config.normal.load_tolerance = sized(choices, member<wrc_config>("normal.load_tolerance"));
-  if (choices.one_in(2)) config.planar.gap_limit = sized(choices, member<wrc_config>("planar.gap_limit"));
+    config.normal.load_tolerance = sized(choices, MEMBER(wrc_config, "normal.load_tolerance"));
+  if (choices.one_in(2)) config.planar.gap_limit = sized(choices, MEMBER(wrc_config, "planar.gap_limit"));
   if (choices.one_in(4))
-    config.wheelset.wheel_radius = sized(choices, member<wrc_config>("wheelset.wheel_radius"));
+    config.wheelset.wheel_radius = sized(choices, MEMBER(wrc_config, "wheelset.wheel_radius"));
   if (choices.one_in(8)) config.track.gauge = choices.between(1.0, 1.7);
   if (choices.one_in(8))
     config.wheelset.tape_circle_distance = config.track.gauge + choices.between(-0.05, 0.15);
-  if (choices.one_in(8)) config.track.gauge_depth = sized(choices, member<wrc_config>("track.gauge_depth"));
+  if (choices.one_in(8)) config.track.gauge_depth = sized(choices, MEMBER(wrc_config, "track.gauge_depth"));
   if (choices.one_in(2)) config.track.rail_inclination = 0.025;
   if (choices.one_in(8))
-    config.track.rail_inclination = anywhere(choices, member<wrc_config>("track.rail_inclination"));
+    config.track.rail_inclination = anywhere(choices, MEMBER(wrc_config, "track.rail_inclination"));
   // Canted twice is refused: seldom here.
   if (rail.kind == WRC_PROFILE_UIC60_BENCHMARK && !choices.one_in(16)) config.track.rail_inclination = 0.0;
   if (choices.one_in(3)) {  // those of a wheel on a rail in one call
@@ -221,12 +221,12 @@ wrc_config make_config(Choices& choices, std::int32_t finest, const wrc_profile&
       config.check_rail.y = choices.between(-0.2, -0.05);
       config.check_rail.z = choices.between(-0.05, 0.02);
     } else if (choices.one_in(4))
-      config.roller_curvature = sized(choices, member<wrc_config>("roller_curvature"));
+      config.roller_curvature = sized(choices, MEMBER(wrc_config, "roller_curvature"));
   }
   if (choices.one_in(4)) {
     config.track.placement = WRC_PLACEMENT_ORIGIN;
     config.track.rail_origin =
-        choices.one_in(2) ? 0.7605 : anywhere(choices, member<wrc_config>("track.rail_origin"));
+        choices.one_in(2) ? 0.7605 : anywhere(choices, MEMBER(wrc_config, "track.rail_origin"));
   }
   if (!choices.one_in(8)) {
     config.wheel = wheel;
@@ -323,10 +323,10 @@ void make_along_track(Choices& choices, wrc_config& config, AlongTrackArrays& ma
 wrc_planar_pose make_pose(Choices& choices) {
   wrc_planar_pose pose{};
   const bool far = choices.one_in(4);
-  pose.lateral = far ? anywhere(choices, member<wrc_planar_pose>("lateral")) : choices.between(-0.008, 0.008);
+  pose.lateral = far ? anywhere(choices, MEMBER(wrc_planar_pose, "lateral")) : choices.between(-0.008, 0.008);
   pose.roll =
-      far ? sized(choices, member<wrc_planar_pose>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
-  pose.yaw = sized(choices, member<wrc_planar_pose>("yaw"), 1e-9);
+      far ? sized(choices, MEMBER(wrc_planar_pose, "roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  pose.yaw = sized(choices, MEMBER(wrc_planar_pose, "yaw"), 1e-9);
   if (choices.one_in(40)) pose.yaw = choices.poison();
   if (choices.one_in(40)) pose.lateral = choices.poison();
   return pose;
@@ -340,22 +340,22 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
   const bool far = choices.one_in(4);
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
   wheel.angular_axes = static_cast<std::int32_t>(choices.below(3));
-  wheel.y = far ? anywhere(choices, member<wrc_wheel_state>("y")) : choices.between(-0.01, 0.01);
-  wheel.z = far ? anywhere(choices, member<wrc_wheel_state>("z")) : choices.between(-2e-3, 3e-3);
+  wheel.y = far ? anywhere(choices, MEMBER(wrc_wheel_state, "y")) : choices.between(-0.01, 0.01);
+  wheel.z = far ? anywhere(choices, MEMBER(wrc_wheel_state, "z")) : choices.between(-2e-3, 3e-3);
   wheel.roll =
-      far ? sized(choices, member<wrc_wheel_state>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.01);
+      far ? sized(choices, MEMBER(wrc_wheel_state, "roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.01);
   wheel.yaw =
-      far ? sized(choices, member<wrc_wheel_state>("yaw"), 1e-9) : choices.signed_magnitude(1e-9, 0.05);
-  wheel.velocity[0] = sized(choices, member<wrc_wheel_state>("velocity[0]"), 1e-9);
-  wheel.velocity[1] = sized(choices, member<wrc_wheel_state>("velocity[1]"), 1e-9);
-  wheel.velocity[2] = sized(choices, member<wrc_wheel_state>("velocity[2]"), 1e-9);
+      far ? sized(choices, MEMBER(wrc_wheel_state, "yaw"), 1e-9) : choices.signed_magnitude(1e-9, 0.05);
+  wheel.velocity[0] = sized(choices, MEMBER(wrc_wheel_state, "velocity[0]"), 1e-9);
+  wheel.velocity[1] = sized(choices, MEMBER(wrc_wheel_state, "velocity[1]"), 1e-9);
+  wheel.velocity[2] = sized(choices, MEMBER(wrc_wheel_state, "velocity[2]"), 1e-9);
   const bool by_rates = wheel.angular_axes == WRC_AXES_NONE;
   double* const turning[] = {by_rates ? &wheel.roll_rate : &wheel.angular_velocity[0],
                              by_rates ? &wheel.pitch_rate : &wheel.angular_velocity[1],
                              by_rates ? &wheel.yaw_rate : &wheel.angular_velocity[2]};
-  *turning[0] = sized(choices, member<wrc_wheel_state>("roll_rate"), 1e-9);
-  *turning[1] = sized(choices, member<wrc_wheel_state>("pitch_rate"), 1e-9);
-  *turning[2] = sized(choices, member<wrc_wheel_state>("yaw_rate"), 1e-9);
+  *turning[0] = sized(choices, MEMBER(wrc_wheel_state, "roll_rate"), 1e-9);
+  *turning[1] = sized(choices, MEMBER(wrc_wheel_state, "pitch_rate"), 1e-9);
+  *turning[2] = sized(choices, MEMBER(wrc_wheel_state, "yaw_rate"), 1e-9);
   if (choices.one_in(4)) {  // a turn by the pitch alone, as good as none
     const double sine = choices.between(-1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
     const double turn[9] = {cosine, 0.0, sine, 0.0, 1.0, 0.0, -sine, 0.0, cosine};
@@ -364,18 +364,18 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     wheel.roll = wheel.yaw = 0.0;
     if (choices.one_in(8)) wheel.rotation[choices.below(9)] = choices.poison();
   }
-  rail.y = far ? sized(choices, member<wrc_rail_state>("y"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
-  rail.z = far ? sized(choices, member<wrc_rail_state>("z"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  rail.y = far ? sized(choices, MEMBER(wrc_rail_state, "y"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
+  rail.z = far ? sized(choices, MEMBER(wrc_rail_state, "z"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   rail.roll =
-      far ? sized(choices, member<wrc_rail_state>("roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.02);
-  rail.y_velocity = sized(choices, member<wrc_rail_state>("y_velocity"), 1e-9);
-  rail.z_velocity = sized(choices, member<wrc_rail_state>("z_velocity"), 1e-9);
-  rail.roll_rate = sized(choices, member<wrc_rail_state>("roll_rate"), 1e-9);
+      far ? sized(choices, MEMBER(wrc_rail_state, "roll"), 1e-9) : choices.signed_magnitude(1e-9, 0.02);
+  rail.y_velocity = sized(choices, MEMBER(wrc_rail_state, "y_velocity"), 1e-9);
+  rail.z_velocity = sized(choices, MEMBER(wrc_rail_state, "z_velocity"), 1e-9);
+  rail.roll_rate = sized(choices, MEMBER(wrc_rail_state, "roll_rate"), 1e-9);
   if (choices.one_in(3)) {
     rail.y_slope = choices.signed_magnitude(1e-9, 0.1);
     rail.z_slope = choices.signed_magnitude(1e-9, 0.1);
   }
-  friction.coefficient = sized(choices, member<wrc_friction>("coefficient"));
+  friction.coefficient = sized(choices, MEMBER(wrc_friction, "coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state{};
   if (choices.one_in(6)) friction.coefficient = 0.0;
   if (choices.one_in(6) && friction.coefficient > 0.0) {
@@ -387,16 +387,16 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
   if (choices.one_in(4)) friction.speed_law = 1 + static_cast<std::int32_t>(choices.below(2));
   input.start = static_cast<std::int32_t>(choices.below(2));
   if (choices.one_in(4)) {
-    input.frame.speed = sized(choices, member<wrc_frame_motion>("speed"), 1e-9);
-    input.frame.curvature = sized(choices, member<wrc_frame_motion>("curvature"), 1e-9);
-    input.frame.vertical_curvature = sized(choices, member<wrc_frame_motion>("vertical_curvature"), 1e-9);
-    input.frame.twist = sized(choices, member<wrc_frame_motion>("twist"), 1e-9);
+    input.frame.speed = sized(choices, MEMBER(wrc_frame_motion, "speed"), 1e-9);
+    input.frame.curvature = sized(choices, MEMBER(wrc_frame_motion, "curvature"), 1e-9);
+    input.frame.vertical_curvature = sized(choices, MEMBER(wrc_frame_motion, "vertical_curvature"), 1e-9);
+    input.frame.twist = sized(choices, MEMBER(wrc_frame_motion, "twist"), 1e-9);
   }
   if (choices.one_in(3)) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-    input.vertical_load = sized(choices, member<wrc_wheel_input>("vertical_load"));
+    input.vertical_load = sized(choices, MEMBER(wrc_wheel_input, "vertical_load"));
   } else {
-    input.damping = choices.one_in(2) ? 0.0 : sized(choices, member<wrc_wheel_input>("damping"), 1e-9);
+    input.damping = choices.one_in(2) ? 0.0 : sized(choices, MEMBER(wrc_wheel_input, "damping"), 1e-9);
   }
   if (config.roller_curvature != 0.0 && !choices.one_in(4)) {
     input.roller_rate = choices.signed_magnitude(1e-9, 2000.0);
@@ -407,10 +407,10 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     wrc_rail_section near;
     std::memcpy(&near, reinterpret_cast<const char*>(config.rail_sections) + at, sizeof near);
     input.distance = near.distance + choices.signed_magnitude(1e-9, 10.0);
-    if (choices.one_in(8)) input.distance = anywhere(choices, member<wrc_wheel_input>("distance"));
+    if (choices.one_in(8)) input.distance = anywhere(choices, MEMBER(wrc_wheel_input, "distance"));
   }
   if (config.roundness.angle_count > 0)
-    input.angle = choices.one_in(8) ? anywhere(choices, member<wrc_wheel_input>("angle"))
+    input.angle = choices.one_in(8) ? anywhere(choices, MEMBER(wrc_wheel_input, "angle"))
                                     : choices.between(-10.0, 10.0);
   if (choices.one_in(40)) input.angle = choices.poison();
   double* const numbers[] = {&wheel.y,
@@ -435,14 +435,14 @@ wrc_planar_load make_load(Choices& choices) {
   if (choices.one_in(3)) {
     load.prescribed = WRC_PRESCRIBE_APPROACH;
     load.approach = choices.one_in(8) ? choices.between(-1.0, 0.0)
-                                      : sized(choices, member<wrc_planar_load>("approach"), 1e-15);
+                                      : sized(choices, MEMBER(wrc_planar_load, "approach"), 1e-15);
   } else {
-    load.normal_force = sized(choices, member<wrc_planar_load>("normal_force"));
+    load.normal_force = sized(choices, MEMBER(wrc_planar_load, "normal_force"));
   }
   if (choices.one_in(40)) load.normal_force = load.approach = choices.poison();
   if (choices.one_in(3)) {
-    load.damping = sized(choices, member<wrc_planar_load>("damping"), 1e-9);
-    load.approach_velocity = sized(choices, member<wrc_planar_load>("approach_velocity"), 1e-9);
+    load.damping = sized(choices, MEMBER(wrc_planar_load, "damping"), 1e-9);
+    load.approach_velocity = sized(choices, MEMBER(wrc_planar_load, "approach_velocity"), 1e-9);
     // Damped to next to nothing: 1 + 3/2 damping * velocity of the last digits.
     if (choices.one_in(4))
       load.approach_velocity = -2.0 / 3.0 / load.damping * (1.0 - choices.magnitude(1e-16, 1e-2));
@@ -455,12 +455,12 @@ wrc_planar_load make_load(Choices& choices) {
 
 wrc_planar_motion make_motion(Choices& choices) {
   wrc_planar_motion motion{};
-  motion.speed = sized(choices, member<wrc_planar_motion>("speed"), 1e-6);
-  motion.lateral_velocity = sized(choices, member<wrc_planar_motion>("lateral_velocity"), 1e-9);
-  motion.vertical_velocity = sized(choices, member<wrc_planar_motion>("vertical_velocity"), 1e-9);
-  motion.roll_rate = sized(choices, member<wrc_planar_motion>("roll_rate"), 1e-9);
-  motion.yaw_rate = sized(choices, member<wrc_planar_motion>("yaw_rate"), 1e-9);
-  motion.pitch_rate = sized(choices, member<wrc_planar_motion>("pitch_rate"), 1e-9);
+  motion.speed = sized(choices, MEMBER(wrc_planar_motion, "speed"), 1e-6);
+  motion.lateral_velocity = sized(choices, MEMBER(wrc_planar_motion, "lateral_velocity"), 1e-9);
+  motion.vertical_velocity = sized(choices, MEMBER(wrc_planar_motion, "vertical_velocity"), 1e-9);
+  motion.roll_rate = sized(choices, MEMBER(wrc_planar_motion, "roll_rate"), 1e-9);
+  motion.yaw_rate = sized(choices, MEMBER(wrc_planar_motion, "yaw_rate"), 1e-9);
+  motion.pitch_rate = sized(choices, MEMBER(wrc_planar_motion, "pitch_rate"), 1e-9);
   if (choices.one_in(40)) motion.pitch_rate = choices.poison();
   return motion;
 }
@@ -482,8 +482,8 @@ wrc_creepage make_creepage(Choices& choices) {
   creepage.longitudinal = choices.signed_magnitude(1e-15, most);
   creepage.lateral = choices.signed_magnitude(1e-15, most);
   creepage.spin = choices.signed_magnitude(1e-12, 100.0 * most);
-  creepage.speed = sized(choices, member<wrc_creepage>("speed"), 1e-6);
-  if (choices.one_in(8)) creepage.reverse_share = anywhere(choices, member<wrc_creepage>("reverse_share"));
+  creepage.speed = sized(choices, MEMBER(wrc_creepage, "speed"), 1e-6);
+  if (choices.one_in(8)) creepage.reverse_share = anywhere(choices, MEMBER(wrc_creepage, "reverse_share"));
   if (choices.one_in(40)) creepage.spin = choices.poison();
   return creepage;
 }
@@ -492,24 +492,24 @@ void make_friction(Choices& choices, FrictionArrays& arrays) {
   wrc_friction& friction = arrays.friction;
   friction = wrc_friction_default();
   friction.coefficient =
-      choices.one_in(40) ? choices.poison() : sized(choices, member<wrc_friction>("coefficient"));
+      choices.one_in(40) ? choices.poison() : sized(choices, MEMBER(wrc_friction, "coefficient"));
   friction.speed_law = static_cast<std::int32_t>(choices.below(3));
   friction.temperature_law = choices.one_in(4) ? WRC_TEMPERATURE_LAW_LINEAR : WRC_TEMPERATURE_LAW_NONE;
   if (choices.one_in(40)) friction.speed_law = choices.one_in(2) ? 3 : -1;
   if (choices.one_in(40)) friction.temperature_law = choices.one_in(2) ? 2 : -1;
   // with members of laws that are not chosen
   friction.kinetic_ratio =
-      choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("kinetic_ratio"), 1e-12);
-  friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("fall_rate"), 1e-6);
-  friction.half_speed = sized(choices, member<wrc_friction>("half_speed"));
-  friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("hot_ratio"), 1e-12);
+      choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "kinetic_ratio"), 1e-12);
+  friction.fall_rate = choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "fall_rate"), 1e-6);
+  friction.half_speed = sized(choices, MEMBER(wrc_friction, "half_speed"));
+  friction.hot_ratio = choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "hot_ratio"), 1e-12);
   friction.hot_temperature = choices.between(0.0, 1000.0);
   if (choices.one_in(2)) friction.bulk.rail = choices.between(-273.0, 2000.0);
-  if (choices.one_in(2)) friction.slope_reduction = sized(choices, member<wrc_friction>("slope_reduction"));
+  if (choices.one_in(2)) friction.slope_reduction = sized(choices, MEMBER(wrc_friction, "slope_reduction"));
   if (choices.one_in(2)) {
     friction.slope_limit =
-        choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_limit"), 1e-6);
-    friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, member<wrc_friction>("slope_fall"), 1e-6);
+        choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "slope_limit"), 1e-6);
+    friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "slope_fall"), 1e-6);
   }
   if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
   if (!choices.one_in(2)) return;
@@ -537,10 +537,10 @@ double FrictionArrays::most() const {
 
 wrc_ellipse make_ellipse(Choices& choices) {
   wrc_ellipse ellipse{};
-  ellipse.a = sized(choices, member<wrc_ellipse>("a"));
-  ellipse.b = sized(choices, member<wrc_ellipse>("b"));
-  ellipse.psi = sized(choices, member<wrc_ellipse>("psi"), 1e-12);
-  ellipse.normal_force = sized(choices, member<wrc_ellipse>("normal_force"));
+  ellipse.a = sized(choices, MEMBER(wrc_ellipse, "a"));
+  ellipse.b = sized(choices, MEMBER(wrc_ellipse, "b"));
+  ellipse.psi = sized(choices, MEMBER(wrc_ellipse, "psi"), 1e-12);
+  ellipse.normal_force = sized(choices, MEMBER(wrc_ellipse, "normal_force"));
   if (choices.one_in(40)) ellipse.a = choices.poison();
   return ellipse;
 }

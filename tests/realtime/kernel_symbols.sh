@@ -31,7 +31,7 @@ check() { # set, flags
     [ -n "$object" ] || { echo "no object of $unit for $name among those given" >&2; exit 1; }
     nothing_shared "$module" "$name" "as built" "$object"
     for level in "${levels[@]}"; do
-      "$compiler" -std=c++20 "$level" "${@:2}" -DWRC_SET="$name" -fPIC -ffp-contract=off -I"$source/src" \
+      "$compiler" -std=c++17 "$level" "${@:2}" -DWRC_SET="$name" -fPIC -ffp-contract=off -I"$source/src" \
         -I"$source/include_c" -c "$unit" -o "$scratch/$name.o"
       nothing_shared "$module" "$name" "at $level" "$scratch/$name.o"
     done

@@ -11,7 +11,7 @@ objects=$(mktemp -d)
 trap 'rm -rf "$objects"' EXIT
 files=$(find "$sources" -name '*.cpp' -not -path '*/kernels/*' -not -path '*/simd/*' | sort)
 [ -n "$files" ] || { echo "WRONG: no sources in $sources"; exit 1; }
-compile() { "$compiler" -std=c++20 -O0 -flto -w -I"$root/src" -I"$root/include_c" \
+compile() { "$compiler" -std=c++17 -O0 -flto -w -I"$root/src" -I"$root/include_c" \
   -DWRC_COMMIT='"none"' -DWRC_FLAGS='"none"' -c "$1" -o "$(mktemp "$objects/XXXXXX.o")"; }
 export -f compile
 export compiler root objects

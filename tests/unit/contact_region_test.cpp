@@ -59,7 +59,6 @@ class ContactRegion : public testing::Test {
     wheel.angular_velocity[1] = -speed / 0.46;
     wheel.frictionless = false;
     wheel.friction.law.coefficient = friction;
-    wheel.from_scratch = true;
     wheel.load_prescribed = true;
     wheel.vertical_load = 80e3;
     EXPECT_EQ(abi::read_wear_laws(nullptr, "laws", laws).status, WRC_OK);

@@ -32,7 +32,7 @@ struct SectionsOfArcs {
     }
     const VaryingRailArrays arrays =
         cut_into(memory, [](Arena& arena) { return cut_varying_rail(arena, sections, nodes, most); });
-    EXPECT_FALSE(make_varying_rail(section, sections, 0.025, most, arrays, rail).failed());
+    EXPECT_FALSE(make_varying_rail(section, sections, 0.025, {}, most, arrays, rail).failed());
   }
 };
 

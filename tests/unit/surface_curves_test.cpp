@@ -220,7 +220,7 @@ TEST(RailStrips, FacesThatGuideAreCutFiner) {
   }
   wall.make();
   EXPECT_NEAR(CutRail(wall.curve, 512).strips.width[20], 0.5e-3, 1e-12);
-  EXPECT_NEAR(CutRail(wall.curve, 512, guiding_widths).strips.width[50], 0.2e-3, 1e-12);
+  EXPECT_NEAR(CutRail(wall.curve, 512, {.guiding = guiding_width}).strips.width[50], 0.2e-3, 1e-12);
 }
 
 }  // namespace

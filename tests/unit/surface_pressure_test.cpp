@@ -51,12 +51,13 @@ struct TurnedGap {
   std::vector<double> length_squared, peak_per_length, centre, line_load;
 
   PressureResult solve(double compliance) {
-    start = {};
+    from = StartFrom::overlaps;
     return solve_from_start(compliance);
   }
 
   PressureStart start;
-  std::vector<double> L, shift, deep;
+  StartFrom from = StartFrom::overlaps;
+  std::vector<double> numbers, L, shift, deep;
 
   PressureResult solve_from_start(double compliance, const PressureOptions& options = {}) {
     const std::size_t n = strip.size();
@@ -75,9 +76,9 @@ struct TurnedGap {
     overlaps.nz = nz.data();
     for (auto* a : {&length_squared, &peak_per_length, &centre, &line_load}) a->assign(n, 0.0);
     std::vector<double> workspace(static_cast<std::size_t>(pressure_doubles(count)));
-    for (auto* a : {&L, &shift, &deep}) a->resize(n);
-    start = {L.data(), shift.data(), deep.data(), start.set, start.extrapolated};
-    return solve_pressure(model_of(compliance), rail, overlaps, options, workspace.data(), start,
+    for (auto* a : {&numbers, &L, &shift, &deep}) a->resize(n);
+    start = {numbers.data(), L.data(), shift.data(), deep.data(), start.count};
+    return solve_pressure(model_of(compliance), rail, overlaps, options, workspace.data(), start, from,
                           {length_squared.data(), peak_per_length.data(), centre.data(), line_load.data()});
   }
 };
@@ -137,7 +138,7 @@ struct ArcedGap : TurnedGap {
     turn();
   }
   void solve_exactly(double compliance) {
-    start = {};
+    from = StartFrom::overlaps;
     ASSERT_TRUE(solve_from_start(compliance, {.tolerance = 1e-12}).converged);
   }
   OverlapSlopes slopes(std::size_t i) const {
@@ -310,8 +311,8 @@ TEST(SurfacePressure, AWarmStartFollowsItsOverlaps) {
       ASSERT_TRUE(gap.solve(compliance).converged);
       for (std::size_t i = 0; i < gap.depth.size(); ++i)
         gap.depth[i] += motion.deeper + 2.0 * B * motion.aside * gap.place[i];
-      gap.start.set = way != anew;
-      gap.start.extrapolated = way == as_before;
+      constexpr StartFrom from[ways] = {StartFrom::overlaps, StartFrom::extrapolation, StartFrom::solution};
+      gap.from = from[way];
       const TurnedGap before = gap;
       ASSERT_TRUE(gap.solve_from_start(compliance).converged);
       load[way] = 0.0;

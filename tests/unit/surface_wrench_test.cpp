@@ -57,14 +57,14 @@ class CylinderOnCrown {
     bodies.grid = &grid_;
     model_memory_.resize(surface_model_bytes(nodes, nodes, 0, 0, {}) / sizeof(double) + 1);
     EXPECT_FALSE(make_surface_model(bodies, model_memory_.data(), model).failed());
-    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(nodes, {}, cells, false)) /
+    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(nodes, {}, {}, cells, false)) /
                      sizeof(double));
     in.friction = 0.0;
     in.wheel.position[2] = -wheel_radius;
   }
 
-  Fault solve(bool warm = false) {
-    return solve_wheel_on_rail(*model, in, warm, *state, workspace.data(), wrench);
+  Fault solve(SolutionStart from = SolutionStart::anew) {
+    return solve_wheel_on_rail(*model, in, from, *state, workspace.data(), wrench);
   }
   WheelProblem problem() const {
     WheelProblem problem{*model, in, {}};
@@ -142,10 +142,10 @@ TEST(GivenLoad, OfTheHeightFoundComesBack) {
   pair.in.load_prescribed = true;
   ASSERT_EQ(pair.solve().status, WRC_OK);
   const Wrench found = pair.wrench;
-  EXPECT_EQ(pair.state->height, found.height);
+  EXPECT_EQ(pair.state->last.height, found.height);
   pair.in.load_prescribed = false;
   pair.in.wheel.position[2] = found.height;
-  ASSERT_EQ(pair.solve(true).status, WRC_OK);
+  ASSERT_EQ(pair.solve(SolutionStart::last).status, WRC_OK);
   EXPECT_NEAR(pair.wrench.force[2], found.force[2], 1e-9 * 7e4);
   EXPECT_NEAR(-pair.wrench.force[2], 7e4, 1e-8 * 7e4);
   // wherever the search begins
@@ -175,7 +175,7 @@ TEST(StripMechanics, PowerOfTheForcesIsThatInTheStripsOwnAxes) {
       const StripOverlap<double> o = some_strip(angle, grade);
       const StripMotion<double> m = motion_at(v, o, x, grade != 0.0);
       double force[3] = {1.0, 2.0, 3.0}, moment[3] = {4.0, 5.0, 6.0};
-      add_force(o, x, grade != 0.0, N, fx, fy, mz, force, moment);
+      add_force(o, x, grade != 0.0, {N, fx, fy, mz}, force, moment);
       const double power = dot(of(force), of(v.linear)) + dot(of(moment), of(v.angular)) -
                            dot({1.0, 2.0, 3.0}, of(v.linear)) - dot({4.0, 5.0, 6.0}, of(v.angular));
       EXPECT_NEAR(power, fx * m.along + fy * m.across - N * m.approach + mz * m.spin, 1e-9 * std::abs(power));
@@ -287,7 +287,7 @@ struct HandMadeStrips {
   WheelSolution s;
 
   explicit HandMadeStrips(const std::vector<std::int32_t>& strips) {
-    const WorkSizes sizes{8, 8, true, methods};
+    const WorkSizes sizes{8, 8, 192, true, methods};
     Arena count;
     cut_solution(count, sizes, *results);
     memory.resize(static_cast<std::size_t>(count.doubles()));

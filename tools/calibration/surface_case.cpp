@@ -50,7 +50,7 @@ class Pair {
     if (surface::make_surface_model(bodies, model_memory_.data(), model_).failed())
       throw std::string("the wheel on the rail cannot be made");
     workspace_.resize(static_cast<std::size_t>(
-                          surface::surface_workspace_bytes(bodies.wheel.count, {}, grid_.cells, false)) /
+                          surface::surface_workspace_bytes(bodies.wheel.count, {}, {}, grid_.cells, false)) /
                           sizeof(double) +
                       1);
   }
@@ -63,7 +63,9 @@ class Pair {
     surface::Wrench wrench;
     in.load_prescribed = true;
     in.friction = 0.0;
-    if (surface::solve_wheel_on_rail(*model_, in, false, state, workspace_.data(), wrench).status != WRC_OK)
+    if (surface::solve_wheel_on_rail(*model_, in, surface::SolutionStart::anew, state, workspace_.data(),
+                                     wrench)
+            .status != WRC_OK)
       return false;
     in.wheel.position[2] = wrench.height;
     return true;
@@ -84,7 +86,7 @@ class Pair {
       o = surface::cut_overlaps(arena, most, false);
       scratch = surface::cut_overlap_scratch(arena, surface::most_curve_pieces(geometry::s1002_nodes),
                                              surface::most_strips_of_a_rail);
-      arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+      arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
       return arena.doubles();
     };
     surface::Overlaps memory;
@@ -95,9 +97,10 @@ class Pair {
     const surface::Overlaps o = surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose,
                                                        0.0, nullptr, scratch, memory);
     std::vector<double> normal(static_cast<std::size_t>(surface::pressure_doubles(o.capacity)));
-    auto state = std::make_unique<surface::SurfaceState>();
-    surface::PressureStart start{state->length_squared, state->shift, state->depth};
-    surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start, p);
+    auto kept = std::make_unique<surface::KeptStart>();
+    surface::PressureStart start{kept->strip, kept->length_squared, kept->shift, kept->depth};
+    surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start,
+                            surface::StartFrom::overlaps, p);
     std::vector<SurfaceStrip> found;
     points.clear();
     for (std::int32_t i = 0; i < o.count; ++i) {

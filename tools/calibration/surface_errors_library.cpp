@@ -31,10 +31,10 @@ EXPORTED int calibration_terms() { return surface::SurfaceCalibration::terms; }
 /// 1 where a constant may be fitted when a fit starts from zero: linear theory is not fitted.
 EXPORTED int calibration_allowed(int quantity, int term) {
   if (quantity < surface::SurfaceCalibration::turning)
-    return term >= surface::SurfaceCalibration::longitudinal;
+    return term >= tangential::SaturationTerms::longitudinal;
   if (quantity == surface::SurfaceCalibration::turning) return 1;
-  return term <= (quantity == surface::SurfaceCalibration::torsion ? surface::SurfaceCalibration::pull
-                                                                   : surface::SurfaceCalibration::spin);
+  return term <= (quantity == surface::SurfaceCalibration::torsion ? tangential::SaturationTerms::pull
+                                                                   : tangential::SaturationTerms::spin);
 }
 EXPORTED void calibration_fitted(double* constants) {
   for (const auto& row : surface::fitted_surface_calibration.constants) {

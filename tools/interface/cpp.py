@@ -47,7 +47,7 @@ def description(struct, told, interface, described):
     rows = flat(told, "", described)
     lines = ["template <>", f"struct Description<{struct}> {{", f'  static constexpr const char* name = "{struct}";',
              f"  static constexpr bool versioned = {'true' if versioned else 'false'};",
-             f"  static constexpr std::size_t first = {first};",
+             f"  static constexpr std::size_t first = first_size<{struct}>({first});",
              f"  static constexpr {struct} defaults = [] {{", f"    {struct} value{{}};"]
     for each in told:
         value = default(each, interface)
@@ -55,7 +55,7 @@ def description(struct, told, interface, described):
             lines.append(f"    value.{each.member.name} = {value};")
     lines += ["    return value;", "  }();", "  static constexpr Member members[] = {"]
     lines += [f"      {row(struct, path, each, rows, interface, described)}," for path, each in rows]
-    lines += ["  };", "};", f"static_assert(sizeof({struct}) == {interface.structs[struct].size}, "
+    lines += ["  };", "};", f"static_assert(!pointers_of_64_bits || sizeof({struct}) == {interface.structs[struct].size}, "
               '"run tools/interface/describe.py");', ""]
     return lines
 

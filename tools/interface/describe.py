@@ -24,6 +24,7 @@ import growth
 import headers
 import manual
 import python
+import python_types
 
 MARK = "Written by tools/interface/describe.py from the headers in include_c/wrc: do not edit."
 
@@ -36,6 +37,7 @@ def files(interface, table_order, root):
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)
     made |= {f"bindings/fortran/{name}": text for name, text in fortran.written(interface, MARK).items()}
     made |= cpp_header.written(interface, MARK) | python.written(interface, described, MARK)
+    made |= python_types.written(interface, described, MARK)
     made["docs/members.md"] = manual.members(interface, described, MARK)
     made["docs/embedding.md"] = manual.with_statuses(interface, (root / "docs/embedding.md").read_text())
     return made

@@ -97,6 +97,7 @@ class Function:
 class Interface:
     numbers: list     # of (name, value): macros that are integers
     statuses: list    # of (name, value, text)
+    presets: list     # of (published name, tangential method)
     enumerations: dict
     structs: dict
     functions: dict
@@ -178,7 +179,7 @@ class _Reader:
         self.include = include
 
     def read(self, unit):
-        found = Interface([], [], {}, {}, {}, {}, {}, set())
+        found = Interface([], [], [], {}, {}, {}, {}, {}, set())
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
             if file is None or not file.name.startswith(str(self.include / "wrc")):
@@ -211,12 +212,19 @@ class _Reader:
         if name.startswith("WRC_") and number.removeprefix("-").isdigit():
             found.numbers.append((name, int(number)))
         elif name == "WRC_STATUS_LIST":
-            tokens = tokens[tokens.index(")") + 1:]  # of its parameter
-            while tokens:  # X ( name , [-] value , "text" )
-                end = tokens.index(")")
-                first, value, text = "".join(tokens[2:end]).split(",", 2)
+            for first, value, text in self.rows(tokens, 2):
                 found.statuses.append((first, int(value), text.strip('"')))
-                tokens = tokens[end + 1:]
+        elif name == "WRC_PRESET_LIST":
+            found.presets = [(row[1].strip('"'), row[2]) for row in self.rows(tokens, 7)]
+
+    @staticmethod
+    def rows(tokens, commas):
+        """Rows of a macro's list, X(a, b, ...): their parts."""
+        tokens = tokens[tokens.index(")") + 1:]  # of its parameter
+        while tokens:  # X ( a , b )
+            end = tokens.index(")")
+            yield "".join(tokens[2:end]).split(",", commas)
+            tokens = tokens[end + 1:]
 
     def is_callback(self, kind):
         kind = kind.get_canonical()

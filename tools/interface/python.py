@@ -25,7 +25,7 @@ CALLBACKS = ("wrc_progress",)  # with a Python type of their own, s.Progress
 
 def written(interface, described, mark):
     """{path in the tree: text}"""
-    return {"bindings/python/wrc/_interface.py": _Writer(interface, described).module(mark)}
+    return {"bindings/python/wrc/_interface.py": Writer(interface, described).module(mark)}
 
 
 def class_name(name):
@@ -47,7 +47,7 @@ def enumerator_names(enumeration):
     return short
 
 
-class _Writer:
+class Writer:
     def __init__(self, interface, described):
         self.interface, self.described = interface, described
         bits = {re.match(r"bits of enum (\w+)", member.comment).group(1) for struct in interface.structs.values()
@@ -86,8 +86,9 @@ class _Writer:
                  "from . import _library as _l", "from . import _struct as s", ""]
         lines += [f"{name[len('WRC_'):]} = {value}" for name, value in self.interface.numbers]
         lines += ["", "", "class Status(s.Choice):", '    """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""', ""]
-        lines += [f"    {name[len('WRC_'):]} = {value}" for name, value, _ in self.interface.statuses]
-        lines += ["", "", "STATUS_TEXTS = {"] + [f"    {value}: {text!r}," for _, value, text in self.interface.statuses] + ["}"]
+        lines += [f"    {name[len('WRC_'):]} = {value}, {text!r}" for name, value, text in self.interface.statuses]
+        lines += ["", "", "STATUS_TEXTS = {int(each): each.__doc__ for each in Status}",
+                  f"PRESETS = {tuple(name for name, _ in self.interface.presets)!r}"]
         flags = [(name[len("WRC_FLAG_"):], value, text) for name, value, text in self.interface.statuses if value > 0]
         lines += ["", "", "class Flags(enum.IntFlag):"] + self.docstring(
             ["The flags of a result, a bit for each that was met: wrc.Flags.NO_CONTACT in wrench.flags.", ""]
@@ -99,10 +100,15 @@ class _Writer:
             lines += self.struct(each)
         lines += self.prototypes()
         lines += self.calls()
-        public = ([class_name(name) for name in self.interface.enumerations] + [class_name(name) for name in self.interface.structs])
         lines += ["", "", "STRUCTS = {"] + [f"    {name!r}: {class_name(name)}," for name in self.interface.structs] + ["}"]
-        public += [name[len("WRC_"):] for name, _ in self.interface.numbers if "VERSION" not in name]
-        return "\n".join(lines + ["__all__ = ["] + [f"    {name!r}," for name in ["Status", "Flags"] + public + self.functions] + ["]"]) + "\n"
+        return "\n".join(lines + ["__all__ = ["] + [f"    {name!r}," for name in self.public()] + ["]"]) + "\n"
+
+    def public(self):
+        """Names that the package has of the module."""
+        called = [found[1] for each in self.interface.functions.values() for found in [self.call(each) if each.exported else None]
+                  if found and not found[0]]
+        return (["Status", "Flags"] + [class_name(name) for name in (*self.interface.enumerations, *self.interface.structs)]
+                + [name[len("WRC_"):] for name, _ in self.interface.numbers if "VERSION" not in name] + called)
 
     # ------------------------------------------------------------------------------------------- enumerations, structs
 
@@ -111,7 +117,8 @@ class _Writer:
         names = enumerator_names(enumeration)
         lines = ["", "", f"class {class_name(enumeration.name)}({kind}):"] + self.docstring([self.text(enumeration.comment), ""] + [
             f"{names[each.name]}: {self.text(each.comment)}" for each in enumeration.values], "    ")
-        return lines + [""] + [f"    {names[each.name]} = {each.value}" for each in enumeration.values]
+        told = kind == "s.Choice"
+        return lines + [""] + [f"    {names[each.name]} = {each.value}" + f", {self.text(each.comment)!r}" * told for each in enumeration.values]
 
     def struct(self, struct):
         name = class_name(struct.name)
@@ -285,7 +292,7 @@ class _Writer:
 
     def calls(self):
         """Classes ContactCalls and ModelCalls, and functions without a handle."""
-        lines, self.functions = [], []
+        lines = []
         for owner in ("Model", "Contact"):
             lines += ["", "", f"class {owner}Calls(_l.Handle):", f'    """What {owner} has of the C interface as it is."""', "", "    __slots__ = ()"]
             for function in self.interface.functions.values():
@@ -296,7 +303,6 @@ class _Writer:
             found = self.call(function) if function.exported else None
             if found and not found[0]:
                 lines += ["", ""] + self.method(function, found, "")
-                self.functions.append(found[1])
         return lines
 
     def method(self, function, found, indent):

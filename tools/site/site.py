@@ -17,16 +17,19 @@ import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/interface"))
+import notebook
+import python_api
 import headers  # which header is of which class of stability
 
 NO_PAGE = "wrc_status.h"  # a list by macros, which doxygen does not read: a table in embedding.md
 WORK, OUT = ROOT / "build/site", ROOT / "build/docs/html"
 # The manuals in the order of a reader; pages that are not here go to the last entry, decisions into one of their own.
 TABS = [
+    ("First hour", [("Tutorial", "tutorial.md"), ("Which call do I want", "which_call.md"), ("From other programs", "from_other_programs.md")]),
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
-    ("Accuracy", [("Results", "accuracy.md"), ("How the figures are made", "accuracy_method.md")]),
+    ("Accuracy", [("Results", "accuracy.md"), ("The source paper", "paper.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
-    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python package", "in_bindings_python.md"),
+    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python reference", "python_api.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
                  ("Sweeps", "in_bindings_python_examples_sweep.md"),
                  ("Wear over a network", "in_bindings_python_examples_wear.md"), ("Fortran", "in_bindings_fortran.md"), ("FMI", "in_bindings_fmi.md"),
@@ -60,6 +63,8 @@ def rewritten(path, names):
         picture, text, target = found.groups()
         if re.match(r"[a-z]+:", target) or target.startswith("#"):
             return found[0]
+        if target.endswith(".ipynb"):  # made of the page of that name
+            return f'<a href="{target}" download="{target}">{text}</a>'
         target, _, anchor = target.partition("#")
         place = os.path.normpath(os.path.join(os.path.dirname(path), target))
         if picture:
@@ -100,6 +105,8 @@ def formulas(text):
 def named(text, name):
     """The page with an identifier of its own, whatever the folder it was in; doxygen knows no code in headings."""
     text = re.sub(r"^#.*$", lambda found: found[0].replace("`", ""), text, flags=re.M)
+    if len(re.findall(r"^##+ ", text, re.M)) > 7 and name != "start.md":  # a long page has its contents at its side
+        text = re.sub(r"^(# .*\n)", r"\1\n[TOC]\n", text, count=1)
     return text if name == "start.md" else re.sub(r"^# (.*)$", lambda found: f"# {found[1]} {{#{identifier(name)}}}", text, count=1, flags=re.M)
 
 
@@ -128,7 +135,7 @@ def layout(names):
     def tab(title, name):
         return f'<tab type="user" title="{title}" url="@ref {identifier(name)}"/>'
     told = {"start.md"} | {name for _, entry in TABS for name in ([entry] if isinstance(entry, str) else [each for _, each in entry])}
-    assert told <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
+    assert told - {"python_api.md"} <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
     rest = [(re.search("^# (.*)$", (ROOT / path).read_text(), re.M)[1], path, name) for path, name in sorted(names.items()) if name not in told]
     decisions = [(title, name) for title, path, name in rest if path.startswith("docs/decisions/")]
     others = [(title, name) for title, path, name in rest if not path.startswith("docs/decisions/")]
@@ -197,6 +204,7 @@ def main():
     WORK.mkdir(parents=True)
     for path, name in names.items():
         (WORK / name).write_text(named(formulas(rewritten(path, names)), name))
+    (WORK / "python_api.md").write_text(named(python_api.page(), "python_api.md"))
     layout(names)
     settings = (ROOT / "docs/Doxyfile").read_text() + f"""
 INPUT = {WORK} tools/site/examples.dox include_c
@@ -210,6 +218,7 @@ FILE_PATTERNS = *.h *.md *.dox
 """
     (WORK / "Doxyfile").write_text(settings)
     subprocess.run(["doxygen", WORK / "Doxyfile"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    (OUT / "tutorial.ipynb").write_text(notebook.notebook((ROOT / "docs/tutorial.md").read_text()))
     for each in WORK.glob("formula_*.svg"):
         shutil.copy(each, OUT)
     warnings = (ROOT / "build/doxygen-warnings.log").read_text().splitlines()

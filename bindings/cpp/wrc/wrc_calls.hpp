@@ -146,6 +146,8 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wrench> wrench(const wrc_wheel_input& input) { return detail::value_or_throw(try_wrench(input), handle_); }
 #endif
+  /** wrc_contact_mark() */
+  status mark() noexcept { return wrc_contact_mark(handle_); }
   /** wrc_contact_wrench_derivatives() */
   status wrench_derivatives(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_derivatives* derivatives) noexcept { return wrc_contact_wrench_derivatives(handle_, &input, wrench, derivatives); }
   /** wrc_contact_region() */

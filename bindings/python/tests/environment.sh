@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What the Python tests need from PyPI, in build/venv: numpy, matplotlib, pytest, scikit-build-core, scipy, dask, pyarrow,
-# Exudyn, 500 MB. WRC_HOST_PYTHON names another Python that has them.
+# Exudyn, pandas, mypy, basedpyright; for checks of the house codespell, conan, py-rattler-build; 800 MB. WRC_HOST_PYTHON names
+# another Python that has them.
 #   environment.sh install                    makes it where something is missing; not with WRC_NO_INSTALL=1
 #   environment.sh test LIBRARY FOLDER [...]  builds the wheel of that libwrc.so, installs it in an empty virtual environment
 #                                             in FOLDER, and runs the tests with it, pytest's arguments behind; status 77
@@ -10,7 +11,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 venv=$here/../../../build/venv
 python=${WRC_HOST_PYTHON:-$venv/bin/python}
-needed="numpy matplotlib pytest scikit_build_core scipy dask distributed pyarrow exudyn"
+needed="numpy matplotlib pytest scikit_build_core scipy dask distributed pyarrow exudyn pandas mypy basedpyright"
 there() { [ -x "$(command -v "$python")" ] && "$python" -c "import importlib.util as u, sys; sys.exit(any(u.find_spec(n) is None for n in sys.argv[1:]))" $needed 2>/dev/null; }
 
 # The wheel in an environment of its own: third-party packages come from build/venv, wrc from the wheel alone.
@@ -38,7 +39,8 @@ case ${1:-} in
     fi
     echo "Installing Python packages from PyPI into build/venv (WRC_NO_INSTALL=1 prevents it)"
     if ! { python3 -m venv "$venv" && "$venv/bin/python" -m pip install -q --disable-pip-version-check numpy matplotlib pytest \
-             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6; }; then
+             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6 pandas mypy basedpyright codespell conan \
+             py-rattler-build; }; then
       echo "Python packages could not be installed from PyPI: the tests of the Python package are skipped."
     fi
     ;;
@@ -56,7 +58,7 @@ case ${1:-} in
     exec "$fresh" "${@:4}"
     ;;
   *)
-    sed -n '2,9s/^# *//p' "$0"
+    sed -n '2,10s/^# *//p' "$0"
     exit 2
     ;;
 esac

@@ -333,9 +333,9 @@ def test_an_angular_velocity_without_axes_is_refused(model):
     with pytest.raises(wrc.Error, match="wrc_contact_wrench: input.wheel.angular_.*") as told:
         contact.wrench(wrc.WheelInput(wheel={**ROLLING, "angular_velocity": (0, -20 / 0.46, 0)}))
     assert "AXES" in str(told.value) or "axes" in str(told.value)
-    with pytest.raises(ValueError, match="velocity has 3 numbers, not 2"):
+    with pytest.raises(ValueError, match=r"velocity \[m/s\] has 3 numbers, not 2"):
         wrc.WheelInput(wheel={"velocity": (20, 0)})
-    with pytest.raises(ValueError, match="velocity has 3 numbers, not 1"):
+    with pytest.raises(ValueError, match=r"velocity \[m/s\] has 3 numbers, not 1"):
         wrc.WheelInput(wheel={"velocity": 20})
 
 

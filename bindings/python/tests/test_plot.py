@@ -2,6 +2,7 @@
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import wrc
 
@@ -52,3 +53,38 @@ def test_the_package_does_without_matplotlib():
     code = "import sys; sys.modules['matplotlib'] = None; import wrc\ntry: wrc.plot.figure()\nexcept ImportError as why: print(why)"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert "pip install wrc[plot]" in found.stdout, found.stderr
+
+
+def test_panels_on_axes_of_the_caller(tmp_path):
+    model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40})
+    contact = model.contact("LEFT")
+    data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3, wheel={"y": -5.2e-3, "velocity": (20, 0, 0), "pitch_rate": -20 / 0.46})
+    contact.wrench(data)
+    figure = wrc.plot.figure(figsize=(14, 8))
+    panels = figure.subplots(2, 2)
+    assert wrc.plot.field(contact, "TEMPERATURE_RISE", axes=panels[0, 0]) is figure
+    wrc.plot.subsurface(contact, axes=panels[0, 1])
+    wrc.plot.wheel_on_rail(contact, data, axes=panels[1, 0])
+    wrc.plot.scan(model, [-5.2e-3, 0.0], side="LEFT", axes=panels[1, 1])
+    figure.savefig(tmp_path / "panels.png")
+    fans = [each.get_xy() for each in panels[1, 0].patches if each.get_xy().shape[0] > 10]
+    assert len(fans) == len(contact.regions()) == 2
+    rail = panels[1, 0].lines[0].get_xydata()
+    for fan in fans:  # their feet are on the rail, their tips below it
+        feet = fan[:len(fan) // 2]
+        assert abs(np.interp(feet[:, 0], *rail[np.argsort(rail[:, 0])].T) - feet[:, 1]).max() < 1e-3 and fan[:, 1].max() > feet[:, 1].max()
+    offsets = panels[1, 1].collections[0].get_offsets()
+    assert set(offsets[:, 1]) == {-5.2, 0.0} and offsets[:, 0].max() < 20
+    deepest = panels[0, 1].lines[0].get_xydata()
+    assert deepest[:, 0].max() > 500 and deepest[-1, 1] == pytest.approx(10.0)
+    with pytest.raises(wrc.Error, match="nothing has been solved yet"):
+        wrc.plot.field(model.contact(), "PRESSURE")
+
+
+def test_an_animation(tmp_path):
+    contact = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}).contact()
+    inputs = [wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3, wheel={"y": each}) for each in (0.0, 3e-3, 6e-3)]
+    wrc.plot.animation(contact, inputs, tmp_path / "scan.gif", titles=["0", "3", "6 mm"])
+    from PIL import Image
+    with Image.open(tmp_path / "scan.gif") as picture:
+        assert picture.n_frames == 3

@@ -147,3 +147,69 @@ def test_read_profiles_make_the_model_of_the_built_in_ones(tmp_path, shapes):
     built_in = wrc.Model(wheel="S1002", rail="60E1").contact().planar_step(data)
     assert own.forces.fx == pytest.approx(built_in.forces.fx, rel=0.03)
     assert "w.txt" in repr(wheel) and wheel.as_struct().count == len(wheel.y)
+
+
+@pytest.fixture
+def wheel_rows():
+    """y, z [mm] of S1002, a point every 0.3 mm."""
+    y, z, _ = wrc.Model(wheel="S1002", rail="60E1").profile("WHEEL")
+    at = np.arange(y[0] + 1e-3, y[-1] - 1e-3, 0.3e-3)
+    return np.stack([1e3 * (at - 0.75), 1e3 * np.interp(at, y, z)], 1)
+
+
+def test_what_is_odd_is_named(wheel_rows, tmp_path):
+    """Byte order marks, UTF-16, pandas' index, spikes, holes."""
+    text = "\n".join(f"{y:.4f},{z:.4f}" for y, z in wheel_rows) + "\n"
+    path = tmp_path / "wheel.csv"
+
+    def read(content, **options):
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return wrc.read_profile(path, "wheel", **options)
+
+    plain = read(text)
+    assert len(plain.y) == len(wheel_rows) and not any("?" in each for each in plain.notes)
+    marked = read(b"\xef\xbb\xbf" + text.encode())
+    assert len(marked.y) == len(wheel_rows) and (marked.y == plain.y).all() and "byte order mark" in marked.notes[0]
+    for content in (text.encode("utf-16"), text.encode("utf-16-le"), text.encode("utf-16-be")):
+        wide = read(content)
+        assert (wide.z == plain.z).all() and "read as UTF-16" in wide.notes
+    with pytest.raises(wrc.ProfileError, match="spreadsheet"):
+        read(b"\xff\xfe\x00\xd8\x00")
+    counted = "".join(f"{k},{y:.4f},{z:.4f}\n" for k, (y, z) in enumerate(wheel_rows))
+    indexed = read(",y,z\n" + counted)
+    assert (indexed.z == plain.z).all() and any("pandas' index: left out" in each for each in indexed.notes)
+    with pytest.raises(wrc.ProfileError, match=r"counts 0 .. \d+: is it pandas' index"):
+        read(counted)
+    assert (read(counted, columns=(1, 2)).z == plain.z).all()
+    for width in (1, 2, 3):
+        spoilt = wheel_rows.copy()
+        spoilt[200:200 + width, 1] += 1.0
+        with pytest.warns(wrc.ProfileWarning, match=r"line 20\d: z leaves its neighbours by 1.\d\d mm at y = .*: a spike\?") as told:
+            read("\n".join(f"{y:.4f} {z:.4f}" for y, z in spoilt))
+        assert len(told) == 1
+    spoilt = wheel_rows.copy()
+    spoilt[200:203, 1] += 5.0
+    with pytest.warns(wrc.ProfileWarning), pytest.raises(wrc.ProfileError, match=":201: .*jumps from the point before"):
+        read("\n".join(f"{y:.4f} {z:.4f}" for y, z in spoilt))
+    with pytest.warns(wrc.ProfileWarning, match=r"line 200: no points for 15.3 mm behind y = .*: a hole\?") as told:
+        read("\n".join(f"{y:.4f} {z:.4f}" for y, z in np.delete(wheel_rows, range(200, 250), 0)))
+    assert len(told) == 1
+
+
+@pytest.mark.parametrize("every", [1, 5, 10])
+def test_sound_profiles_are_not_odd(wheel_rows, tmp_path, every, recwarn):
+    (tmp_path / "wheel.txt").write_text("\n".join(f"{y:.4f} {z:.4f}" for y, z in wheel_rows[::every]))
+    wrc.read_profile(tmp_path / "wheel.txt", "wheel")
+    y, z, _ = wrc.Model(wheel="S1002", rail="60E1").profile("RAIL")
+    (tmp_path / "rail.txt").write_text("\n".join(f"{1e3 * a:.4f} {1e3 * b:.4f}" for a, b in zip(y[::every] - 0.75, z[::every])))
+    wrc.read_profile(tmp_path / "rail.txt", "rail")
+    assert not recwarn.list
+
+
+@pytest.mark.parametrize("slope", [1 / 20, 1 / 40])
+def test_a_cone_has_its_known_conicity(slope):
+    """slope (l + R slope) / (l - r slope): l from the middle to the tape circle, R of the rail's head, r of the wheel."""
+    lateral = np.linspace(-6e-3, 6e-3, 121)
+    geometry = wrc.Model(wheel=wrc.cone(slope), rail="60E1", track={"rail_inclination": 1 / 40}).wheelset_geometry(lateral)
+    found = wrc.conicity(lateral, geometry["radius_difference"], [1e-3, 3e-3], radius=0.46)["conicity"]
+    assert found == pytest.approx(slope * (0.75 + 0.3 * slope) / (0.75 - 0.46 * slope), rel=1e-3)

@@ -142,7 +142,7 @@ def test_numbers_within_a_struct_have_their_count():
     with pytest.raises(ValueError, match="WheelState.rotation has 9 numbers, not 4"):
         wrc.WheelState(rotation=np.eye(2))
     assert wrc.WheelState(rotation=np.arange(9.0).reshape(3, 3).T).rotation.tolist() == [0, 3, 6, 1, 4, 7, 2, 5, 8]  # row by row
-    with pytest.raises(ValueError, match="WheelState.velocity has 3 numbers, not 1"):
+    with pytest.raises(ValueError, match=r"WheelState.velocity \[m/s\] has 3 numbers, not 1"):
         wrc.WheelState().velocity = 40.0
 
 

@@ -19,10 +19,12 @@ from . import _interface, _library, _renamed
 from ._interface import *  # noqa: F401,F403
 from ._interface import ABI_VERSION, EXPERIMENTAL_VERSION, _wrc_build_info, _wrc_version
 from ._library import Cancelled, Error
-from .contact import Batch, Contact, Model, force_table, sweep, use
+from .contact import Batch, Contact, Model, force_table, methods, presets, sweep, use
 from .damage import Bins, flash_temperature, whole_life_damage
-from . import damage, exact, plot, profiles, raw
-from .profiles import ProfileError, ProfileFile, conicity, flange_dimensions, read_profile, remove_wear
+from . import damage, exact, plot, profiles, raw, sections
+from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
+from .sections import Face, MeasuredSection, RailFaces, SectionError, rail_faces, read_sections, write_sections
+from .tables import to_frame
 
 _library.check_version(ABI_VERSION, EXPERIMENTAL_VERSION)
 _version = _wrc_version()
@@ -40,6 +42,7 @@ def __getattr__(name: str) -> _Any:
     raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
 
 
-__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Model", "ProfileError", "ProfileFile", "build_info", "conicity", "damage",
-           "exact", "flange_dimensions", "flash_temperature", "force_table", "plot", "profiles", "raw", "read_profile", "remove_wear", "sweep", "use",
-           "whole_life_damage"]
+__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
+           "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "flange_dimensions",
+           "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
+           "read_sections", "remove_wear", "sections", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]

@@ -27,68 +27,39 @@ DAMAGE_SUMS = 8
 class Status(s.Choice):
     """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""
 
-    OK = 0
-    FLAG_NO_CONTACT = 1
-    FLAG_ITERATION_CAP = 2
-    FLAG_PATCH_AT_EDGE = 3
-    FLAG_MORE_PATCHES = 4
-    FLAG_TABLE_RANGE = 5
-    FLAG_CREEPAGES_LIMITED = 6
-    FLAG_LOAD_JUMPS = 7
-    FLAG_BEYOND_GAP = 8
-    FLAG_CLIMBING = 9
-    FLAG_BEYOND_SECTIONS = 10
-    FLAG_DISSIMILAR_MATERIALS = 11
-    FLAG_SUM_OVERFLOW = 12
-    FLAG_FORCE_JUMPS = 13
-    FLAG_ROTATION_TRANSPOSED = 14
-    ERROR_NULL = -1
-    ERROR_STRUCT_SIZE = -2
-    ERROR_NOT_FINITE = -3
-    ERROR_RANGE = -4
-    ERROR_PROFILE = -5
-    ERROR_GAP = -6
-    ERROR_LOAD = -7
-    ERROR_BUFFER = -8
-    ERROR_MEMORY = -9
-    ERROR_SEQUENCE = -10
-    ERROR_UNSUPPORTED = -11
-    ERROR_FILE = -12
-    ERROR_CANCELLED = -13
-    ERROR_INTERNAL = -14
+    OK = 0, 'done'
+    FLAG_NO_CONTACT = 1, 'the bodies do not touch: all forces are zero'
+    FLAG_ITERATION_CAP = 2, 'an iteration reached its cap: the last iterate is returned'
+    FLAG_PATCH_AT_EDGE = 3, 'the patch reaches the edge of the given gap or profile'
+    FLAG_MORE_PATCHES = 4, 'more contact patches exist than the configuration has room for'
+    FLAG_TABLE_RANGE = 5, 'the patch is more slender than the coefficient tables: their end is used'
+    FLAG_CREEPAGES_LIMITED = 6, 'nearly at rest, or sliding far faster than rolling: creepages are limited'
+    FLAG_LOAD_JUMPS = 7, 'no approach of this normal method carries the load: its force jumps past it there'
+    FLAG_BEYOND_GAP = 8, 'beyond what the gap or the profiles carry: continued with the last stiffness'
+    FLAG_CLIMBING = 9, 'friction on a steep face lets no height carry the load, or several'
+    FLAG_BEYOND_SECTIONS = 10, 'the rail has no section that far along the track: the nearest is used'
+    FLAG_DISSIMILAR_MATERIALS = 11, "different materials: Kalker's K, which couples pressure and traction, is left out"
+    FLAG_SUM_OVERFLOW = 12, 'a sum of bins passed its range: what they hold is worthless'
+    FLAG_FORCE_JUMPS = 13, 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes'
+    FLAG_ROTATION_TRANSPOSED = 14, 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?'
+    ERROR_NULL = -1, 'a required pointer is NULL'
+    ERROR_STRUCT_SIZE = -2, 'struct_size is wrong, or a member newer than the library is set'
+    ERROR_NOT_FINITE = -3, 'a value is NaN or infinite'
+    ERROR_RANGE = -4, 'a value lies outside its allowed range'
+    ERROR_PROFILE = -5, 'a profile cannot be used'
+    ERROR_GAP = -6, 'the undeformed gap cannot be used'
+    ERROR_LOAD = -7, 'the gap cannot carry the prescribed load or approach'
+    ERROR_BUFFER = -8, 'the memory handed over is too small or misaligned'
+    ERROR_MEMORY = -9, 'memory could not be allocated'
+    ERROR_SEQUENCE = -10, 'a stage was called before the stage whose result it needs'
+    ERROR_UNSUPPORTED = -11, 'the requested method, version or combination does not exist'
+    ERROR_FILE = -12, 'a file cannot be read or written'
+    ERROR_CANCELLED = -13, 'the caller cancelled the work'
+    ERROR_INTERNAL = -14, 'internal error: please report it'
 
 
-STATUS_TEXTS = {
-    0: 'done',
-    1: 'the bodies do not touch: all forces are zero',
-    2: 'an iteration reached its cap: the last iterate is returned',
-    3: 'the patch reaches the edge of the given gap or profile',
-    4: 'more contact patches exist than the configuration has room for',
-    5: 'the patch is more slender than the coefficient tables: their end is used',
-    6: 'nearly at rest, or sliding far faster than rolling: creepages are limited',
-    7: 'no approach of this normal method carries the load: its force jumps past it there',
-    8: 'beyond what the gap or the profiles carry: continued with the last stiffness',
-    9: 'friction on a steep face lets no height carry the load, or several',
-    10: 'the rail has no section that far along the track: the nearest is used',
-    11: "different materials: Kalker's K, which couples pressure and traction, is left out",
-    12: 'a sum of bins passed its range: what they hold is worthless',
-    13: 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes',
-    14: 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?',
-    -1: 'a required pointer is NULL',
-    -2: 'struct_size is wrong, or a member newer than the library is set',
-    -3: 'a value is NaN or infinite',
-    -4: 'a value lies outside its allowed range',
-    -5: 'a profile cannot be used',
-    -6: 'the undeformed gap cannot be used',
-    -7: 'the gap cannot carry the prescribed load or approach',
-    -8: 'the memory handed over is too small or misaligned',
-    -9: 'memory could not be allocated',
-    -10: 'a stage was called before the stage whose result it needs',
-    -11: 'the requested method, version or combination does not exist',
-    -12: 'a file cannot be read or written',
-    -13: 'the caller cancelled the work',
-    -14: 'internal error: please report it',
-}
+STATUS_TEXTS = {int(each): each.__doc__ for each in Status}
+PRESETS = ('FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC')
 
 
 class Flags(enum.IntFlag):
@@ -140,13 +111,13 @@ class NormalMethod(s.Choice):
     STRIP_HALFSPACE: strips of own peak and length in half-space equilibrium; several patches
     """
 
-    HERTZ = 0
-    KIK_PIOTROWSKI = 1
-    EKP = 2
-    EKP_ELLIPSE = 3
-    ANALYN = 4
-    STRIPES = 5
-    STRIP_HALFSPACE = 6
+    HERTZ = 0, 'one ellipse; lateral curvature from the chord of the gap at half the approach'
+    KIK_PIOTROWSKI = 1, 'Kik and Piotrowski, VSD 46 (2008)'
+    EKP = 2, 'extended Kik-Piotrowski, after VSD 54 (2016): yaw, lateral curvature'
+    EKP_ELLIPSE = 3, "threshold varying over y, every region of overlap: CONTACT's KPEC, to 0.02 %"
+    ANALYN = 4, 'ANALYN in the modified form, after VSD 52 (2014); unconfirmed'
+    STRIPES = 5, 'STRIPES, semi-Hertzian, after VSD 43 (2005); unconfirmed'
+    STRIP_HALFSPACE = 6, 'strips of own peak and length in half-space equilibrium; several patches'
 
 
 class TangentialMethod(s.Choice):
@@ -161,10 +132,10 @@ class TangentialMethod(s.Choice):
         tractions, no slip, and nothing that is made of them
     """
 
-    FASTSIM = 0
-    FASTRIP = 1
-    STRIP_FASTSIM = 2
-    FORCE_TABLE = 3
+    FASTSIM = 0, 'FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and flexibility of config.tangential; modified FASTSIM where friction.slope_fall > 0'
+    FASTRIP = 1, "FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it sticks, FASTSIM's directions where it slips"
+    STRIP_FASTSIM = 2, 'FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions'
+    FORCE_TABLE = 3, 'total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no slip, and nothing that is made of them'
 
 
 class PatchModel(s.Choice):
@@ -178,10 +149,10 @@ class PatchModel(s.Choice):
     ELLIPSE_AT_POINT: the equivalent ellipse about the contact point: no psi
     """
 
-    PATCH_SDEC = 0
-    PATCH_ELLIPSE = 1
-    ELLIPSE_AT_MIDDLE = 2
-    ELLIPSE_AT_POINT = 3
+    PATCH_SDEC = 0, 'the patch; coefficients of its equivalent double ellipse'
+    PATCH_ELLIPSE = 1, 'the patch; coefficients of the equivalent ellipse'
+    ELLIPSE_AT_MIDDLE = 2, 'the equivalent ellipse about mid-width, creepage corrected for the shift'
+    ELLIPSE_AT_POINT = 3, 'the equivalent ellipse about the contact point: no psi'
 
 
 class Regularisation(s.Choice):
@@ -191,8 +162,8 @@ class Regularisation(s.Choice):
     RATIO: criteria (1), (2), (3): area and length/width ratio kept (KBTNH)
     """
 
-    WIDTH = 0
-    RATIO = 1
+    WIDTH = 0, "criteria (1), (2b), (3): area and width kept; the paper's choice"
+    RATIO = 1, 'criteria (1), (2), (3): area and length/width ratio kept (KBTNH)'
 
 
 class TractionBound(s.Choice):
@@ -205,9 +176,9 @@ class TractionBound(s.Choice):
         double ellipses the same as ELLIPTIC
     """
 
-    PARABOLIC = 0
-    ELLIPTIC = 1
-    ELLIPSOIDAL = 2
+    PARABOLIC = 0, 'paper eq. 9: right slope at the leading edge'
+    ELLIPTIC = 1, 'friction * pressure: the actual pressure of each strip'
+    ELLIPSOIDAL = 2, 'friction * load spread as sqrt(x_l^2 - x^2): the pressure of a Kik-Piotrowski patch. On double ellipses the same as ELLIPTIC'
 
 
 class Flexibility(s.Choice):
@@ -218,9 +189,9 @@ class Flexibility(s.Choice):
     BLENDED: from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023)
     """
 
-    SEPARATE = 0
-    SINGLE = 1
-    BLENDED = 2
+    SEPARATE = 0, 'one for each force of linear theory: right for small creepage'
+    SINGLE = 1, "Kalker's weighted sum for all: right traction directions at large creepage"
+    BLENDED = 2, 'from the first to the second as creepage grows; Vollebregt and Voltr, VSD 61 (2023)'
 
 
 class Side(s.Choice):
@@ -230,8 +201,8 @@ class Side(s.Choice):
     LEFT: flange at y > 0; frames and signs stay those of the right wheel
     """
 
-    RIGHT = 0
-    LEFT = 1
+    RIGHT = 0, 'flange at y < 0'
+    LEFT = 1, 'flange at y > 0; frames and signs stay those of the right wheel'
 
 
 class Body(s.Choice):
@@ -241,8 +212,8 @@ class Body(s.Choice):
     RAIL: the rail
     """
 
-    WHEEL = 0
-    RAIL = 1
+    WHEEL = 0, 'the wheel'
+    RAIL = 1, 'the rail'
 
 
 class ProfileKind(s.Choice):
@@ -255,11 +226,11 @@ class ProfileKind(s.Choice):
     UIC60_BENCHMARK: rail of the Manchester benchmark, canted 1:40 already
     """
 
-    NONE = 0
-    POINTS = 1
-    S1002 = 2
-    PROFILE_60E1 = 3
-    UIC60_BENCHMARK = 4
+    NONE = 0, 'no profile. A model without both has planar gaps only'
+    POINTS = 1, 'points y, z of the caller, joined by a cubic spline'
+    S1002 = 2, 'wheel, EN 13715, from its analytic definition'
+    PROFILE_60E1 = 3, 'rail, nominal head (R300/R80/R13), not canted: set rail_inclination, e.g. 1/40'
+    UIC60_BENCHMARK = 4, 'rail of the Manchester benchmark, canted 1:40 already'
 
 
 class ProfilePlacement(s.Choice):
@@ -270,8 +241,8 @@ class ProfilePlacement(s.Choice):
         A worn rail stays where the new one was
     """
 
-    GAUGE = 0
-    ORIGIN = 1
+    GAUGE = 0, 'rails by track.gauge and track.gauge_depth, tops at z = 0: new profiles'
+    ORIGIN = 1, 'rails by the origin of their points, at y = track.rail_origin, z = 0. Inclination turns about it. A worn rail stays where the new one was'
 
 
 class InstructionSet(s.Choice):
@@ -283,10 +254,10 @@ class InstructionSet(s.Choice):
     AVX512: x86-64 with AVX-512 F, DQ, VL
     """
 
-    BEST = 0
-    BASELINE = 1
-    AVX2 = 2
-    AVX512 = 3
+    BEST = 0, 'the widest that this processor has'
+    BASELINE = 1, 'what every processor of the architecture has: SSE2, NEON'
+    AVX2 = 2, 'x86-64 with AVX2'
+    AVX512 = 3, 'x86-64 with AVX-512 F, DQ, VL'
 
 
 class FrictionSpeedLaw(s.Choice):
@@ -298,9 +269,9 @@ class FrictionSpeedLaw(s.Choice):
     HYPERBOLIC: factor kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): static to kinetic
     """
 
-    NONE = 0
-    EXPONENTIAL = 1
-    HYPERBOLIC = 2
+    NONE = 0, 'factor 1'
+    EXPONENTIAL = 1, 'factor (1 - kinetic_ratio) exp(-fall_rate w) + kinetic_ratio: Polach'
+    HYPERBOLIC = 2, 'factor kinetic_ratio + (1 - kinetic_ratio) / (1 + w / half_speed): static to kinetic'
 
 
 class FrictionTemperatureLaw(s.Choice):
@@ -311,8 +282,8 @@ class FrictionTemperatureLaw(s.Choice):
         the mean over its load. Not with a method that gives forces alone
     """
 
-    NONE = 0
-    LINEAR = 1
+    NONE = 0, 'factor 1'
+    LINEAR = 1, 'factor 1 up to cold_temperature, hot_ratio from hot_temperature on, linear between. A strip has the mean over its load. Not with a method that gives forces alone'
 
 
 class ZoneFrame(s.Choice):
@@ -323,9 +294,9 @@ class ZoneFrame(s.Choice):
     WHEEL_PROFILE: wheel profile, flange side < 0: zones stay on the wheel, as a lubricated flange
     """
 
-    CONTACT_FRAME = 0
-    RAIL_PROFILE = 1
-    WHEEL_PROFILE = 2
+    CONTACT_FRAME = 0, 'contact frame, of wrc_planar.h alone: zones move with the contact point'
+    RAIL_PROFILE = 1, 'rail profile, field side > 0: zones stay on the rail'
+    WHEEL_PROFILE = 2, 'wheel profile, flange side < 0: zones stay on the wheel, as a lubricated flange'
 
 
 class WheelReference(s.Choice):
@@ -335,8 +306,8 @@ class WheelReference(s.Choice):
     WHEEL: W, where the plane of the tape circle meets the axle: independent wheels, elastic axles
     """
 
-    WHEELSET = 0
-    WHEEL = 1
+    WHEELSET = 0, 'O, the middle of the axle'
+    WHEEL = 1, 'W, where the plane of the tape circle meets the axle: independent wheels, elastic axles'
 
 
 class Orientation(s.Choice):
@@ -347,9 +318,9 @@ class Orientation(s.Choice):
     COLUMNS: by rotation column by column, as Fortran, MATLAB and Eigen store the same matrix
     """
 
-    ANGLES = 0
-    ROWS = 1
-    COLUMNS = 2
+    ANGLES = 0, 'by roll and yaw'
+    ROWS = 1, 'by rotation row by row, as C and numpy store a matrix: track = R body, y body is the axle'
+    COLUMNS = 2, 'by rotation column by column, as Fortran, MATLAB and Eigen store the same matrix'
 
 
 class Axes(s.Choice):
@@ -360,9 +331,9 @@ class Axes(s.Choice):
     BODY: by angular_velocity along the axes of the body without its pitch: y is about the axle
     """
 
-    NONE = 0
-    TRACK = 1
-    BODY = 2
+    NONE = 0, 'by roll_rate, pitch_rate, yaw_rate; angular_velocity must be 0'
+    TRACK = 1, "by angular_velocity along the track's axes: a yawed axle then has an x component, too"
+    BODY = 2, 'by angular_velocity along the axes of the body without its pitch: y is about the axle'
 
 
 class Prescribed(s.Choice):
@@ -374,22 +345,26 @@ class Prescribed(s.Choice):
     APPROACH: contact plane: approach of the bodies. The choice near lift-off
     """
 
-    HEIGHT = 0
-    VERTICAL_LOAD = 1
-    NORMAL_FORCE = 2
-    APPROACH = 3
+    HEIGHT = 0, 'wheel: its z. The choice of a dynamic simulation'
+    VERTICAL_LOAD = 1, 'wheel: vertical_load; z of the reference point is found'
+    NORMAL_FORCE = 2, 'contact plane: normal_force along the contact normal'
+    APPROACH = 3, 'contact plane: approach of the bodies. The choice near lift-off'
 
 
 class Start(s.Choice):
     """Where iterations begin.
 
     COLD: anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving
-    WARM: from the contact's last solution. Results depend on earlier calls, by 1e-7 of the normal force on a
-        wheel. For explicit integrators and fixed steps, not for implicit ones
+    WARM: from the contact's last solution. Results depend on earlier calls, within the tolerance. For
+        explicit integrators and fixed steps, not for implicit ones
+    MARK: of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark.
+        Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator
+        that accepts its steps
     """
 
-    COLD = 0
-    WARM = 1
+    COLD = 0, 'anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving'
+    WARM = 1, "from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit integrators and fixed steps, not for implicit ones"
+    MARK = 2, 'of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator that accepts its steps'
 
 
 class Available(enum.IntFlag):
@@ -434,30 +409,30 @@ class Field(s.Choice):
     GAP_CURVATURE: rows of a planar gap: d2h/dx2 [1/m]
     """
 
-    X = 0
-    PRESSURE = 1
-    TRACTION_X = 2
-    TRACTION_Y = 3
-    SLIP_X = 4
-    SLIP_Y = 5
-    POWER_DENSITY = 6
-    FATIGUE_INDEX = 7
-    TEMPERATURE_RISE = 8
-    STRIP_Y = 9
-    STRIP_WIDTH = 10
-    STRIP_CENTRE = 11
-    STRIP_HALF_LENGTH = 12
-    STRIP_PEAK = 13
-    STRIP_POWER = 14
-    STRIP_FRICTION = 15
-    STRIP_WEAR = 16
-    STRIP_PROFILE_Y = 17
-    STRIP_PROFILE_Z = 18
-    STRIP_ANGLE = 19
-    GAP_Y = 20
-    GAP_HEIGHT = 21
-    GAP_CENTRE = 22
-    GAP_CURVATURE = 23
+    X = 0, 'cells: x of the middle. Wheel: from its reference point; plane: contact frame [m]'
+    PRESSURE = 1, 'cells: normal pressure in the middle [Pa]'
+    TRACTION_X = 2, 'cells: tangential traction on the wheel along x [Pa]'
+    TRACTION_Y = 3, "cells: the same along the rail's arc, or along y of the contact plane [Pa]"
+    SLIP_X = 4, 'cells: sliding velocity of the wheel over the rail / rolling speed, along x [-]'
+    SLIP_Y = 5, "cells: the same along the rail's arc, or along y of the contact plane [-]"
+    POWER_DENSITY = 6, 'cells: frictional power per area, paper eq. 10 [W/m^2]'
+    FATIGUE_INDEX = 7, 'cells: local surface fatigue index, paper eq. 12 [-]'
+    TEMPERATURE_RISE = 8, 'cells: rise of both surfaces by friction over what they have at first touch [K]'
+    STRIP_Y = 9, "strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m]"
+    STRIP_WIDTH = 10, 'strips: width [m]'
+    STRIP_CENTRE = 11, 'strips: x of the middle, as Field.X [m]'
+    STRIP_HALF_LENGTH = 12, 'strips: half length [m]'
+    STRIP_PEAK = 13, 'strips: peak pressure, damping included [Pa]'
+    STRIP_POWER = 14, 'strips: frictional power per width [W/m]'
+    STRIP_FRICTION = 15, 'strips: coefficient of friction that the law gave [-]'
+    STRIP_WEAR = 16, "strips: volume lost per metre rolled and per width, Sheffield's law [m]"
+    STRIP_PROFILE_Y = 17, "strips of a wheel: the middle in the coordinates of the rail's profile [m]"
+    STRIP_PROFILE_Z = 18, 'strips of a wheel: the same, down [m]'
+    STRIP_ANGLE = 19, "strips of a wheel: of the rail's surface about x there; < 0 on the gauge side [rad]"
+    GAP_Y = 20, 'rows of a planar gap: y [m]'
+    GAP_HEIGHT = 21, 'rows of a planar gap: smallest gap of the row [m]'
+    GAP_CENTRE = 22, 'rows of a planar gap: x of that smallest gap [m]'
+    GAP_CURVATURE = 23, 'rows of a planar gap: d2h/dx2 [1/m]'
 
 
 class WrenchInput(s.Choice):
@@ -488,29 +463,29 @@ class WrenchInput(s.Choice):
     FRICTION: a factor, here 1, on all coefficients of friction [-]
     """
 
-    Y = 0
-    Z = 1
-    ROLL = 2
-    YAW = 3
-    VELOCITY_X = 4
-    VELOCITY_Y = 5
-    VELOCITY_Z = 6
-    ANGULAR_VELOCITY_X = 7
-    ANGULAR_VELOCITY_Y = 8
-    ANGULAR_VELOCITY_Z = 9
-    RAIL_Y = 10
-    RAIL_Z = 11
-    RAIL_ROLL = 12
-    RAIL_Y_VELOCITY = 13
-    RAIL_Z_VELOCITY = 14
-    RAIL_ROLL_RATE = 15
-    VERTICAL_LOAD = 16
-    DISTANCE = 17
-    ANGLE = 18
-    RAIL_Y_SLOPE = 19
-    RAIL_Z_SLOPE = 20
-    ROLLER_RATE = 21
-    FRICTION = 22
+    Y = 0, 'wheel.y [m]'
+    Z = 1, 'wheel.z [m], where the height is prescribed'
+    ROLL = 2, "wheel.roll [rad]. With a matrix: turning of the body about the track's x"
+    YAW = 3, 'wheel.yaw [rad]. With a matrix: turning of the body about its z, which is rolled'
+    VELOCITY_X = 4, 'wheel.velocity[0] [m/s]'
+    VELOCITY_Y = 5, 'wheel.velocity[1] [m/s]'
+    VELOCITY_Z = 6, 'wheel.velocity[2] [m/s]'
+    ANGULAR_VELOCITY_X = 7, 'wheel.angular_velocity[0] in its axes; with Axes.NONE roll_rate [rad/s]'
+    ANGULAR_VELOCITY_Y = 8, 'wheel.angular_velocity[1]; with Axes.NONE pitch_rate [rad/s]'
+    ANGULAR_VELOCITY_Z = 9, 'wheel.angular_velocity[2]; with Axes.NONE yaw_rate [rad/s]'
+    RAIL_Y = 10, 'rail.y [m]'
+    RAIL_Z = 11, 'rail.z [m]'
+    RAIL_ROLL = 12, 'rail.roll [rad]'
+    RAIL_Y_VELOCITY = 13, 'rail.y_velocity [m/s]'
+    RAIL_Z_VELOCITY = 14, 'rail.z_velocity [m/s]'
+    RAIL_ROLL_RATE = 15, 'rail.roll_rate [rad/s]'
+    VERTICAL_LOAD = 16, 'vertical_load [N], where it is prescribed'
+    DISTANCE = 17, 'distance [m], without what strips grow wider or narrower along the track'
+    ANGLE = 18, 'angle [rad]'
+    RAIL_Y_SLOPE = 19, 'rail.y_slope [-]; 0 of a roller'
+    RAIL_Z_SLOPE = 20, 'rail.z_slope [-]; 0 of a roller'
+    ROLLER_RATE = 21, 'roller_rate [rad/s]; 0 of a rail that is no roller'
+    FRICTION = 22, 'a factor, here 1, on all coefficients of friction [-]'
 
 
 class DamageQuantity(s.Choice):
@@ -533,16 +508,16 @@ class DamageQuantity(s.Choice):
     LARGEST_TRACTION: not a sum: largest traction [Pa]: |F| / N of a strip times its peak pressure
     """
 
-    WORK = 0
-    WEAR_T_GAMMA = 1
-    WEAR_SHEFFIELD = 2
-    WEAR_ARCHARD = 3
-    WEAR_POWER = 4
-    WHOLE_LIFE = 5
-    SURFACE_FATIGUE = 6
-    TIME = 7
-    LARGEST_PRESSURE = 1000
-    LARGEST_TRACTION = 1001
+    WORK = 0, 'frictional work [J], +-8e12; over the distance it is T-gamma'
+    WEAR_T_GAMMA = 1, 'volume worn by the T-gamma law [m^3], +-8e6; spread like the work'
+    WEAR_SHEFFIELD = 2, "the same by Sheffield's law, of each strip's T-gamma over its area"
+    WEAR_ARCHARD = 3, "the same by Archard's, of each strip's work, peak pressure and sliding velocity"
+    WEAR_POWER = 4, "the same by the power law, of each strip's power over its area"
+    WHOLE_LIFE = 5, "Whole Life Rail Model: damage function of the patch's T-gamma, times distance and width [m^2], +-8e6; < 0 where wear removes cracks"
+    SURFACE_FATIGUE = 6, "positive part of the strip's surface fatigue index |F| / N - k / p0, times distance and width [m^2], +-8e6"
+    TIME = 7, 'contact time times width [s m], +-8e6'
+    LARGEST_PRESSURE = 1000, 'not a sum: largest pressure [Pa]'
+    LARGEST_TRACTION = 1001, 'not a sum: largest traction [Pa]: |F| / N of a strip times its peak pressure'
 
 
 class Adhesion(s.Choice):
@@ -552,8 +527,8 @@ class Adhesion(s.Choice):
     FULL: no slip anywhere: linear theory; friction is unused
     """
 
-    COULOMB = 0
-    FULL = 1
+    COULOMB = 0, 'tractions up to friction * pressure, then slip'
+    FULL = 1, 'no slip anywhere: linear theory; friction is unused'
 
 
 class Collocation(s.Choice):
@@ -563,8 +538,8 @@ class Collocation(s.Choice):
     REFERENCE: reproduces the program CONTACT on its own grid: the choice for comparisons
     """
 
-    QUARTER_POINT = 0
-    REFERENCE = 1
+    QUARTER_POINT = 0, 'converges fastest with the grid: the choice for answers'
+    REFERENCE = 1, 'reproduces the program CONTACT on its own grid: the choice for comparisons'
 
 
 class SurfaceInfluence(s.Choice):
@@ -574,8 +549,8 @@ class SurfaceInfluence(s.Choice):
     PLAIN: a plane's over arc length, the plain conformal setting of CONTACT: for comparisons
     """
 
-    TURNED = 0
-    PLAIN = 1
+    TURNED = 0, 'turned between the normals of the two cells: the choice for answers'
+    PLAIN = 1, "a plane's over arc length, the plain conformal setting of CONTACT: for comparisons"
 
 
 class ConicityMethod(s.Choice):
@@ -587,8 +562,8 @@ class ConicityMethod(s.Choice):
         weighing alike
     """
 
-    WAVELENGTH = 0
-    REGRESSION = 1
+    WAVELENGTH = 0, "of the cone with the same wavelength: integration of y'' + dr(y) / (e r0) = 0, the method of UIC 519 and EN 15302"
+    REGRESSION = 1, 'half the slope of the straight line fitted to dr over the amplitude, all displacements weighing alike'
 
 
 class Profile(s.Struct):
@@ -901,20 +876,41 @@ assert c.sizeof(ConfigTangential) == 72
 
 
 class ConfigSurface(s.Struct):
-    """Options of Contact.wrench() alone.
+    """Options of Contact.wrench() alone. use() sets resolution, tolerance and work by the name of a setting.
+        Times and errors of settings: docs/realtime.md.
 
     Members:
       cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)
+      tread_width [m]: width of the rail's strips where its radius of curvature is 60 mm or more (1e-4 ..
+          2e-3; default 5e-4)
+      corner_width [m]: the same where it is 20 mm or less, at most tread_width; linear between. Faces that
+          guide, of a check rail, have 0.2e-3 m at most (5e-5 .. 1e-3; default 2.5e-4)
+      tolerance: part of the contact's area that the last iteration of the normal problem moves; of
+          NormalMethod.STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it (1e-10 ..
+          1e-2; default 1e-5)
+      max_work: work that a call may take, all heights of a prescribed load included; of
+          NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
+          takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
+          2e7)
     """
 
     _c_name_ = 'wrc_config_surface'
     __slots__ = ()
     cells: int
-    _defaults_ = {'cells': 32}
+    tread_width: float
+    corner_width: float
+    tolerance: float
+    max_work: float
+    _units_ = {'tread_width': 'm', 'corner_width': 'm'}
+    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-05, 'max_work': 20000000.0}
     _fields_ = [
         ('cells', c.c_int32),
         ('_reserved0', c.c_uint32),
-        ('_reserved', c.c_double * 14),
+        ('tread_width', c.c_double),
+        ('corner_width', c.c_double),
+        ('tolerance', c.c_double),
+        ('max_work', c.c_double),
+        ('_reserved', c.c_double * 10),
     ]
 assert c.sizeof(ConfigSurface) == 120
 
@@ -1383,6 +1379,9 @@ class Wrench(s.Struct):
       power [W]: frictional power, >= 0
       steepest_angle [rad]: largest angle of a rail strip in contact against the horizontal. It steps where
           strips enter
+      residual: part of the area that the last iteration of the normal problem moved: within
+          config.surface.tolerance but for Status.FLAG_ITERATION_CAP. Of NormalMethod.STRIP_HALFSPACE
+      work: of the call, in the unit of config.surface.max_work
     """
 
     _c_name_ = 'wrc_wrench'
@@ -1401,6 +1400,8 @@ class Wrench(s.Struct):
     peak_pressure: float
     power: float
     steepest_angle: float
+    residual: float
+    work: float
     _units_ = {'force': 'N', 'moment': 'N m', 'rail_force': 'N', 'rail_moment': 'N m', 'z': 'm', 'clearance': 'm', 'normal_force': 'N', 'area': 'm^2', 'peak_pressure': 'Pa', 'power': 'W', 'steepest_angle': 'rad'}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -1418,8 +1419,10 @@ class Wrench(s.Struct):
         ('peak_pressure', c.c_double),
         ('power', c.c_double),
         ('steepest_angle', c.c_double),
+        ('residual', c.c_double),
+        ('work', c.c_double),
     ]
-assert c.sizeof(Wrench) == 168
+assert c.sizeof(Wrench) == 184
 
 
 class WrenchDerivatives(s.Struct):
@@ -3138,6 +3141,7 @@ _wrc_contact_save_portable = _l.function(FUNCTIONS, 'wrc_contact_save_portable',
 _wrc_contact_restore_portable = _l.function(FUNCTIONS, 'wrc_contact_restore_portable', c.c_int32, [c.c_void_p, c.c_void_p, c.c_uint64])
 _wrc_contact_last_error = _l.function(FUNCTIONS, 'wrc_contact_last_error', c.c_int32, [c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
+_wrc_contact_mark = _l.function(FUNCTIONS, 'wrc_contact_mark', c.c_int32, [c.c_void_p])
 _wrc_contact_wrench_derivatives = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchDerivatives)])
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
@@ -3236,6 +3240,19 @@ class ContactCalls(_l.Handle):
             raise _l.misfit(_why, input=(input, WheelInput), out=(out, Wrench)) from None
         return out
 
+    def mark(self) -> None:
+        """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until
+            the next mark, whatever was called in between: trial steps, Jacobians by differences, steps taken
+            back. The mark is saved and restored with the state.
+
+
+        C status: Status.OK; Status.ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel).
+        """
+        with self._lock:
+            status = self._status = _wrc_contact_mark(self._handle)
+            if status < 0:
+                raise self._error(status)
+
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
             equations, not differences. Over temperature the part of the tractions is a difference. Two to
@@ -3245,7 +3262,7 @@ class ContactCalls(_l.Handle):
         wrench: as for Contact.wrench(), the same bits; None: a new one
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
-        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 160 strips
+        C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more than 120 strips
             in contact.
         """
         if wrench is None:

@@ -6,7 +6,7 @@ import os
 import pathlib
 import sys
 import threading
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 from ._renamed import current
 
@@ -50,7 +50,7 @@ def _load() -> c.CDLL:
 _library = _load()
 
 
-def function(table: Dict[str, Any], name: str, returned: Any, arguments: list) -> Callable[..., Any]:
+def function(table: Dict[str, Any], name: str, returned: Any, arguments: List[Any]) -> Callable[..., Any]:
     """One C function with its types, noted in the table."""
     try:
         found = getattr(_library, name)
@@ -58,7 +58,7 @@ def function(table: Dict[str, Any], name: str, returned: Any, arguments: list) -
         raise ImportError(f"{_library._name} has no {name}: it is older than this package") from None
     found.restype, found.argtypes = returned, arguments
     table[name] = found
-    return found
+    return found  # type: ignore[no-any-return]
 
 
 def check_version(abi: int, experimental: int) -> None:
@@ -81,7 +81,7 @@ def fault(status: int, text: str = "") -> Error:
     return kind(status, text or f"{name}: {STATUS_TEXTS.get(status, 'unknown status')}")
 
 
-def check(status: int, text: Optional[c.Array] = None) -> int:
+def check(status: int, text: Any = None) -> int:
     """Raises Error where a call without a handle failed."""
     if status < 0:
         raise fault(status, text.value.decode(errors="replace") if text is not None else "")
@@ -98,7 +98,7 @@ def misfit(why: Exception, **given: Tuple[Any, type]) -> TypeError:
     return TypeError(str(why))
 
 
-def check_watched(status: int, text: Optional[c.Array], watch: Any) -> int:
+def check_watched(status: int, text: Any, watch: Any) -> int:
     """As check(); what a progress function raised comes first."""
     watch.end()
     if watch.raised is not None:
@@ -140,7 +140,7 @@ class Handle:
 
     def _error(self, status: int, watch: Any = None) -> BaseException:
         if watch is not None and watch.raised is not None:
-            return watch.raised
+            return watch.raised  # type: ignore[no-any-return]
         if self._handle is None:
             return Error(status, f"this {type(self).__name__} is closed")
         return fault(status, self._sentence())
@@ -149,7 +149,7 @@ class Handle:
         return ""
 
 
-def aligned(size: int, alignment: int) -> tuple:
+def aligned(size: int, alignment: int) -> Tuple[Any, int]:
     """(memory that lives as long as it is referred to, address in it with that alignment)"""
     memory = c.create_string_buffer(size + alignment)
     address = c.addressof(memory)

@@ -7,26 +7,56 @@ from __future__ import annotations
 import ctypes as c
 import difflib
 import enum
+import html
+import inspect
+import os
 import sys
-import threading
-from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Type, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, Optional, Protocol, Sequence, Tuple, Type, TypeVar, Union
 
 import numpy as np
 
 from ._renamed import current, since
 
 S = TypeVar("S", bound="Struct")
+K = TypeVar("K", bound="Choice")
+Floats = Union[Sequence[float], Sequence[Sequence[float]], np.ndarray]
+Path = Union[str, "os.PathLike[str]"]
 _C_DOUBLES = c.POINTER(c.c_double)
 _DTYPES = {c.c_int32: "<i4", c.c_uint32: "<u4", c.c_uint64: "<u8", c.c_int64: "<i8", c.c_double: "<f8"}
 
 
+class AsStruct(Protocol):
+    """Goes where a wrc.Profile does."""
+
+    def as_struct(self) -> Any:
+        """The wrc.Profile."""
+
+
+if TYPE_CHECKING:
+    class _Memory:
+        """ctypes.Structure without its claim that it has every attribute."""
+
+        _fields_: Any
+        from_buffer: Any
+        from_buffer_copy: Any
+        from_address: Any
+else:
+    _Memory = c.Structure
+
+
 class Choice(enum.IntEnum):
-    """An enumeration of the interface: its members are numbers, and a name does where a member is asked for."""
+    """An enumeration of the interface: its members are numbers, and a name does where a member is asked for. The docstring of
+    a member says what it is."""
+
+    def __new__(cls, value: int, text: str = "") -> Any:
+        made = int.__new__(cls, value)
+        made._value_, made.__doc__ = value, text
+        return made
 
     @classmethod
-    def of(cls, value: Any) -> Any:
+    def of(cls: Type[K], value: Any) -> K:
         """The member of that number or name; a number the enumeration does not know stays a number."""
-        return _choice(cls, value)
+        return _choice(cls, value)  # type: ignore[no-any-return]
 
     def __str__(self) -> str:
         return self.name
@@ -46,6 +76,12 @@ def _choice(kind: Any, value: Any) -> Any:
         return kind(value)
     except ValueError:
         return int(value)
+
+
+def _told(owner: Any, name: str) -> str:
+    """A member as messages say it: "WheelState.velocity [m/s]"."""
+    unit = type(owner)._units_.get(name)
+    return f"{type(owner).__name__}.{name}" + (f" [{unit}]" if unit else "")
 
 
 class Member:
@@ -72,7 +108,7 @@ class Chosen(Member):
 class Array(Member):
     """Numbers within the struct, as a numpy view of them."""
 
-    def __init__(self, name: str, offset: int, shape: tuple, kind: Any):
+    def __init__(self, name: str, offset: int, shape: Tuple[int, ...], kind: Any):
         super().__init__(name)
         self.offset, self.shape, self.count = offset, shape, int(np.prod(shape))
         self.dtype = np.dtype(_DTYPES[kind])
@@ -86,8 +122,11 @@ class Array(Member):
     def __set__(self, owner: Any, value: Any) -> None:
         array = np.asarray(value)
         if array.size != self.count:
-            raise ValueError(f"{type(owner).__name__}.{self.name} has {self.count} numbers, not {array.size}")
-        self.__get__(owner)[...] = array.reshape(self.shape)
+            raise ValueError(f"{_told(owner, self.name)} has {self.count} numbers, not {array.size}")
+        try:
+            self.__get__(owner)[...] = array.reshape(self.shape)
+        except (TypeError, ValueError):
+            raise ValueError(f"{_told(owner, self.name)} has {self.count} numbers, not {value!r}") from None
 
 
 class Count(Member):
@@ -134,7 +173,7 @@ class Pointer(Member):
         if len(self.counters) == 2 and array.ndim == 1:
             array = array[None, :]  # of one row
         if self.counters and array.ndim != len(self.counters):
-            raise ValueError(f"{type(owner).__name__}.{self.name} is a {'row' if len(self.counters) == 1 else 'matrix'} of numbers, "
+            raise ValueError(f"{_told(owner, self.name)} is a {'row' if len(self.counters) == 1 else 'matrix'} of numbers, "
                              f"not an array of shape {array.shape}")
         for counter, size in zip(self.counters, array.shape):
             self.count(owner, counter, size, array.shape)
@@ -225,7 +264,16 @@ class Text(Member):
         setattr(owner, self.field, None if value is None else str(value).encode())
 
 
-class Struct(c.Structure):
+class _Signature:
+    """What inspect.signature() says of a struct's class: its members as keywords, which notebooks complete."""
+
+    def __get__(self, _: Any, kind: Any) -> inspect.Signature:
+        empty = inspect.Parameter.empty
+        return inspect.Signature([inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=..., annotation=empty)
+                                  for name in kind.members() if not isinstance(getattr(kind, name, None), Count)])
+
+
+class Struct(_Memory):
     """A struct of the interface. Members may be given by name; nested structs as such or as dicts.
 
     What the package sets itself, sizes of structs and room for later versions, has fields behind an underscore and no member.
@@ -236,8 +284,10 @@ class Struct(c.Structure):
     _units_: Dict[str, str] = {}
     _defaults_: Dict[str, Any] = {}  # of the fields whose default is not 0
 
+    __signature__ = _Signature()
+
     def __init__(self, **values: Any):
-        c.memmove(c.addressof(self), type(self)._default(), c.sizeof(self))
+        c.memmove(c.addressof(self), type(self)._default(), c.sizeof(self))  # type: ignore[arg-type]
         if values:
             self.set(**values)
 
@@ -246,21 +296,21 @@ class Struct(c.Structure):
         """The struct's bytes with the headers' defaults, which the C functions wrc_..._init() set too."""
         found = cls.__dict__.get("_default_bytes")
         if found is None:
-            made = cls.from_buffer(bytearray(c.sizeof(cls)))
+            made = cls.from_buffer(bytearray(c.sizeof(cls)))  # type: ignore[arg-type]
             for each in cls._fields_:
                 if issubclass(each[1], Struct):
                     setattr(made, each[0], each[1]._new())
             for name, value in cls._defaults_.items():
                 setattr(made, name, value)
             if hasattr(cls, "_struct_size"):
-                made._struct_size = c.sizeof(cls)
+                made._struct_size = c.sizeof(cls)  # type: ignore[arg-type]
             found = bytes(made)
             cls._default_bytes = found  # type: ignore[attr-defined]
         return found
 
     @classmethod
     def _new(cls: Type[S]) -> S:
-        return cls.from_buffer_copy(cls.__dict__.get("_default_bytes") or cls._default())
+        return cls.from_buffer_copy(cls.__dict__.get("_default_bytes") or cls._default())  # type: ignore[no-any-return]
 
     @classmethod
     def members(cls) -> Tuple[str, ...]:
@@ -304,14 +354,14 @@ class Struct(c.Structure):
                 try:
                     setattr(self, name, value)
                 except TypeError as why:
-                    raise TypeError(f"{kind.__name__}.{name}: {why}") from None
+                    raise TypeError(f"{_told(self, name)}: {str(why).replace('must be', 'is a')}") from None
         return self
 
     def copy(self: S) -> S:
         """A copy, which keeps the arrays this struct points to."""
-        holder = (type(self) * 1)()
+        holder: Any = (type(self) * 1)()  # type: ignore[operator]
         holder[0] = self
-        return holder[0]
+        return holder[0]  # type: ignore[no-any-return]
 
     __copy__ = copy
 
@@ -361,7 +411,7 @@ class Struct(c.Structure):
     def array(cls: Type[S], count: int, like: Optional[S] = None) -> np.ndarray:
         """A numpy array of `count` structs, all as `like` or as the defaults: what batches take and give. Members are
         columns: inputs["wheel"]["y"] = np.linspace(0, 3e-3, count)."""
-        memory: Any = (cls * count)()
+        memory: Any = (cls * count)()  # type: ignore[operator]
         first: Any = like if like is not None else cls()
         view = np.frombuffer(memory, cls.dtype(), count)
         view[:] = np.frombuffer(first, cls.dtype(), 1)
@@ -391,12 +441,25 @@ class Struct(c.Structure):
         """Element `index` of an array of these structs, in the array's memory."""
         if array.dtype != cls.dtype() or array.ndim != 1:
             raise TypeError(f"wrc.{cls.__name__}.array() makes arrays of {cls.__name__}; this one has dtype {array.dtype}")
-        return cls.from_buffer(array[index % len(array):].data.cast("B"))
+        return cls.from_buffer(array[index % len(array):].data.cast("B"))  # type: ignore[no-any-return]
 
     # -------------------------------------------------------------------------------------------------- for a person
 
     def __repr__(self) -> str:
         return "\n".join([f"wrc.{type(self).__name__}", *self._lines("  ")])
+
+    def _repr_html_(self) -> str:
+        """The struct in a notebook: members, values, units."""
+        return f"<b>wrc.{type(self).__name__}</b><table>{''.join(self._rows(''))}</table>"
+
+    def _rows(self, prefix: str) -> Iterable[str]:
+        for name in self.members():
+            value = getattr(self, name)
+            if isinstance(value, Struct):
+                yield from value._rows(f"{prefix}{name}.")
+            else:
+                cells = (prefix + name, _shown(value), self._units_.get(name, ""))
+                yield "<tr>" + "".join(f'<td style="text-align:left">{html.escape(each)}</td>' for each in cells) + "</tr>"
 
     def _lines(self, indent: str) -> Iterable[str]:
         names = self.members()

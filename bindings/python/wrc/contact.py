@@ -5,9 +5,10 @@ import concurrent.futures
 import ctypes as c
 import os
 import threading
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _interface as i
 from . import _library as _l
@@ -15,12 +16,15 @@ from ._renamed import current
 from .damage import Bins
 from .profiles import results
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 _SENTENCE = 1024  # bytes
 _SHARED: Dict[str, "Model"] = {}
 _SHARED_LOCK = threading.Lock()
 
 
-def _view(view: i.View, memory: Any) -> np.ndarray:
+def _view(view: i.View, memory: Any) -> NDArray[np.float64]:
     """A wrc_view as a read-only numpy array in the memory of its model, which it keeps alive."""
     offset = c.cast(view._data, c.c_void_p).value - c.addressof(memory)  # type: ignore[operator,attr-defined]
     array = np.ndarray((view.count,), np.float64, memory, offset)
@@ -33,8 +37,22 @@ def force_table() -> str:
     return str(_l.FOLDER / "force_table.bin")
 
 
-def use(config: i.Config, name: str) -> i.Config:
-    """Makes a configuration that of a published tangential method ("FASTSIM-SDEC"); gives the configuration."""
+def presets() -> List[str]:
+    """Published names of tangential methods: of wrc.Model(preset=) and wrc.use()."""
+    return list(i.PRESETS)
+
+
+def methods() -> Dict[str, Dict[str, str]]:
+    """Every normal and tangential method by its name, with its description: of config.normal.method, config.tangential.method."""
+    return {"normal": {each.name: each.__doc__ or "" for each in i.NormalMethod},
+            "tangential": {each.name: each.__doc__ or "" for each in i.TangentialMethod}}
+
+
+def use(config: i.Config, name: i.PresetName) -> i.Config:
+    """Makes a configuration that of a published tangential method ("FASTSIM-SDEC", see wrc.presets()); gives the configuration.
+    Upper and lower case, blanks and hyphens do not count."""
+    plain = {"".join(filter(str.isalnum, each)).lower(): each for each in i.PRESETS}
+    name = plain.get("".join(filter(str.isalnum, name)).lower(), name)  # type: ignore[assignment]
     text = c.create_string_buffer(_SENTENCE)
     _l.check(i._wrc_config_use(config, name.encode(), text, _SENTENCE), text)
     return config
@@ -48,7 +66,8 @@ class Model(i.ModelCalls):
     wrc.Model(..., preset="FASTSIM-SDEC")   with a published tangential method
 
     wheel, rail: the name of a built-in shape, a wrc.Profile, or what wrc.read_profile() gives. All members of wrc.Config may
-    be given by name, groups as dicts: track={"rail_inclination": 1 / 40}. Raises wrc.Error with the library's sentence.
+    be given by name, groups as dicts: track={"rail_inclination": 1 / 40}. The method FORCE_TABLE takes the package's own table
+    where none is named. Raises wrc.Error with the library's sentence. A model is pickled as its configuration.
     status: of the making: Status.OK or Status.FLAG_DISSIMILAR_MATERIALS.
     """
 
@@ -56,11 +75,13 @@ class Model(i.ModelCalls):
 
     config: i.Config
 
-    def __init__(self, config: Optional[i.Config] = None, *, preset: Optional[str] = None, **values: Any):
+    def __init__(self, config: Optional[i.Config] = None, *, preset: Optional[i.PresetName] = None, **values: Unpack[i.ConfigDict]):
         config = i.Config() if config is None else config.copy()
         if preset is not None:
             use(config, preset)
         config.set(**values)
+        if config.tangential.method == i.TangentialMethod.FORCE_TABLE and config.tangential.force_table is None:
+            config.tangential.force_table = force_table()
         size, alignment, handle = c.c_uint64(), c.c_uint64(), c.c_void_p()
         text = c.create_string_buffer(_SENTENCE)
         memory, status = None, i._wrc_model_size(config, c.byref(size), c.byref(alignment))
@@ -74,7 +95,7 @@ class Model(i.ModelCalls):
         self.config = config
 
     @classmethod
-    def shared(cls, **values: Any) -> "Model":
+    def shared(cls, **values: Unpack[i.ConfigDict]) -> "Model":
         """Model(**values), made once in a process for the same values: for the workers of a sweep."""
         told = repr(sorted(values.items()))
         with _SHARED_LOCK:
@@ -82,11 +103,14 @@ class Model(i.ModelCalls):
                 _SHARED[told] = cls(**values)
             return _SHARED[told]
 
-    def contact(self, side: Any = i.Side.RIGHT) -> "Contact":
+    def __reduce__(self) -> Any:
+        return Model, (self.config,)
+
+    def contact(self, side: i.SideLike = i.Side.RIGHT) -> "Contact":
         """A contact of this model: of the right wheel, or of the left one (side="LEFT")."""
         return Contact(self, side)
 
-    def profile(self, body: Any = "WHEEL", side: Any = i.Side.RIGHT) -> Tuple[np.ndarray, np.ndarray, float]:
+    def profile(self, body: i.BodyLike = "WHEEL", side: i.SideLike = i.Side.RIGHT) -> Tuple[NDArray[np.float64], NDArray[np.float64], float]:
         """A profile as the model uses it, smoothed and placed: y [m], z [m], the largest deviation from its points [m].
         Of a wheel y counts from the wheelset's middle, of a rail from the track's. The arrays are the model's memory."""
         y, z, deviation = i.View(), i.View(), c.c_double()
@@ -96,7 +120,7 @@ class Model(i.ModelCalls):
                 raise self._error(status)
             return _view(y, self._memory), _view(z, self._memory), deviation.value
 
-    def arc_places(self, arc: Any, body: Any = "WHEEL") -> Tuple[np.ndarray, np.ndarray]:
+    def arc_places(self, arc: Any, body: i.BodyLike = "WHEEL") -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
         """y and z of the profile [m] at arc lengths [m], 0 at its origin, as wrc.Bins count them; beyond an end: the end."""
         arc = np.ascontiguousarray(np.atleast_1d(arc), np.float64)
         y, z = np.zeros(arc.size), np.zeros(arc.size)
@@ -106,7 +130,7 @@ class Model(i.ModelCalls):
                 raise self._error(status)
         return y.reshape(arc.shape), z.reshape(arc.shape)
 
-    def wheelset_geometry(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, np.ndarray]:
+    def wheelset_geometry(self, lateral: Any, wheel_load: float = 0.0) -> Dict[str, NDArray[np.float64]]:
         """Where a wheelset without yaw touches both rails, over its lateral displacement: the members of
         wrc.WheelsetGeometry as arrays. EN 15302.
 
@@ -134,12 +158,15 @@ class Contact(i.ContactCalls):
     """One wheel on one rail: the results of the last call. One thread at a time; a second one waits.
 
     status: of the last call, a wrc.Status; message: the library's sentence behind it. Failures raise wrc.Error, flags do not.
-    What a call gives is a new struct; out= takes one to be filled instead.
+    What a call gives is a new struct; out= takes one to be filled instead. A contact is pickled and copied with its state.
     """
 
     __slots__ = ("model", "side", "_fields")
 
-    def __init__(self, model: Model, side: Any = i.Side.RIGHT):
+    model: Model
+    side: i.Side
+
+    def __init__(self, model: Model, side: i.SideLike = i.Side.RIGHT):
         size, alignment, handle = c.c_uint64(), c.c_uint64(), c.c_void_p()
         side, text = i.Side.of(side), c.create_string_buffer(_SENTENCE)
         status = i._wrc_contact_size(model._handle, c.byref(size), c.byref(alignment))
@@ -149,6 +176,9 @@ class Contact(i.ContactCalls):
         status = _l.check(i._wrc_contact_init(model._handle, int(side), address, size.value, c.byref(handle), text, _SENTENCE), text)
         self._take((memory, model._memory), handle, status)  # the model's memory lives as long as the contact
         self.model, self.side = model, side
+
+    def __reduce__(self) -> Any:
+        return _contact, (self.model, self.side, self.save(portable=True))
 
     @property
     def message(self) -> str:
@@ -160,7 +190,7 @@ class Contact(i.ContactCalls):
         i._wrc_contact_last_error(self._handle, text, _SENTENCE)
         return text.value.decode(errors="replace")
 
-    def field(self, field: Any, region: int = 0) -> np.ndarray:
+    def field(self, field: i.FieldLike, region: int = 0) -> NDArray[np.float64]:
         """A field of one region of the last solution, of wrench() or of the planar stages: a new array. Over cells it has the
         shape (strips, cells), cell 0 at the leading edge; over strips, or rows of a gap, one number each. Strips go from the
         gauge side to the field side of a rail, on a contact plane by increasing y.
@@ -178,7 +208,7 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
         return values
 
-    def fields(self, region: int = 0) -> Dict[str, np.ndarray]:
+    def fields(self, region: int = 0) -> Dict[str, NDArray[np.float64]]:
         """All fields that the last solution has of a region, by name."""
         with self._lock:
             self.region(region)  # raises where there is none
@@ -208,7 +238,7 @@ class Contact(i.ContactCalls):
                 found.append(one)
 
     def accumulate(self, wheel: Optional[Bins] = None, rail: Optional[Bins] = None, *, out: Optional[i.DamageTotals] = None,
-                   **accumulation: Any) -> i.DamageTotals:
+                   **accumulation: Unpack[i.AccumulationDict]) -> i.DamageTotals:
         """Adds what the last solution does in a duration to wrc.Bins of the wheel's and of the rail's profile: what was added.
 
         accumulation: members of wrc.Accumulation: duration [s], distance [m], wear, fatigue
@@ -220,11 +250,12 @@ class Contact(i.ContactCalls):
                 raise self._error(status)
         return totals
 
-    def stresses(self, index: int, depths: Any, body: Any = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
+    def stresses(self, index: int, depths: Any, body: i.BodyLike = "RAIL") -> Tuple[i.Stresses, List[i.StressPeaks]]:
         """Largest stresses in one body under a region of the last solution, or under all patches of a contact plane
         (wrc.ALL_REGIONS): as a whole, and at each of the depths [m]. See wrc_damage.h."""
         depths = np.ascontiguousarray(np.atleast_1d(depths), np.float64)
-        levels, found = (i.StressPeaks * max(1, depths.size))(), i.Stresses._new()
+        kind: Any = i.StressPeaks
+        levels, found = (kind * max(1, depths.size))(), i.Stresses._new()
         with self._lock:
             status = self._status = i._wrc_contact_stresses(self._handle, index, int(i.Body.of(body)), depths, depths.size, levels[0], found)
             if status < 0:
@@ -251,7 +282,7 @@ class Contact(i.ContactCalls):
             if status < 0:
                 raise self._error(status)
 
-    def exact_gap(self, grid: i.Grid) -> np.ndarray:
+    def exact_gap(self, grid: i.Grid) -> NDArray[np.float64]:
         """The gap of the last planar_geometry() between the true surfaces at a grid's cells [m], shape (ny, nx)."""
         gap = np.zeros((grid.ny, grid.nx))
         with self._lock:
@@ -263,6 +294,12 @@ class Contact(i.ContactCalls):
     def __repr__(self) -> str:
         return f"wrc.Contact of the {i.Side.of(self.side)!s} wheel, " + (
             "closed" if self._handle is None else f"last call: {self.status!s}")
+
+
+def _contact(model: Model, side: i.Side, state: bytes) -> Contact:
+    made = Contact(model, side)
+    made.restore(state)
+    return made
 
 
 class Batch:
@@ -288,7 +325,7 @@ class Batch:
     def __len__(self) -> int:
         return len(self.contacts)
 
-    def wrench(self, inputs: Union[i.WheelInput, np.ndarray], out: Optional[np.ndarray] = None, check: bool = True) -> np.ndarray:
+    def wrench(self, inputs: Union[i.WheelInput, NDArray[Any]], out: Optional[NDArray[Any]] = None, check: bool = True) -> NDArray[Any]:
         """Contact.wrench() of each contact.
 
         inputs: one wrc.WheelInput for all, or wrc.WheelInput.array(n) with an element for each
@@ -327,7 +364,7 @@ def _elements(array: Any, kind: Any, count: int, name: str) -> Tuple[int, int]:
     return array.ctypes.data, array.strides[0]
 
 
-def _steps(contact: Contact, inputs: np.ndarray, out: np.ndarray) -> np.ndarray:
+def _steps(contact: Contact, inputs: NDArray[Any], out: NDArray[Any]) -> NDArray[np.int32]:
     """Contact.planar_step() of each input in turn; the statuses."""
     count = len(inputs)
     address, stride = _elements(inputs, i.PlanarInput, count, "inputs")
@@ -343,8 +380,8 @@ def _steps(contact: Contact, inputs: np.ndarray, out: np.ndarray) -> np.ndarray:
 BLOCK = 64  # elements solved between two looks at what is left
 
 
-def sweep(model: Model, inputs: np.ndarray, side: Any = i.Side.RIGHT, threads: int = 1,
-          progress: Optional[Callable[[float], Any]] = None) -> Tuple[np.ndarray, np.ndarray]:
+def sweep(model: Model, inputs: NDArray[Any], side: i.SideLike = i.Side.RIGHT, threads: int = 1,
+          progress: Optional[Callable[[float], Any]] = None) -> Tuple[NDArray[Any], NDArray[np.int32]]:
     """Solves any number of inputs of one model: the results (wrc.Wrench or wrc.PlanarOutput as an array), and their statuses.
 
     inputs: wrc.WheelInput.array(n) for wheels on rails, each of which starts cold; wrc.PlanarInput.array(n) for planar steps

@@ -5,6 +5,7 @@ import ctypes as c
 from typing import Any, Optional, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _interface as i
 from . import _library as _l
@@ -21,24 +22,25 @@ class Bins:
     def __init__(self, count: int, first: float, width: float = 1e-3, rows: int = 1, row_first: float = 0.0, row_length: float = 0.0):
         self.shape = rows, count
         self._told = count, first, width, rows, row_first, row_length
-        self._bins = (i.DamageBin * (rows * count + 1))()
+        kind: Any = i.DamageBin
+        self._bins = (kind * (rows * count + 1))()
         self.struct = i.DamageBins(first=first, width=width, row_first=row_first, row_length=row_length, count=count, row_count=rows,
                                    bins=self._bins)
 
     @property
-    def arc(self) -> np.ndarray:
+    def arc(self) -> NDArray[np.float64]:
         """Arc length at the middle of each bin [m]; Model.arc_places() has the places."""
-        return self.struct.first + self.struct.width * (np.arange(self.shape[1]) + 0.5)
+        return np.asarray(self.struct.first + self.struct.width * (np.arange(self.shape[1]) + 0.5), np.float64)
 
-    def values(self, quantity: Any) -> np.ndarray:
+    def values(self, quantity: i.DamageQuantityLike) -> NDArray[np.float64]:
         """What the bins hold of a wrc.DamageQuantity or its name ("WORK"), shape (rows, count), in the units told there."""
         return self._values(quantity)[:-1].reshape(self.shape)
 
-    def beside(self, quantity: Any) -> float:
+    def beside(self, quantity: i.DamageQuantityLike) -> float:
         """The same of all that fell beside the bins."""
         return float(self._values(quantity)[-1])
 
-    def _values(self, quantity: Any) -> np.ndarray:
+    def _values(self, quantity: i.DamageQuantityLike) -> NDArray[np.float64]:
         found = np.zeros(len(self._bins))
         status = _l.check(i._wrc_damage_values(self.struct, int(i.DamageQuantity.of(quantity)), found))
         if status == i.Status.FLAG_SUM_OVERFLOW:
@@ -78,7 +80,7 @@ def whole_life_damage(t_gamma: float, laws: Optional[i.FatigueLaws] = None) -> f
 
 
 def flash_temperature(power_density: Any, cell: float, speed: float, wheel: Optional[i.HeatProperties] = None,
-                      rail: Optional[i.HeatProperties] = None) -> np.ndarray:
+                      rail: Optional[i.HeatProperties] = None) -> NDArray[np.float64]:
     """Rise of the temperature of the surfaces along strips [K], of the shape of power_density.
 
     power_density: the last axis along a strip from the leading edge on, at the middles of cells [W/m^2]

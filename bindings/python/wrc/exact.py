@@ -7,6 +7,7 @@ import weakref
 from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _interface as i
 from . import _library as _l
@@ -21,21 +22,21 @@ def grid(nx: int, ny: int, dx: float, dy: Optional[float] = None) -> i.Grid:
     return i.Grid(nx=nx, ny=ny, dx=dx, dy=dy, x0=-0.5 * (nx - 1) * dx, y0=-0.5 * (ny - 1) * dy)
 
 
-def cells(grid: i.Grid) -> Tuple[np.ndarray, np.ndarray]:
+def cells(grid: i.Grid) -> Tuple[NDArray[Any], NDArray[Any]]:
     """x and y of the cells' centres [m], both of shape (ny, nx)."""
     x, y = grid.x0 + grid.dx * np.arange(grid.nx), grid.y0 + grid.dy * np.arange(grid.ny)
     return np.meshgrid(x, y)
 
 
-def _field(name: str, values: Any, grid: i.Grid) -> np.ndarray:
+def _field(name: str, values: Any, grid: i.Grid) -> NDArray[Any]:
     array = np.ascontiguousarray(values, np.float64)
     if array.shape != (grid.ny, grid.nx):
         raise ValueError(f"{name} has the shape {array.shape}, its grid ny, nx = {grid.ny, grid.nx}")
     return array
 
 
-def normal(grid: i.Grid, gap: np.ndarray, *, progress: ProgressArgument = None,
-           **problem: Any) -> Tuple[i.ExactNormalSolution, np.ndarray]:
+def normal(grid: i.Grid, gap: NDArray[Any], *, progress: ProgressArgument = None,
+           **problem: Any) -> Tuple[i.ExactNormalSolution, NDArray[Any]]:
     """Pressure between two half-spaces pressed together: the solution, and the pressure [Pa] of shape (ny, nx).
 
     gap: undeformed, shape (ny, nx) [m]
@@ -51,14 +52,14 @@ def normal(grid: i.Grid, gap: np.ndarray, *, progress: ProgressArgument = None,
     return solution, pressure
 
 
-def _roll(function: Callable[..., int], grid: i.Grid, pressure: np.ndarray, friction: Union[float, np.ndarray, None],
-          progress: ProgressArgument, problem: Dict[str, Any]) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
+def _roll(function: Callable[..., int], grid: i.Grid, pressure: NDArray[Any], friction: Union[float, NDArray[Any], None],
+          progress: ProgressArgument, problem: Dict[str, Any]) -> Tuple[i.ExactRollingSolution, Dict[str, NDArray[Any]]]:
     told = i.ExactRollingProblem(grid=grid, pressure=_field("pressure", pressure, grid), **problem)
     if friction is not None and np.ndim(friction) == 0:
         told.coefficient = float(friction)
     elif friction is not None:
-        told.friction = _field("friction", friction, grid)  # type: ignore[assignment]
-    fields = {name: np.zeros((grid.ny, grid.nx)) for name in ("traction_x", "traction_y", "slip_x", "slip_y")}
+        told.friction = _field("friction", friction, grid)
+    fields: Dict[str, Any] = {name: np.zeros((grid.ny, grid.nx)) for name in ("traction_x", "traction_y", "slip_x", "slip_y")}
     solution = i.ExactRollingSolution(**fields)
     watch, text = Watch(progress), c.create_string_buffer(_SENTENCE)
     told.progress = watch.c
@@ -66,8 +67,8 @@ def _roll(function: Callable[..., int], grid: i.Grid, pressure: np.ndarray, fric
     return solution, fields
 
 
-def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None,
-            progress: ProgressArgument = None, **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
+def rolling(grid: i.Grid, pressure: NDArray[Any], *, friction: Union[float, NDArray[Any], None] = None,
+            progress: ProgressArgument = None, **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, NDArray[Any]]]:
     """Steady rolling under a given pressure: the solution, and its fields of shape (ny, nx): traction_x, traction_y [Pa],
     slip_x, slip_y [-].
 
@@ -82,7 +83,7 @@ def rolling(grid: i.Grid, pressure: np.ndarray, *, friction: Union[float, np.nda
 class Transient:
     """Two bodies that roll on cell by cell and remember their tractions; at first they have not rolled and have none.
 
-    grid: of every step; a step goes grid.dx
+    grid: of every step; a step goes grid.dx, either way, or rests
     wheel_material, rail_material: None: the defaults
     """
 
@@ -93,10 +94,11 @@ class Transient:
         _l.check(i._wrc_exact_transient_create(self.grid, *self.materials.values(), c.byref(self._handle), text, _SENTENCE), text)
         weakref.finalize(self, i._wrc_exact_transient_destroy, c.c_void_p(self._handle.value))
 
-    def step(self, pressure: np.ndarray, *, friction: Union[float, np.ndarray, None] = None, progress: ProgressArgument = None,
-             **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, np.ndarray]]:
-        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. A step
-        that fails or is stopped leaves the bodies where they were."""
+    def step(self, pressure: NDArray[Any], *, friction: Union[float, NDArray[Any], None] = None, progress: ProgressArgument = None,
+             **problem: Any) -> Tuple[i.ExactRollingSolution, Dict[str, NDArray[Any]]]:
+        """Rolls on by one cell: as rolling(), with pressure and friction at the step's end and creepages of its middle. The sign of
+        creepage.speed is the way; 0 is a shift at rest by creepages times dx. A step that fails or is stopped leaves the bodies where
+        they were."""
         with self._lock:
             return _roll(lambda *told: i._wrc_exact_transient_step(self._handle, *told), self.grid, pressure, friction, progress,
                          {**self.materials, **problem})
@@ -104,10 +106,11 @@ class Transient:
 
 def _loads(grid: i.Grid, pressure: Any, traction_x: Any, traction_y: Any, problem: Dict[str, Any]) -> i.ExactLoads:
     given = {"pressure": pressure, "traction_x": traction_x, "traction_y": traction_y}
-    return i.ExactLoads(grid=grid, **{name: _field(name, each, grid) for name, each in given.items() if each is not None}, **problem)
+    loads: Dict[str, Any] = {name: _field(name, each, grid) for name, each in given.items() if each is not None}
+    return i.ExactLoads(grid=grid, **loads, **problem)
 
 
-def stresses(grid: i.Grid, points: Any, pressure: Any, traction_x: Any = None, traction_y: Any = None, **problem: Any) -> np.ndarray:
+def stresses(grid: i.Grid, points: Any, pressure: Any, traction_x: Any = None, traction_y: Any = None, **problem: Any) -> NDArray[Any]:
     """Stresses at points x, y, depth [m] of a body under loads on its surface [Pa] of shape (ny, nx): one row xx, yy, zz, xy,
     yz, zx a point, tension positive.
 

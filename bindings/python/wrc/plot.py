@@ -1,7 +1,9 @@
-"""Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given."""
+"""Pictures with matplotlib (pip install wrc[plot]). Each function gives the Figure, and saves it where a path is given. Those of
+one panel draw on axes= of the caller's instead."""
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, Optional, Tuple
+import io
+from typing import Any, Dict, Iterable, List, Optional, Tuple
 
 import numpy as np
 
@@ -9,18 +11,34 @@ from . import _interface as i
 from ._library import Error
 from .contact import Contact, Model
 from .profiles import ProfileFile
+from .sections import RailFaces
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#999999")  # Okabe and Ito
 SLIDES = 1e-9  # a sliding velocity over the rolling speed that is none
 
 
 def figure(**options: Any) -> Any:
-    """A matplotlib Figure that no window and no global list holds."""
+    """A matplotlib Figure that no window and no global list holds. A notebook shows it."""
     try:
         from matplotlib.figure import Figure
     except ImportError as why:
         raise ImportError("pictures need matplotlib: pip install wrc[plot]") from why
-    return Figure(layout="compressed", **options)
+
+    class Picture(Figure):
+        def _repr_png_(self) -> bytes:
+            file = io.BytesIO()
+            self.savefig(file, format="png", dpi=100, bbox_inches="tight")
+            return file.getvalue()
+
+    return Picture(layout="compressed", **options)
+
+
+def _panel(axes: Any, size: Tuple[float, float]) -> Tuple[Any, Any]:
+    """The caller's axes and their figure, or new ones."""
+    if axes is not None:
+        return axes.figure, axes
+    made = figure(figsize=size)
+    return made, made.subplots()
 
 
 def _done(made: Any, path: Any) -> Any:
@@ -88,7 +106,7 @@ def _value(fields: Dict[str, np.ndarray], name: str) -> Optional[np.ndarray]:
     if name in fields:
         return fields[name]
     if name + "_X" in fields:
-        return np.hypot(fields[name + "_X"], fields[name + "_Y"])
+        return np.asarray(np.hypot(fields[name + "_X"], fields[name + "_Y"]))
     return None
 
 
@@ -109,10 +127,69 @@ def _whole(fields: Dict[str, np.ndarray], values: np.ndarray) -> Tuple[np.ndarra
     return np.broadcast_to(1e3 * fields["STRIP_Y"][:, None], x.shape), x, np.hstack([values[:, :1], values, values[:, -1:]])
 
 
-def profile(*files: ProfileFile, path: Any = None) -> Any:
+def field(contact: Contact, name: i.FieldLike, axes: Any = None, path: Any = None) -> Any:
+    """One field over cells of all regions of the last solution, as contact() has it: "PRESSURE", "TEMPERATURE_RISE", ... [SI]."""
+    made, panel = _panel(axes, (7, 4.5))
+    which = i.Field.of(name)
+    found = [(contact.fields(each), contact.field(which, each)) for each in range(len(contact.regions()))]
+    if not found:
+        raise ValueError(f"there is nothing to draw: {contact.message or 'call wrench() or planar_step() first'}")
+    low, high = min(float(each.min()) for _, each in found), max(float(each.max()) for _, each in found)
+    for fields, values in found:
+        across, x, shown = _whole(fields, values)
+        mesh = panel.pcolormesh(across, x, shown, shading="gouraud", cmap="viridis", vmin=min(low, 0.0), vmax=high if high > low else low + 1.0)
+        panel.plot(*_edge(fields), color="black", linewidth=1)
+    unit = (which.__doc__ or "").rpartition("[")[2].rstrip("]")
+    made.colorbar(mesh, ax=panel, label=which.name.replace("_", " ").lower() + (f" [{unit}]" if unit != "-" else ""))
+    panel.set(aspect="equal", ylabel="x, rolling direction [mm]",
+              xlabel="along the rail's arc [mm]" if "STRIP_PROFILE_Y" in found[0][0] else "y, to the right [mm]")
+    return _done(made, path)
+
+
+def subsurface(contact: Contact, region: int = 0, body: i.BodyLike = "RAIL", depths: Optional[Iterable[float]] = None, axes: Any = None,
+               path: Any = None) -> Any:
+    """Largest stresses under a region over the depth: von Mises, shear, tension. depths: [m]; None: down to 10 mm."""
+    made, panel = _panel(axes, (6, 4.5))
+    at = np.linspace(1e-4, 10e-3, 60) if depths is None else np.asarray(list(depths), float)
+    whole, levels = contact.stresses(region, at, body)
+    for name, colour in (("von_mises", COLOURS[0]), ("shear", COLOURS[1]), ("tension", COLOURS[2])):
+        panel.plot([1e-6 * getattr(each, name).stress for each in levels], 1e3 * at, color=colour, label=name.replace("_", " "))
+        peak = getattr(whole.largest, name)
+        panel.plot(1e-6 * peak.stress, 1e3 * peak.depth, "o", color=colour)
+    panel.invert_yaxis()
+    panel.set(xlabel=f"largest stress in the {i.Body.of(body).name.lower()} [MPa]", ylabel="depth [mm]")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def scan(model: Model, lateral: Iterable[float], input: Optional[i.WheelInput] = None, side: i.SideLike = "RIGHT", axes: Any = None,
+         path: Any = None) -> Any:
+    """Where a wheel touches over the lateral shift of its wheelset [m]: every strip in contact at its place across the rail, coloured
+    by its peak pressure. input: load and motion; None: 80 kN."""
+    made, panel = _panel(axes, (8, 5))
+    one = model.contact(side)
+    data = i.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3) if input is None else input.copy()
+    y: List[np.ndarray] = []
+    shifts: List[np.ndarray] = []
+    peaks: List[np.ndarray] = []
+    for shift in lateral:
+        data.wheel.y = float(shift)
+        one.wrench(data)
+        for region in range(len(one.regions())):
+            y.append(one.field("STRIP_PROFILE_Y", region))
+            peaks.append(one.field("STRIP_PEAK", region))
+            shifts.append(np.full(len(y[-1]), shift))
+    marks = panel.scatter(1e3 * np.concatenate(y), 1e3 * np.concatenate(shifts), c=1e-6 * np.concatenate(peaks), s=6, marker="s", cmap="viridis")
+    made.colorbar(marks, ax=panel, label="peak pressure of the strip [MPa]")
+    panel.set(xlabel="y of the rail's profile, gauge side negative [mm]", ylabel="lateral shift of the wheelset [mm]")
+    panel.grid(alpha=0.3)
+    return _done(made, path)
+
+
+def profile(*files: ProfileFile, axes: Any = None, path: Any = None) -> Any:
     """Profiles as read, with z down as the library has it [mm]."""
-    made = figure(figsize=(9, 4.5))
-    panel = made.subplots()
+    made, panel = _panel(axes, (9, 4.5))
     for each, colour in zip(files, COLOURS * (1 + len(files) // len(COLOURS))):
         panel.plot(1e3 * each.y, 1e3 * each.z, ".-", markersize=2, linewidth=1, color=colour, label=f"{each.body}: {each.path}")
     panel.invert_yaxis()
@@ -122,19 +199,20 @@ def profile(*files: ProfileFile, path: Any = None) -> Any:
     return _done(made, path)
 
 
-def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: Any = None) -> Any:
+def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: Any = None, axes: Any = None) -> Any:
     """The profiles of a contact in the track's axes, the wheel where the wrench of this input has it, with the regions in
-    contact and their forces. input: None: the wheel in the middle under 80 kN."""
+    contact, their forces, and the peak pressure of every strip as a line into the rail. input: None: the wheel in the middle
+    under 80 kN."""
     if input is None:
         input = i.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=80e3)
     wrench = contact.wrench(input)
     config = contact.model.config
-    made = figure(figsize=(9, 5))
-    panel = made.subplots()
+    made, panel = _panel(axes, (9, 5))
     y, z, _ = contact.model.profile("RAIL", contact.side)
     origin = y[np.argmin(np.abs(z))]
     rail = input.rail
     panel.plot(1e3 * (y + rail.y - rail.roll * z), 1e3 * (z + rail.z + rail.roll * (y - origin)), color="#555555", label="rail")
+    _pressure_lines(contact, panel, y + rail.y - rail.roll * z, z + rail.z + rail.roll * (y - origin))
     y, z, _ = contact.model.profile("WHEEL", contact.side)
     radius = config.wheelset.wheel_radius
     middle = 0.0 if input.wheel.reference == i.WheelReference.WHEELSET else np.copysign(config.wheelset.tape_circle_distance / 2, y[0])
@@ -158,6 +236,44 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     panel.grid(alpha=0.3)
     panel.legend(fontsize=8)
     return _done(made, path)
+
+
+def animation(contact: Contact, inputs: Iterable[i.WheelInput], path: Any, titles: Optional[Iterable[str]] = None, seconds: float = 0.1) -> Any:
+    """wheel_on_rail() of each input in turn, as a moving picture (.gif). titles: of the frames; seconds: of a frame."""
+    from matplotlib.animation import PillowWriter
+
+    made = figure(figsize=(8, 4.5))
+    panel = made.subplots()
+    made.set_layout_engine("none")  # frames have one size
+    writer = PillowWriter(fps=1.0 / seconds)  # type: ignore[arg-type]
+    limits: Any = None
+    with writer.saving(made, str(path), 80):
+        for each, title in zip(inputs, titles if titles is not None else iter(str, None)):
+            panel.clear()
+            wheel_on_rail(contact, each, axes=panel)
+            limits = limits or (panel.get_xlim(), panel.get_ylim())
+            panel.set(xlim=limits[0], ylim=limits[1])
+            if title:
+                panel.set_title(title)
+            writer.grab_frame()
+    return made
+
+
+def _pressure_lines(contact: Contact, panel: Any, y: np.ndarray, z: np.ndarray) -> None:
+    """Peaks of the last solution's strips along the normals of the rail's outline, 12 mm for the largest."""
+    order = 1 if abs(y[0]) < abs(y[-1]) else -1  # from the gauge end on
+    y, z = y[::order], z[::order]
+    arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    found = [(contact.field("STRIP_Y", each), contact.field("STRIP_PEAK", each)) for each in range(len(contact.regions()))]
+    largest = max((float(peak.max()) for _, peak in found), default=1.0)
+    for at, peak in found:
+        foot = np.array([np.interp(at, arc, y), np.interp(at, arc, z)])
+        ahead = np.array([np.interp(at + 1e-4, arc, y), np.interp(at + 1e-4, arc, z)]) - np.array([np.interp(at - 1e-4, arc, y), np.interp(at - 1e-4, arc, z)])
+        normal = np.array([-ahead[1], ahead[0]]) / np.hypot(*ahead)
+        tip = foot + normal * np.sign(normal[1]) * 12e-3 * peak / largest
+        panel.fill(*(1e3 * np.hstack([foot, tip[:, ::-1]])), color=COLOURS[4], alpha=0.6, linewidth=0)
+    if found:
+        panel.plot([], [], color=COLOURS[4], linewidth=5, alpha=0.6, label=f"pressure, {1e-6 * largest:.0f} MPa at most")
 
 
 def creep_curve(contact: Contact, direction: str, values: Iterable[float], input: i.PlanarInput) -> np.ndarray:
@@ -197,15 +313,51 @@ def creep_curves(contacts: Dict[str, Contact], input: i.PlanarInput, values: Opt
     return _done(made, path)
 
 
-def model(model: Model, path: Any = None) -> Any:
+def model(model: Model, path: Any = None, axes: Any = None) -> Any:
     """The profiles of a model as it uses them, right side, in the track's axes [mm]."""
-    made = figure(figsize=(9, 4.5))
-    panel = made.subplots()
-    for body, colour in (("WHEEL", COLOURS[0]), ("RAIL", "#555555")):
+    made, panel = _panel(axes, (9, 4.5))
+    for body, colour in ((i.Body.WHEEL, COLOURS[0]), (i.Body.RAIL, "#555555")):
         y, z, deviation = model.profile(body)
-        panel.plot(1e3 * y, 1e3 * z, color=colour, label=body.lower() + (f", smoothed by up to {1e6 * deviation:.1f} µm" if deviation else ""))
+        panel.plot(1e3 * y, 1e3 * z, color=colour, label=body.name.lower() + (f", smoothed by up to {1e6 * deviation:.1f} µm" if deviation else ""))
     panel.invert_yaxis()
     panel.set(xlabel="y, from the middle of wheelset and track [mm]", ylabel="z, down [mm]", aspect="equal")
     panel.grid(alpha=0.3)
     panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def rail(faces: RailFaces, first: Optional[float] = None, last: Optional[float] = None, height: float = 3.0, path: Any = None) -> Any:
+    """Faces of a rail in 3-D: sections as lines, marks as dots, each face in its colour, heights `height` times too large; from
+    above and from the side as well. first, last: the part of the track that is drawn [m]; None: all."""
+    made = figure(figsize=(13, 9))
+    made.set_layout_engine("tight")  # "compressed" has no place for axes in space
+    panels = made.subplot_mosaic([["space", "space"], ["above", "side"]], per_subplot_kw={"space": {"projection": "3d"}}, height_ratios=[2, 1])
+    space, above, side = (panels[name] for name in ("space", "above", "side"))
+    low = -np.inf if first is None else first
+    high = np.inf if last is None else last
+    for face, colour in zip(faces.faces, COLOURS * (1 + len(faces.faces) // len(COLOURS))):
+        inside = [k for k, each in enumerate(face.distances) if low <= each <= high]
+        if not inside:
+            continue
+        places = [1e3 * face.distances[k] for k in inside]
+        for k, x in zip(inside, places):
+            y, z = (1e3 * each for each in face.outlines[k])
+            space.plot(np.full(len(y), x), y, z, color=colour, linewidth=0.6)
+            for mark in face.marks[k]:
+                space.plot([x], [1e3 * mark], [1e3 * np.interp(mark, *face.outlines[k])], ".", color="black", markersize=3)
+        edges = np.array([[1e3 * face.outlines[k][0][0], 1e3 * face.outlines[k][0][-1]] for k in inside])
+        above.fill_between(places, edges[:, 0], edges[:, 1], color=colour, alpha=0.3, linewidth=0)
+        above.plot(places, 1e3 * np.array([face.marks[k] for k in inside]).reshape(len(inside), -1), "-", color=colour, linewidth=1)
+        side.plot(places, [1e3 * face.outlines[k][1].min() for k in inside], ".-", markersize=3, color=colour, label=face.kind)
+    space.set(xlabel="along the track [mm]", ylabel="y [mm]", zlabel="z, down [mm]")
+    space.invert_zaxis()
+    space.view_init(elev=28, azim=-62)
+    across, down = np.ptp(space.get_ylim()), np.ptp(space.get_zlim())
+    space.set_box_aspect((2.6, 1.0, min(1.0, height * down / across)), zoom=1.3)
+    above.set(xlabel="along the track [mm]", ylabel="y [mm]", title="from above: faces, marks as lines")
+    side.set(xlabel="along the track [mm]", ylabel="z, down [mm]", title="the highest point of each section")
+    side.invert_yaxis()
+    side.legend(fontsize=8)
+    for panel in (above, side):
+        panel.grid(alpha=0.3)
     return _done(made, path)

@@ -9,9 +9,11 @@ import ctypes as c
 import dataclasses
 import os
 import re
-from typing import Any, Dict, List, Optional, Tuple, Union
+import warnings
+from typing import Any, Dict, List, Literal, Optional, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _interface as i
 from . import _library as _l
@@ -24,6 +26,12 @@ BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$")
 _SIMPACK_NUMBERS = ("approx.smooth", "point.dist.min", "shift.y", "shift.z", "rotate", "bound.y.min", "bound.y.max", "bound.z.min",
                     "bound.z.max", "mirror.y", "mirror.z", "inversion", "units.len.f", "units.ang.f")
+
+
+class ProfileWarning(UserWarning):
+    """A profile that was read and looks odd: a spike, a hole."""
+
+    __module__ = "wrc"
 
 
 class ProfileError(ValueError):
@@ -43,14 +51,14 @@ class ProfileError(ValueError):
 class ProfileFile:
     """A profile that was read: y, z [m], the body it is of, and what was done to it. Goes where a wrc.Profile does."""
 
-    y: np.ndarray
-    z: np.ndarray
+    y: NDArray[np.float64]
+    z: NDArray[np.float64]
     body: str
     path: str = ""
     smoothing: float = 0.0
     notes: List[str] = dataclasses.field(default_factory=list)
     header: Dict[str, str] = dataclasses.field(default_factory=dict)
-    lines: Optional[np.ndarray] = None
+    lines: Optional[NDArray[np.int64]] = None
 
     def as_struct(self) -> i.Profile:
         """As wrc.Profile: config.wheel = file.as_struct()"""
@@ -65,7 +73,8 @@ class ProfileFile:
         """Raises ProfileError with the library's sentence where no model can be made of these points. The other body is a
         built-in shape."""
         config = i.Config()
-        config.set(**{"wheel": "S1002", "rail": "60E1", self.body: self.as_struct()})
+        shapes: Dict[str, Any] = {"wheel": "S1002", "rail": "60E1", self.body: self.as_struct()}
+        config.set(**shapes)
         text = c.create_string_buffer(_SENTENCE)
         if i._wrc_config_check(config, text, _SENTENCE) < 0:
             sentence = text.value.decode(errors="replace")
@@ -80,10 +89,12 @@ class ProfileFile:
         return "\n".join(rows + [f"  note    {each}" for each in self.notes])
 
 
-def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[str] = None, *, unit: Optional[str] = None,
+def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[Literal["wheel", "rail"]] = None, *,
+                 unit: Optional[Literal["mm", "m", "cm", "um", "in"]] = None,
                  mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, running_circle: float = 0.0,
-                 keep_origin: bool = False, smoothing: float = 0.0) -> ProfileFile:
-    """Reads a profile. The file's ending says what it is: .prw .prr Simpack, .whl .ban MiniProf, any other plain columns.
+                 keep_origin: bool = False, smoothing: float = 0.0, columns: Optional[Tuple[int, int]] = None) -> ProfileFile:
+    """Reads a profile. The file's ending says what it is: .prw .prr Simpack, .whl .ban MiniProf, any other plain columns. A point
+    that leaves its neighbours and a hole between points are told by a wrc.ProfileWarning, and stay.
 
     body: "wheel" or "rail"; must be given where the ending does not say it
     unit: of the points, "mm", "m", "cm", "um", "in"; None: as the file says, or the one of mm and m that fits
@@ -93,21 +104,22 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[str] = Non
     keep_origin: leave the heights as they are, for config.track.placement ORIGIN; else a wheel gets z = 0 at y = 0, a rail
         z = 0 at its top
     smoothing: as wrc.Profile.smoothing, for measured points [m]
+    columns: of plain columns those with y and z, (0, 1) for the first two
     """
     path = os.fspath(path)
-    with open(path, encoding="utf-8", errors="replace") as file:  # before questions about a file that is not there
-        rows = file.read().splitlines()
+    notes: List[str] = []
+    with open(path, "rb") as file:  # before questions about a file that is not there
+        rows = _text(path, file.read(), notes).splitlines()
     ending = os.path.splitext(path)[1].lower()
-    body = body or BODIES.get(ending)
+    body = body or BODIES.get(ending)  # type: ignore[assignment]
     if body not in ("wheel", "rail"):
         raise ProfileError(path, None, f"is it of a wheel or a rail? Its ending does not say: pass body=\"wheel\" or \"rail\"" + (f", not {body!r}" if body else ""))
     if unit is not None and unit not in UNITS:
         raise ProfileError(path, None, f"there is no unit {unit!r}: choose {', '.join(UNITS)}")
-    notes: List[str] = []
     if ending in (".prw", ".prr"):
         points, lines, header, said = _simpack(path, rows, body, notes)
     else:
-        points, lines, header, said = _columns(path, rows, ending in (".whl", ".ban"))
+        points, lines, header, said = _columns(path, rows, ending in (".whl", ".ban"), columns, notes)
     if len(points) < 4:
         raise ProfileError(path, len(rows) or None, f"{len(points)} points; a profile has at least 4")
     y, z = _in_metres(path, points, unit, said, notes)
@@ -116,6 +128,9 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[str] = Non
     y, z, lines = _along(path, y, z, lines, notes)
     y, z, lines = _turned(path, body, y, z, lines, mirror_y, mirror_z, notes)
     y, z, lines = _single_valued(path, body, y, z, lines, notes)
+    for each in _oddities(y, z, lines):
+        notes.append(each)
+        warnings.warn(f"{path}: {each}", ProfileWarning, stacklevel=2)
     if body == "wheel":
         if not y[0] < 0.0 < y[-1]:
             raise ProfileError(path, None, f"y = 0, the running circle, is outside {1e3 * y[0]:.1f} .. {1e3 * y[-1]:.1f} mm: pass running_circle=")
@@ -133,12 +148,44 @@ def _number(text: str) -> Optional[float]:
     return float(text.replace("d", "e").replace("D", "e")) if _NUMBER.match(text) else None
 
 
-def _columns(path: str, rows: List[str], miniprof: bool) -> Tuple[np.ndarray, np.ndarray, Dict[str, str], str]:
+def _text(path: str, content: bytes, notes: List[str]) -> str:
+    """A file's text, in UTF-8 or, as a mark or every other byte says, UTF-16."""
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        encoding = "utf-16"
+    elif b"\0" in content[:200]:
+        encoding = "utf-16-le" if content[1:2] == b"\0" else "utf-16-be"
+    else:
+        if content[:3] == b"\xef\xbb\xbf":
+            notes.append("begins with a byte order mark, which is no part of its first number")
+        return content.decode("utf-8-sig", errors="replace")
+    try:
+        text = content.decode(encoding)
+    except UnicodeDecodeError:
+        raise ProfileError(path, None, "is neither text in UTF-8 nor in UTF-16: is it a table of a spreadsheet? Save it as CSV") from None
+    notes.append("read as UTF-16")
+    return text
+
+
+def _row_counter(path: str, points: List[List[float]], heading: str, notes: List[str]) -> Tuple[int, int]:
+    """Columns of y and z where the first may count rows, as pandas' index does."""
+    first = [each[0] for each in points]
+    if min(map(len, points)) < 3 or first != list(range(len(first))):
+        return 0, 1
+    if heading.startswith((",", ";")):
+        notes.append("the first column counts rows and has no heading, as pandas' index: left out")
+        return 1, 2
+    raise ProfileError(path, None, f"the first of its columns counts 0 .. {len(first) - 1}: is it pandas' index, which to_csv(index=False) "
+                       "leaves out? columns=(1, 2) has y and z behind it, columns=(0, 1) takes it for y")
+
+
+def _columns(path: str, rows: List[str], miniprof: bool, columns: Optional[Tuple[int, int]],
+             notes: List[str]) -> Tuple[np.ndarray, np.ndarray, Dict[str, str], str]:
     """Columns of numbers behind a heading; MiniProf's heading is lines NAME=value, of which ColumnDef and XYPoints are
     read. A semicolon between numbers makes commas decimal."""
     header: Dict[str, str] = {}
-    points: List[Tuple[float, float]] = []
-    lines, first, second = [], 0, 1
+    points: List[List[float]] = []
+    first, second = columns or (0, 1)
+    lines: List[int] = []
     for at, row in enumerate(rows, 1):
         text = re.split(r"[#!%]", row)[0].strip()
         if not text:
@@ -165,12 +212,15 @@ def _columns(path: str, rows: List[str], miniprof: bool) -> Tuple[np.ndarray, np
         if len(numbers) <= max(first, second):
             raise ProfileError(path, at, f"{len(numbers)} number{'s' if len(numbers) != 1 else ''} in this line; y and z are columns "
                                f"{first + 1} and {second + 1}")
-        points.append((numbers[first], numbers[second]))  # type: ignore[arg-type]
+        points.append(numbers)  # type: ignore[arg-type]
         lines.append(at)
+    if points and not columns and not miniprof:
+        first, second = _row_counter(path, points, header.get("heading", ""), notes)
     promised = next((value for name, value in header.items() if name.lower() == "xypoints"), "")
     if promised.isdigit() and int(promised) != len(points):
         raise ProfileError(path, len(rows), f"XYPoints promises {promised} points, {len(points)} are there: is the file whole?")
-    return np.array(points, float).reshape(-1, 2), np.array(lines), header, "mm" if miniprof else ""
+    chosen = [(each[first], each[second]) for each in points]
+    return np.array(chosen, float).reshape(-1, 2), np.array(lines), header, "mm" if miniprof else ""
 
 
 def _simpack(path: str, rows: List[str], body: str, notes: List[str]) -> Tuple[np.ndarray, np.ndarray, Dict[str, str], Any]:
@@ -343,13 +393,46 @@ def _single_valued(path: str, body: str, y: np.ndarray, z: np.ndarray, lines: np
     return y[first:last + 1].copy(), z[first:last + 1].copy(), lines[first:last + 1]
 
 
-def results(kind: Any, count: int) -> Tuple[Any, Dict[str, np.ndarray]]:
+def cone(slope: float, tread: Tuple[float, float] = (-0.035, 0.060)) -> i.Profile:
+    """A wheel that is a cone without a flange: slope 1/20 or 1/40, over that part of y [m]. Its equivalent conicity is some
+    3 or 5 % more, as the wheelset rolls when it shifts."""
+    y = np.linspace(*tread, 200)
+    return i.Profile(y=y, z=-slope * y)
+
+
+SPIKE, HOLE = 0.3e-3, 2e-3  # m: what is told of at least
+
+
+def _oddities(y: np.ndarray, z: np.ndarray, lines: np.ndarray) -> List[str]:
+    """Sentences about points further from the line between their neighbours than half of what these are apart, one to three in a
+    row, and about places without points five times as wide as the steps beside them."""
+    found: List[str] = []
+    steps = np.diff(y)
+    told = np.zeros(len(y), bool)
+    for count in (1, 2, 3):
+        for k in range(1, len(y) - count):
+            last = k + count
+            chord = float(np.hypot(y[last] - y[k - 1], z[last] - z[k - 1]))
+            off = z[k:last] - np.interp(y[k:last], [y[k - 1], y[last]], [z[k - 1], z[last]])
+            if chord < 5e-3 and np.min(np.abs(off)) > max(SPIKE, 0.5 * chord) and not told[k - 1:last + 1].any():
+                told[k:last] = True
+                worst = k + int(np.argmax(np.abs(off)))
+                found.append(f"line {lines[worst]}: z leaves its neighbours by {1e3 * np.max(np.abs(off)):.2f} mm at y = {1e3 * y[worst]:.3f} mm"
+                             ": a spike?")
+    for k in np.flatnonzero(steps > HOLE).tolist():
+        if steps[k] < 5.0 * max([*steps[max(0, k - 2):k], *steps[k + 1:k + 3]]):
+            continue
+        found.append(f"line {lines[k]}: no points for {1e3 * steps[k]:.1f} mm behind y = {1e3 * y[k]:.3f} mm: a hole? A spline bridges it")
+    return found
+
+
+def results(kind: Any, count: int) -> Tuple[Any, Dict[str, NDArray[np.float64]]]:
     """A struct whose results are arrays, with arrays of that many numbers."""
     arrays = {name: np.zeros(count) for name in kind.members()}
     return kind(**arrays), arrays
 
 
-def conicity(lateral: Any, radius_difference: Any, amplitudes: Any, **problem: Any) -> Dict[str, np.ndarray]:
+def conicity(lateral: Any, radius_difference: Any, amplitudes: Any, **problem: Any) -> Dict[str, NDArray[np.float64]]:
     """Equivalent conicity of a rolling radius difference over amplitudes [m], as Model.wheelset_geometry() gives it: the
     members of wrc.Conicity as arrays. UIC 519, EN 15302.
 
@@ -362,7 +445,7 @@ def conicity(lateral: Any, radius_difference: Any, amplitudes: Any, **problem: A
     return arrays
 
 
-def remove_wear(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, np.ndarray, np.ndarray]:
+def remove_wear(y: Any, z: Any, depth: Any, **wear: Any) -> Tuple[i.WornProfile, NDArray[np.float64], NDArray[np.float64]]:
     """A profile with wear removed along its normals: what was done (passages, depth, area), and y, z of the worn profile [m].
 
     y, z: of the profile as wrc.Profile has it [m]

@@ -162,9 +162,10 @@ inline constexpr Enumeration wrc_prescribed{wrc_prescribed_values, 4,
 inline constexpr Enumerator wrc_start_values[] = {
     {"WRC_START_COLD", WRC_START_COLD},
     {"WRC_START_WARM", WRC_START_WARM},
+    {"WRC_START_MARK", WRC_START_MARK},
 };
-inline constexpr Enumeration wrc_start{wrc_start_values, 2,
-    "see enum wrc_start: WRC_START_COLD (0), _WARM (1)"};
+inline constexpr Enumeration wrc_start{wrc_start_values, 3,
+    "see enum wrc_start: WRC_START_COLD (0), _WARM (1), _MARK (2)"};
 
 inline constexpr Enumerator wrc_available_values[] = {
     {"WRC_AVAILABLE_TRACTIONS", WRC_AVAILABLE_TRACTIONS},
@@ -279,7 +280,7 @@ template <>
 struct Description<wrc_profile> {
   static constexpr const char* name = "wrc_profile";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_profile>(80);
   static constexpr wrc_profile defaults = [] {
     wrc_profile value{};
     return value;
@@ -293,13 +294,13 @@ struct Description<wrc_profile> {
       {.name = "reserved", .offset = offsetof(wrc_profile, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_profile) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_profile) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_material> {
   static constexpr const char* name = "wrc_material";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_material>(64);
   static constexpr wrc_material defaults = [] {
     wrc_material value{};
     value.shear_modulus = 82e9;
@@ -314,13 +315,13 @@ struct Description<wrc_material> {
       {.name = "reserved", .offset = offsetof(wrc_material, reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_material) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_material) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_heat_properties> {
   static constexpr const char* name = "wrc_heat_properties";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_heat_properties>(64);
   static constexpr wrc_heat_properties defaults = [] {
     wrc_heat_properties value{};
     value.conductivity = 50;
@@ -335,13 +336,13 @@ struct Description<wrc_heat_properties> {
       {.name = "reserved", .offset = offsetof(wrc_heat_properties, reserved), .type = Type::real, .elements = 5, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_heat_properties) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_heat_properties) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_wheelset> {
   static constexpr const char* name = "wrc_config_wheelset";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_config_wheelset>(64);
   static constexpr wrc_config_wheelset defaults = [] {
     wrc_config_wheelset value{};
     value.wheel_radius = 0.46;
@@ -354,13 +355,13 @@ struct Description<wrc_config_wheelset> {
       {.name = "reserved", .offset = offsetof(wrc_config_wheelset, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_wheelset) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_wheelset) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_track> {
   static constexpr const char* name = "wrc_config_track";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = first_size<wrc_config_track>(88);
   static constexpr wrc_config_track defaults = [] {
     wrc_config_track value{};
     value.gauge = 1.435;
@@ -377,13 +378,13 @@ struct Description<wrc_config_track> {
       {.name = "reserved", .offset = offsetof(wrc_config_track, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_track) == 88, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_track) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_rail_section> {
   static constexpr const char* name = "wrc_rail_section";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 168;
+  static constexpr std::size_t first = first_size<wrc_rail_section>(168);
   static constexpr wrc_rail_section defaults = [] {
     wrc_rail_section value{};
     value.profile = Description<wrc_profile>::defaults;
@@ -405,13 +406,13 @@ struct Description<wrc_rail_section> {
       {.name = "reserved", .offset = offsetof(wrc_rail_section, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_rail_section) == 168, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_rail_section) == 168, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_roundness> {
   static constexpr const char* name = "wrc_config_roundness";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_config_roundness>(80);
   static constexpr wrc_config_roundness defaults = [] {
     wrc_config_roundness value{};
     return value;
@@ -425,13 +426,13 @@ struct Description<wrc_config_roundness> {
       {.name = "reserved", .offset = offsetof(wrc_config_roundness, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_roundness) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_roundness) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_check_rail> {
   static constexpr const char* name = "wrc_config_check_rail";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 144;
+  static constexpr std::size_t first = first_size<wrc_config_check_rail>(144);
   static constexpr wrc_config_check_rail defaults = [] {
     wrc_config_check_rail value{};
     value.profile = Description<wrc_profile>::defaults;
@@ -449,13 +450,13 @@ struct Description<wrc_config_check_rail> {
       {.name = "reserved", .offset = offsetof(wrc_config_check_rail, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_check_rail) == 144, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_check_rail) == 144, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_normal> {
   static constexpr const char* name = "wrc_config_normal";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_config_normal>(64);
   static constexpr wrc_config_normal defaults = [] {
     wrc_config_normal value{};
     value.method = WRC_NORMAL_STRIP_HALFSPACE;
@@ -470,13 +471,13 @@ struct Description<wrc_config_normal> {
       {.name = "reserved", .offset = offsetof(wrc_config_normal, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_normal) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_normal) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_tangential> {
   static constexpr const char* name = "wrc_config_tangential";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 72;
+  static constexpr std::size_t first = first_size<wrc_config_tangential>(72);
   static constexpr wrc_config_tangential defaults = [] {
     wrc_config_tangential value{};
     value.method = WRC_TANGENTIAL_STRIP_FASTSIM;
@@ -491,31 +492,39 @@ struct Description<wrc_config_tangential> {
       {.name = "reserved", .offset = offsetof(wrc_config_tangential, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_tangential) == 72, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_tangential) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_surface> {
   static constexpr const char* name = "wrc_config_surface";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 120;
+  static constexpr std::size_t first = first_size<wrc_config_surface>(120);
   static constexpr wrc_config_surface defaults = [] {
     wrc_config_surface value{};
     value.cells = 32;
+    value.tread_width = 5e-4;
+    value.corner_width = 2.5e-4;
+    value.tolerance = 1e-5;
+    value.max_work = 2e7;
     return value;
   }();
   static constexpr Member members[] = {
       {.name = "cells", .offset = offsetof(wrc_config_surface, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
       {.name = "reserved0", .offset = offsetof(wrc_config_surface, reserved0), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+      {.name = "tread_width", .offset = offsetof(wrc_config_surface, tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
+      {.name = "corner_width", .offset = offsetof(wrc_config_surface, corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
+      {.name = "tolerance", .offset = offsetof(wrc_config_surface, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
+      {.name = "max_work", .offset = offsetof(wrc_config_surface, max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
+      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_surface) == 120, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_surface) == 120, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config_planar> {
   static constexpr const char* name = "wrc_config_planar";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 104;
+  static constexpr std::size_t first = first_size<wrc_config_planar>(104);
   static constexpr wrc_config_planar defaults = [] {
     wrc_config_planar value{};
     value.strips = 60;
@@ -539,13 +548,13 @@ struct Description<wrc_config_planar> {
       {.name = "reserved", .offset = offsetof(wrc_config_planar, reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_config_planar) == 104, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config_planar) == 104, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_config> {
   static constexpr const char* name = "wrc_config";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 1184;
+  static constexpr std::size_t first = first_size<wrc_config>(1184);
   static constexpr wrc_config defaults = [] {
     wrc_config value{};
     value.struct_size = sizeof value;
@@ -618,7 +627,11 @@ struct Description<wrc_config> {
       {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "surface.cells", .offset = offsetof(wrc_config, surface.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
       {.name = "surface.reserved0", .offset = offsetof(wrc_config, surface.reserved0), .type = Type::uint32, .rule = Rule::zero},
-      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 14, .rule = Rule::zero},
+      {.name = "surface.tread_width", .offset = offsetof(wrc_config, surface.tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
+      {.name = "surface.corner_width", .offset = offsetof(wrc_config, surface.corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
+      {.name = "surface.tolerance", .offset = offsetof(wrc_config, surface.tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
+      {.name = "surface.max_work", .offset = offsetof(wrc_config, surface.max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
+      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
       {.name = "planar.strips", .offset = offsetof(wrc_config, planar.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
       {.name = "planar.cells", .offset = offsetof(wrc_config, planar.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
       {.name = "planar.gap_rows", .offset = offsetof(wrc_config, planar.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},
@@ -650,13 +663,13 @@ struct Description<wrc_config> {
       {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_section_count), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_section_count)},
   };
 };
-static_assert(sizeof(wrc_config) == 1184, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_config) == 1184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_allocator> {
   static constexpr const char* name = "wrc_allocator";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = first_size<wrc_allocator>(40);
   static constexpr wrc_allocator defaults = [] {
     wrc_allocator value{};
     return value;
@@ -668,13 +681,13 @@ struct Description<wrc_allocator> {
       {.name = "reserved", .offset = offsetof(wrc_allocator, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_allocator) == 40, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_allocator) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_view> {
   static constexpr const char* name = "wrc_view";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = first_size<wrc_view>(32);
   static constexpr wrc_view defaults = [] {
     wrc_view value{};
     return value;
@@ -685,13 +698,13 @@ struct Description<wrc_view> {
       {.name = "reserved", .offset = offsetof(wrc_view, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_view) == 32, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_view) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_bulk_temperatures> {
   static constexpr const char* name = "wrc_bulk_temperatures";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = first_size<wrc_bulk_temperatures>(32);
   static constexpr wrc_bulk_temperatures defaults = [] {
     wrc_bulk_temperatures value{};
     value.wheel = 20;
@@ -704,13 +717,13 @@ struct Description<wrc_bulk_temperatures> {
       {.name = "reserved", .offset = offsetof(wrc_bulk_temperatures, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_bulk_temperatures) == 32, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_bulk_temperatures) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_friction> {
   static constexpr const char* name = "wrc_friction";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 240;
+  static constexpr std::size_t first = first_size<wrc_friction>(240);
   static constexpr wrc_friction defaults = [] {
     wrc_friction value{};
     value.coefficient = 0.3;
@@ -747,13 +760,13 @@ struct Description<wrc_friction> {
       {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheel_state> {
   static constexpr const char* name = "wrc_wheel_state";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 240;
+  static constexpr std::size_t first = first_size<wrc_wheel_state>(240);
   static constexpr wrc_wheel_state defaults = [] {
     wrc_wheel_state value{};
     return value;
@@ -780,13 +793,13 @@ struct Description<wrc_wheel_state> {
       {.name = "reserved", .offset = offsetof(wrc_wheel_state, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_wheel_state) == 240, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wheel_state) == 240, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_rail_state> {
   static constexpr const char* name = "wrc_rail_state";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 112;
+  static constexpr std::size_t first = first_size<wrc_rail_state>(112);
   static constexpr wrc_rail_state defaults = [] {
     wrc_rail_state value{};
     return value;
@@ -803,13 +816,13 @@ struct Description<wrc_rail_state> {
       {.name = "reserved", .offset = offsetof(wrc_rail_state, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_rail_state) == 112, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_rail_state) == 112, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_frame_motion> {
   static constexpr const char* name = "wrc_frame_motion";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_frame_motion>(64);
   static constexpr wrc_frame_motion defaults = [] {
     wrc_frame_motion value{};
     return value;
@@ -822,13 +835,13 @@ struct Description<wrc_frame_motion> {
       {.name = "reserved", .offset = offsetof(wrc_frame_motion, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_frame_motion) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_frame_motion) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheel_input> {
   static constexpr const char* name = "wrc_wheel_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 712;
+  static constexpr std::size_t first = first_size<wrc_wheel_input>(712);
   static constexpr wrc_wheel_input defaults = [] {
     wrc_wheel_input value{};
     value.struct_size = sizeof value;
@@ -903,13 +916,13 @@ struct Description<wrc_wheel_input> {
       {.name = "roller_rate", .offset = offsetof(wrc_wheel_input, roller_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees?", .too_large = "did you pass rpm or degrees?"},
   };
 };
-static_assert(sizeof(wrc_wheel_input) == 712, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wheel_input) == 712, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {
   static constexpr const char* name = "wrc_wrench";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 168;
+  static constexpr std::size_t first = first_size<wrc_wrench>(168);
   static constexpr wrc_wrench defaults = [] {
     wrc_wrench value{};
     value.struct_size = sizeof value;
@@ -931,15 +944,17 @@ struct Description<wrc_wrench> {
       {.name = "peak_pressure", .offset = offsetof(wrc_wrench, peak_pressure), .type = Type::real, .rule = Rule::none, .unit = "Pa"},
       {.name = "power", .offset = offsetof(wrc_wrench, power), .type = Type::real, .rule = Rule::none, .unit = "W"},
       {.name = "steepest_angle", .offset = offsetof(wrc_wrench, steepest_angle), .type = Type::real, .rule = Rule::none, .unit = "rad"},
+      {.name = "residual", .offset = offsetof(wrc_wrench, residual), .type = Type::real, .rule = Rule::none},
+      {.name = "work", .offset = offsetof(wrc_wrench, work), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench) == 168, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wrench) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench_derivatives> {
   static constexpr const char* name = "wrc_wrench_derivatives";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 1800;
+  static constexpr std::size_t first = first_size<wrc_wrench_derivatives>(1800);
   static constexpr wrc_wrench_derivatives defaults = [] {
     wrc_wrench_derivatives value{};
     value.struct_size = sizeof value;
@@ -952,13 +967,13 @@ struct Description<wrc_wrench_derivatives> {
       {.name = "z", .offset = offsetof(wrc_wrench_derivatives, z), .type = Type::real, .elements = 32, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_wrench_derivatives) == 1800, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wrench_derivatives) == 1800, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_creepage> {
   static constexpr const char* name = "wrc_creepage";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_creepage>(80);
   static constexpr wrc_creepage defaults = [] {
     wrc_creepage value{};
     value.speed = 1;
@@ -974,13 +989,13 @@ struct Description<wrc_creepage> {
       {.name = "reserved", .offset = offsetof(wrc_creepage, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_creepage) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_creepage) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_ellipse> {
   static constexpr const char* name = "wrc_ellipse";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_ellipse>(64);
   static constexpr wrc_ellipse defaults = [] {
     wrc_ellipse value{};
     return value;
@@ -994,13 +1009,13 @@ struct Description<wrc_ellipse> {
       {.name = "reserved", .offset = offsetof(wrc_ellipse, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_ellipse) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_ellipse) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_region> {
   static constexpr const char* name = "wrc_region";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 408;
+  static constexpr std::size_t first = first_size<wrc_region>(408);
   static constexpr wrc_region defaults = [] {
     wrc_region value{};
     value.struct_size = sizeof value;
@@ -1052,13 +1067,13 @@ struct Description<wrc_region> {
       {.name = "adhesion_fraction", .offset = offsetof(wrc_region, adhesion_fraction), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_region) == 408, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_region) == 408, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage> {
   static constexpr const char* name = "wrc_damage";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 128;
+  static constexpr std::size_t first = first_size<wrc_damage>(128);
   static constexpr wrc_damage defaults = [] {
     wrc_damage value{};
     return value;
@@ -1078,13 +1093,13 @@ struct Description<wrc_damage> {
       {.name = "reserved", .offset = offsetof(wrc_damage, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage) == 128, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_damage) == 128, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_pose> {
   static constexpr const char* name = "wrc_planar_pose";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = first_size<wrc_planar_pose>(48);
   static constexpr wrc_planar_pose defaults = [] {
     wrc_planar_pose value{};
     return value;
@@ -1096,13 +1111,13 @@ struct Description<wrc_planar_pose> {
       {.name = "reserved", .offset = offsetof(wrc_planar_pose, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_pose) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_pose) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_motion> {
   static constexpr const char* name = "wrc_planar_motion";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_planar_motion>(80);
   static constexpr wrc_planar_motion defaults = [] {
     wrc_planar_motion value{};
     return value;
@@ -1117,13 +1132,13 @@ struct Description<wrc_planar_motion> {
       {.name = "reserved", .offset = offsetof(wrc_planar_motion, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_motion) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_motion) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_point> {
   static constexpr const char* name = "wrc_planar_point";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 96;
+  static constexpr std::size_t first = first_size<wrc_planar_point>(96);
   static constexpr wrc_planar_point defaults = [] {
     wrc_planar_point value{};
     return value;
@@ -1140,13 +1155,13 @@ struct Description<wrc_planar_point> {
       {.name = "reserved", .offset = offsetof(wrc_planar_point, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_point) == 96, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_point) == 96, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_gap> {
   static constexpr const char* name = "wrc_planar_gap";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 96;
+  static constexpr std::size_t first = first_size<wrc_planar_gap>(96);
   static constexpr wrc_planar_gap defaults = [] {
     wrc_planar_gap value{};
     return value;
@@ -1164,13 +1179,13 @@ struct Description<wrc_planar_gap> {
       {.name = "reserved", .offset = offsetof(wrc_planar_gap, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_gap) == 96, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_gap) == 96, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_load> {
   static constexpr const char* name = "wrc_planar_load";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 72;
+  static constexpr std::size_t first = first_size<wrc_planar_load>(72);
   static constexpr wrc_planar_load defaults = [] {
     wrc_planar_load value{};
     value.prescribed = WRC_PRESCRIBE_NORMAL_FORCE;
@@ -1186,13 +1201,13 @@ struct Description<wrc_planar_load> {
       {.name = "reserved", .offset = offsetof(wrc_planar_load, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_load) == 72, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_load) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_strips> {
   static constexpr const char* name = "wrc_planar_strips";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_planar_strips>(80);
   static constexpr wrc_planar_strips defaults = [] {
     wrc_planar_strips value{};
     return value;
@@ -1208,13 +1223,13 @@ struct Description<wrc_planar_strips> {
       {.name = "reserved", .offset = offsetof(wrc_planar_strips, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_strips) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_strips) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_normal_solution> {
   static constexpr const char* name = "wrc_planar_normal_solution";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 192;
+  static constexpr std::size_t first = first_size<wrc_planar_normal_solution>(192);
   static constexpr wrc_planar_normal_solution defaults = [] {
     wrc_planar_normal_solution value{};
     value.ellipse = Description<wrc_ellipse>::defaults;
@@ -1244,13 +1259,13 @@ struct Description<wrc_planar_normal_solution> {
       {.name = "reserved", .offset = offsetof(wrc_planar_normal_solution, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_normal_solution) == 192, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_normal_solution) == 192, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_forces> {
   static constexpr const char* name = "wrc_planar_forces";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = first_size<wrc_planar_forces>(88);
   static constexpr wrc_planar_forces defaults = [] {
     wrc_planar_forces value{};
     return value;
@@ -1267,13 +1282,13 @@ struct Description<wrc_planar_forces> {
       {.name = "reserved", .offset = offsetof(wrc_planar_forces, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_forces) == 88, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_forces) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_derivatives> {
   static constexpr const char* name = "wrc_planar_derivatives";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 200;
+  static constexpr std::size_t first = first_size<wrc_planar_derivatives>(200);
   static constexpr wrc_planar_derivatives defaults = [] {
     wrc_planar_derivatives value{};
     value.struct_size = sizeof value;
@@ -1285,13 +1300,13 @@ struct Description<wrc_planar_derivatives> {
       {.name = "forces", .offset = offsetof(wrc_planar_derivatives, forces), .type = Type::real, .elements = 24, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_planar_derivatives) == 200, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_derivatives) == 200, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_input> {
   static constexpr const char* name = "wrc_planar_input";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 456;
+  static constexpr std::size_t first = first_size<wrc_planar_input>(456);
   static constexpr wrc_planar_input defaults = [] {
     wrc_planar_input value{};
     value.struct_size = sizeof value;
@@ -1345,13 +1360,13 @@ struct Description<wrc_planar_input> {
       {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_planar_output> {
   static constexpr const char* name = "wrc_planar_output";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 512;
+  static constexpr std::size_t first = first_size<wrc_planar_output>(512);
   static constexpr wrc_planar_output defaults = [] {
     wrc_planar_output value{};
     value.struct_size = sizeof value;
@@ -1417,13 +1432,13 @@ struct Description<wrc_planar_output> {
       {.name = "damage.reserved", .offset = offsetof(wrc_planar_output, damage.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_planar_output) == 512, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_planar_output) == 512, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wear_laws> {
   static constexpr const char* name = "wrc_wear_laws";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 184;
+  static constexpr std::size_t first = first_size<wrc_wear_laws>(184);
   static constexpr wrc_wear_laws defaults = [] {
     wrc_wear_laws value{};
     value.struct_size = sizeof value;
@@ -1478,13 +1493,13 @@ struct Description<wrc_wear_laws> {
       {.name = "power_reference", .offset = offsetof(wrc_wear_laws, power_reference), .type = Type::real, .rule = Rule::range, .low = 1, .high = 1e12, .unit = "W/m^2", .too_small = "did you pass W/mm^2?"},
   };
 };
-static_assert(sizeof(wrc_wear_laws) == 184, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wear_laws) == 184, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wear> {
   static constexpr const char* name = "wrc_wear";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 80;
+  static constexpr std::size_t first = first_size<wrc_wear>(80);
   static constexpr wrc_wear defaults = [] {
     wrc_wear value{};
     return value;
@@ -1497,13 +1512,13 @@ struct Description<wrc_wear> {
       {.name = "reserved", .offset = offsetof(wrc_wear, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_wear) == 80, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wear) == 80, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_coefficients> {
   static constexpr const char* name = "wrc_coefficients";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = first_size<wrc_coefficients>(88);
   static constexpr wrc_coefficients defaults = [] {
     wrc_coefficients value{};
     return value;
@@ -1519,13 +1534,13 @@ struct Description<wrc_coefficients> {
       {.name = "reserved", .offset = offsetof(wrc_coefficients, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_coefficients) == 88, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_coefficients) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peak> {
   static constexpr const char* name = "wrc_stress_peak";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = first_size<wrc_stress_peak>(48);
   static constexpr wrc_stress_peak defaults = [] {
     wrc_stress_peak value{};
     return value;
@@ -1538,13 +1553,13 @@ struct Description<wrc_stress_peak> {
       {.name = "reserved", .offset = offsetof(wrc_stress_peak, reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stress_peak) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_stress_peak) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stress_peaks> {
   static constexpr const char* name = "wrc_stress_peaks";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 192;
+  static constexpr std::size_t first = first_size<wrc_stress_peaks>(192);
   static constexpr wrc_stress_peaks defaults = [] {
     wrc_stress_peaks value{};
     value.von_mises = Description<wrc_stress_peak>::defaults;
@@ -1576,13 +1591,13 @@ struct Description<wrc_stress_peaks> {
       {.name = "reserved.reserved", .offset = offsetof(wrc_stress_peaks, reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stress_peaks) == 192, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_stress_peaks) == 192, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_stresses> {
   static constexpr const char* name = "wrc_stresses";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 584;
+  static constexpr std::size_t first = first_size<wrc_stresses>(584);
   static constexpr wrc_stresses defaults = [] {
     wrc_stresses value{};
     value.struct_size = sizeof value;
@@ -1656,13 +1671,13 @@ struct Description<wrc_stresses> {
       {.name = "below.reserved.reserved", .offset = offsetof(wrc_stresses, below.reserved.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_stresses) == 584, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_stresses) == 584, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_temperature> {
   static constexpr const char* name = "wrc_temperature";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 72;
+  static constexpr std::size_t first = first_size<wrc_temperature>(72);
   static constexpr wrc_temperature defaults = [] {
     wrc_temperature value{};
     value.struct_size = sizeof value;
@@ -1681,13 +1696,13 @@ struct Description<wrc_temperature> {
       {.name = "rail_heat", .offset = offsetof(wrc_temperature, rail_heat), .type = Type::real, .rule = Rule::none, .unit = "W"},
   };
 };
-static_assert(sizeof(wrc_temperature) == 72, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_temperature) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage_bin> {
   static constexpr const char* name = "wrc_damage_bin";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 312;
+  static constexpr std::size_t first = first_size<wrc_damage_bin>(312);
   static constexpr wrc_damage_bin defaults = [] {
     wrc_damage_bin value{};
     return value;
@@ -1700,13 +1715,13 @@ struct Description<wrc_damage_bin> {
       {.name = "reserved", .offset = offsetof(wrc_damage_bin, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage_bin) == 312, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_damage_bin) == 312, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage_bins> {
   static constexpr const char* name = "wrc_damage_bins";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
+  static constexpr std::size_t first = first_size<wrc_damage_bins>(56);
   static constexpr wrc_damage_bins defaults = [] {
     wrc_damage_bins value{};
     value.struct_size = sizeof value;
@@ -1726,13 +1741,13 @@ struct Description<wrc_damage_bins> {
       {.name = "bins", .offset = offsetof(wrc_damage_bins, bins), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_damage_bins) == 56, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_damage_bins) == 56, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_fatigue_laws> {
   static constexpr const char* name = "wrc_fatigue_laws";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = first_size<wrc_fatigue_laws>(40);
   static constexpr wrc_fatigue_laws defaults = [] {
     wrc_fatigue_laws value{};
     value.struct_size = sizeof value;
@@ -1751,13 +1766,13 @@ struct Description<wrc_fatigue_laws> {
       {.name = "whole_life_peak", .offset = offsetof(wrc_fatigue_laws, whole_life_peak), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_small = "did you pass millionths?", .too_large = "did you pass millionths?"},
   };
 };
-static_assert(sizeof(wrc_fatigue_laws) == 40, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_fatigue_laws) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_accumulation> {
   static constexpr const char* name = "wrc_accumulation";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 40;
+  static constexpr std::size_t first = first_size<wrc_accumulation>(40);
   static constexpr wrc_accumulation defaults = [] {
     wrc_accumulation value{};
     value.struct_size = sizeof value;
@@ -1772,13 +1787,13 @@ struct Description<wrc_accumulation> {
       {.name = "fatigue", .offset = offsetof(wrc_accumulation, fatigue), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_accumulation) == 40, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_accumulation) == 40, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_damage_totals> {
   static constexpr const char* name = "wrc_damage_totals";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 176;
+  static constexpr std::size_t first = first_size<wrc_damage_totals>(176);
   static constexpr wrc_damage_totals defaults = [] {
     wrc_damage_totals value{};
     return value;
@@ -1790,13 +1805,13 @@ struct Description<wrc_damage_totals> {
       {.name = "reserved", .offset = offsetof(wrc_damage_totals, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_damage_totals) == 176, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_damage_totals) == 176, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_grid> {
   static constexpr const char* name = "wrc_grid";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 72;
+  static constexpr std::size_t first = first_size<wrc_grid>(72);
   static constexpr wrc_grid defaults = [] {
     wrc_grid value{};
     return value;
@@ -1811,13 +1826,13 @@ struct Description<wrc_grid> {
       {.name = "reserved", .offset = offsetof(wrc_grid, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_grid) == 72, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_grid) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_problem> {
   static constexpr const char* name = "wrc_exact_normal_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 264;
+  static constexpr std::size_t first = first_size<wrc_exact_normal_problem>(264);
   static constexpr wrc_exact_normal_problem defaults = [] {
     wrc_exact_normal_problem value{};
     value.struct_size = sizeof value;
@@ -1857,13 +1872,13 @@ struct Description<wrc_exact_normal_problem> {
       {.name = "user", .offset = offsetof(wrc_exact_normal_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_normal_problem) == 264, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_normal_problem) == 264, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_normal_solution> {
   static constexpr const char* name = "wrc_exact_normal_solution";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_exact_normal_solution>(64);
   static constexpr wrc_exact_normal_solution defaults = [] {
     wrc_exact_normal_solution value{};
     value.struct_size = sizeof value;
@@ -1882,13 +1897,13 @@ struct Description<wrc_exact_normal_solution> {
       {.name = "pressure", .offset = offsetof(wrc_exact_normal_solution, pressure), .type = Type::pointer, .rule = Rule::none, .unit = "Pa"},
   };
 };
-static_assert(sizeof(wrc_exact_normal_solution) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_normal_solution) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_problem> {
   static constexpr const char* name = "wrc_exact_rolling_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 344;
+  static constexpr std::size_t first = first_size<wrc_exact_rolling_problem>(344);
   static constexpr wrc_exact_rolling_problem defaults = [] {
     wrc_exact_rolling_problem value{};
     value.struct_size = sizeof value;
@@ -1936,13 +1951,13 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_rolling_problem) == 344, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_rolling_problem) == 344, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_solution> {
   static constexpr const char* name = "wrc_exact_rolling_solution";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 104;
+  static constexpr std::size_t first = first_size<wrc_exact_rolling_solution>(104);
   static constexpr wrc_exact_rolling_solution defaults = [] {
     wrc_exact_rolling_solution value{};
     value.struct_size = sizeof value;
@@ -1966,13 +1981,13 @@ struct Description<wrc_exact_rolling_solution> {
       {.name = "slip_y", .offset = offsetof(wrc_exact_rolling_solution, slip_y), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_rolling_solution) == 104, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_rolling_solution) == 104, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_loads> {
   static constexpr const char* name = "wrc_exact_loads";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 112;
+  static constexpr std::size_t first = first_size<wrc_exact_loads>(112);
   static constexpr wrc_exact_loads defaults = [] {
     wrc_exact_loads value{};
     value.struct_size = sizeof value;
@@ -1997,13 +2012,13 @@ struct Description<wrc_exact_loads> {
       {.name = "traction_y", .offset = offsetof(wrc_exact_loads, traction_y), .type = Type::pointer, .rule = Rule::range, .low = -1e11, .high = 1e11, .unit = "Pa", .too_small = "steel yields at a tenth of that", .too_large = "steel yields at a tenth of that", .by_caller = true},
   };
 };
-static_assert(sizeof(wrc_exact_loads) == 112, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_loads) == 112, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_wrench_options> {
   static constexpr const char* name = "wrc_exact_wrench_options";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = first_size<wrc_exact_wrench_options>(48);
   static constexpr wrc_exact_wrench_options defaults = [] {
     wrc_exact_wrench_options value{};
     value.struct_size = sizeof value;
@@ -2022,13 +2037,13 @@ struct Description<wrc_exact_wrench_options> {
       {.name = "user", .offset = offsetof(wrc_exact_wrench_options, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_wrench_options) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_wrench_options) == 48, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_check_options> {
   static constexpr const char* name = "wrc_exact_check_options";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = first_size<wrc_exact_check_options>(32);
   static constexpr wrc_exact_check_options defaults = [] {
     wrc_exact_check_options value{};
     value.struct_size = sizeof value;
@@ -2045,13 +2060,13 @@ struct Description<wrc_exact_check_options> {
       {.name = "user", .offset = offsetof(wrc_exact_check_options, user), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_check_options) == 32, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_check_options) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_check_result> {
   static constexpr const char* name = "wrc_exact_check_result";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 64;
+  static constexpr std::size_t first = first_size<wrc_exact_check_result>(64);
   static constexpr wrc_exact_check_result defaults = [] {
     wrc_exact_check_result value{};
     value.struct_size = sizeof value;
@@ -2069,13 +2084,13 @@ struct Description<wrc_exact_check_result> {
       {.name = "power_error", .offset = offsetof(wrc_exact_check_result, power_error), .type = Type::real, .rule = Rule::none},
   };
 };
-static_assert(sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheelset_geometry_problem> {
   static constexpr const char* name = "wrc_wheelset_geometry_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 24;
+  static constexpr std::size_t first = first_size<wrc_wheelset_geometry_problem>(24);
   static constexpr wrc_wheelset_geometry_problem defaults = [] {
     wrc_wheelset_geometry_problem value{};
     value.struct_size = sizeof value;
@@ -2088,13 +2103,13 @@ struct Description<wrc_wheelset_geometry_problem> {
       {.name = "wheel_load", .offset = offsetof(wrc_wheelset_geometry_problem, wheel_load), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e6, .or_zero = true, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN?", .too_large = "did you pass a pressure, or grams?"},
   };
 };
-static_assert(sizeof(wrc_wheelset_geometry_problem) == 24, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wheelset_geometry_problem) == 24, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheelset_geometry> {
   static constexpr const char* name = "wrc_wheelset_geometry";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 96;
+  static constexpr std::size_t first = first_size<wrc_wheelset_geometry>(96);
   static constexpr wrc_wheelset_geometry defaults = [] {
     wrc_wheelset_geometry value{};
     value.struct_size = sizeof value;
@@ -2116,13 +2131,13 @@ struct Description<wrc_wheelset_geometry> {
       {.name = "y_rail_left", .offset = offsetof(wrc_wheelset_geometry, y_rail_left), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_wheelset_geometry) == 96, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wheelset_geometry) == 96, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_conicity_problem> {
   static constexpr const char* name = "wrc_conicity_problem";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
+  static constexpr std::size_t first = first_size<wrc_conicity_problem>(56);
   static constexpr wrc_conicity_problem defaults = [] {
     wrc_conicity_problem value{};
     value.struct_size = sizeof value;
@@ -2142,13 +2157,13 @@ struct Description<wrc_conicity_problem> {
       {.name = "radius", .offset = offsetof(wrc_conicity_problem, radius), .type = Type::real, .rule = Rule::range, .low = 0.05, .high = 3, .unit = "m", .too_small = "did you pass mm, or the diameter?", .too_large = "did you pass mm, or the diameter?"},
   };
 };
-static_assert(sizeof(wrc_conicity_problem) == 56, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_conicity_problem) == 56, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_conicity> {
   static constexpr const char* name = "wrc_conicity";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 32;
+  static constexpr std::size_t first = first_size<wrc_conicity>(32);
   static constexpr wrc_conicity defaults = [] {
     wrc_conicity value{};
     value.struct_size = sizeof value;
@@ -2162,13 +2177,13 @@ struct Description<wrc_conicity> {
       {.name = "centre", .offset = offsetof(wrc_conicity, centre), .type = Type::pointer, .rule = Rule::none, .unit = "m"},
   };
 };
-static_assert(sizeof(wrc_conicity) == 32, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_conicity) == 32, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_profile_wear> {
   static constexpr const char* name = "wrc_profile_wear";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 88;
+  static constexpr std::size_t first = first_size<wrc_profile_wear>(88);
   static constexpr wrc_profile_wear defaults = [] {
     wrc_profile_wear value{};
     value.struct_size = sizeof value;
@@ -2195,13 +2210,13 @@ struct Description<wrc_profile_wear> {
       {.name = "spacing", .offset = offsetof(wrc_profile_wear, spacing), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 5e-3, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
   };
 };
-static_assert(sizeof(wrc_profile_wear) == 88, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_profile_wear) == 88, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_worn_profile> {
   static constexpr const char* name = "wrc_worn_profile";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = 56;
+  static constexpr std::size_t first = first_size<wrc_worn_profile>(56);
   static constexpr wrc_worn_profile defaults = [] {
     wrc_worn_profile value{};
     value.struct_size = sizeof value;
@@ -2219,13 +2234,13 @@ struct Description<wrc_worn_profile> {
       {.name = "area", .offset = offsetof(wrc_worn_profile, area), .type = Type::real, .rule = Rule::none, .unit = "m^2"},
   };
 };
-static_assert(sizeof(wrc_worn_profile) == 56, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_worn_profile) == 56, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_flange> {
   static constexpr const char* name = "wrc_flange";
   static constexpr bool versioned = false;
-  static constexpr std::size_t first = 48;
+  static constexpr std::size_t first = first_size<wrc_flange>(48);
   static constexpr wrc_flange defaults = [] {
     wrc_flange value{};
     return value;
@@ -2237,6 +2252,6 @@ struct Description<wrc_flange> {
       {.name = "reserved", .offset = offsetof(wrc_flange, reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
   };
 };
-static_assert(sizeof(wrc_flange) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_flange) == 48, "run tools/interface/describe.py");
 
 }  // namespace wrc::abi

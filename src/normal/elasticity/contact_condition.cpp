@@ -21,9 +21,9 @@ double integral_of_log(double t) { return t == 0.0 ? 0.0 : t * (natural_log(std:
 constexpr Slope line_slope(double tau) {
   // k^2 = 1 / (1 + tau^2), dk^2 / dtau = -2 tau k^4.
   const double m = 1.0 / (1.0 + tau * tau);
-  const double inverse_r = square_root(m);
+  const double inverse_r = RootInTables{}(m);
   const double complement = tau * inverse_r;
-  const CompleteElliptic integrals = complete_elliptic(complement);
+  const CompleteElliptic integrals = complete_elliptic<RootInTables>(complement);
   const double d_slope = -2.0 * tau * m * m * by_parameter(integrals, complement).d;
   return {2.0 * integrals.d * inverse_r, 2.0 * inverse_r * (d_slope - integrals.d * tau * m)};
 }

@@ -8,12 +8,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
+#include "base/bits.hpp"
 #include "patch/material.hpp"
 
 namespace wrc::normal {
@@ -26,19 +25,35 @@ struct CompleteElliptic {
   double d = 0.0;
 };
 
-/// std::sqrt, which is not constexpr yet; x > 0 where the compiler evaluates it.
-constexpr double square_root(double x) noexcept {
-  if (!std::is_constant_evaluated()) return std::sqrt(x);
-  // Halving the exponent gives a guess within 4 %; four of Newton's steps leave rounding.
-  double root = std::bit_cast<double>((std::bit_cast<std::int64_t>(x) >> 1) + (std::int64_t{1023} << 51));
-  for (int i = 0; i < 4; ++i) root = 0.5 * (root + x / root);
-  return root;
-}
+/// Square roots: those of the processor, and for tables that the compiler fills, since std::sqrt is not
+/// constexpr.
+struct RootInSteps {
+  double operator()(double x) const noexcept { return std::sqrt(x); }
+};
+struct RootInTables {
+  /// x > 0.
+  constexpr double operator()(double x) const noexcept {
+    // x = 2^exponent (1 + mantissa 2^-52)
+    int exponent = 0;
+    double scaled = x;
+    for (; scaled >= 2.0; ++exponent) scaled *= 0.5;
+    for (; scaled < 1.0; --exponent) scaled *= 2.0;
+    const auto mantissa = static_cast<std::int64_t>((scaled - 1.0) * power_of_two(52));
+    // Halving the exponent gives a guess within 4 %; four of Newton's steps leave rounding.
+    const int half = exponent >= 0 ? exponent / 2 : -((1 - exponent) / 2);
+    double root = 1.0 + (exponent - 2 * half) * 0.5 + static_cast<double>(mantissa >> 1) * power_of_two(-52);
+    for (int i = 0; i < half; ++i) root *= 2.0;
+    for (int i = 0; i < -half; ++i) root *= 0.5;
+    for (int i = 0; i < 4; ++i) root = 0.5 * (root + x / root);
+    return root;
+  }
+};
 
 /// All three from the complementary modulus k' = sqrt(1 - k^2), 0 < k' <= 1. The complement is the argument
 /// because slender ellipses and points close to a strip have k -> 1, where k itself has lost its digits;
 /// there K ~ ln(4 / k'). k' below the smallest normal number counts as that number. Abramowitz and Stegun,
 /// Handbook of Mathematical Functions, 17.6.
+template <class SquareRoot = RootInSteps>
 constexpr CompleteElliptic complete_elliptic(double complementary_modulus) noexcept {
   const double kc = std::clamp(complementary_modulus, std::numeric_limits<double>::min(), 1.0);
   const double k2 = (1.0 - kc) * (1.0 + kc);
@@ -54,7 +69,7 @@ constexpr CompleteElliptic complete_elliptic(double complementary_modulus) noexc
   constexpr int cap = 16;  // k' = 1e-308 takes 12
   for (int n = 0; n < cap && a - b > 1e-4 * a; ++n) {
     const double mean = 0.5 * (a + b);
-    b = square_root(a * b);
+    b = SquareRoot{}(a * b);
     a = mean;
     q = k2 * q * q / (16.0 * a * a);
     weight *= 2.0;

@@ -30,8 +30,8 @@ constexpr ShapeSlopes shape_slopes(double q, double& parameter) {
   // Newton's rule for m = k^2 in k'^2 D / (K - D) = q.
   constexpr int newton_steps = 6;  // from a guess a tenth off 4 are enough
   for (int i = 0; i <= newton_steps; ++i) {
-    const double complement = square_root(parameter);
-    at = complete_elliptic(complement);
+    const double complement = RootInTables{}(parameter);
+    at = complete_elliptic<RootInTables>(complement);
     by_m = by_parameter(at, complement);
     const double b = at.k - at.d;
     q_by_m = (parameter * (by_m.d * b - at.d * (by_m.k - by_m.d)) / b - at.d) / b;
@@ -40,9 +40,9 @@ constexpr ShapeSlopes shape_slopes(double q, double& parameter) {
     const double step = (parameter * at.d / b - q) / q_by_m;
     parameter = std::min(1.0, parameter + step);
   }
-  const double complement = square_root(parameter);
+  const double complement = RootInTables{}(parameter);
   // Chain rule: d / dq = (d / dm) / (dq / dm), with dk'/dm = -1 / (2 k').
-  const double root = square_root(complement);
+  const double root = RootInTables{}(complement);
   return {{complement, -0.5 / (complement * q_by_m)},
           {at.d / at.k, (by_m.d - at.d / at.k * by_m.k) / (at.k * q_by_m)},
           {pi * root * at.k, pi * root * (by_m.k - 0.25 * at.k / parameter) / q_by_m}};

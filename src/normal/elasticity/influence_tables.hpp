@@ -17,10 +17,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "base/bits.hpp"
 #include "normal/elasticity/octave_axis.hpp"
 #include "normal/simd/tasks.hpp"
 
@@ -30,15 +30,10 @@ namespace wrc::normal {
 /// gives twice as much for one access.
 inline double twin(double first, double second) noexcept {
   constexpr std::uint64_t half = std::uint64_t{1} << 31;
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(first) + half) >> 32 |
-                               (std::bit_cast<std::uint64_t>(second) + half) >> 32 << 32);
+  return number_of((bits_of(first) + half) >> 32 | (bits_of(second) + half) >> 32 << 32);
 }
-inline double first_of(double twin) noexcept {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(twin) << 32);
-}
-inline double second_of(double twin) noexcept {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(twin) >> 32 << 32);
-}
+inline double first_of(double twin) noexcept { return number_of(bits_of(twin) << 32); }
+inline double second_of(double twin) noexcept { return number_of(bits_of(twin) >> 32 << 32); }
 
 /// About 280 kB, of which a contact reads a tenth; immutable after tabulate(); one serves all threads.
 struct InfluenceTables {

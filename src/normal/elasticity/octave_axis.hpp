@@ -3,11 +3,11 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "base/bits.hpp"
 #include "base/elementary.hpp"
 
 namespace wrc::normal {
@@ -20,12 +20,17 @@ struct OctaveAxis {
 
   constexpr int intervals() const { return octaves << bits_per_octave; }
 
-  /// Node i = 0 .. intervals().
+  /// Node i = 0 .. intervals(), and its bits.
   constexpr double node(int i) const {
+    const int within = i & ((1 << bits_per_octave) - 1);
+    return power_of_two(lowest_exponent + (i >> bits_per_octave)) *
+           (1.0 + within * power_of_two(-bits_per_octave));
+  }
+  constexpr std::uint64_t node_bits(int i) const {
     const auto octave = static_cast<std::int64_t>(i >> bits_per_octave);
     const auto within = static_cast<std::int64_t>(i & ((1 << bits_per_octave) - 1));
-    return std::bit_cast<double>((exponent_bias + lowest_exponent + octave) << mantissa_bits |
-                                 within << (mantissa_bits - bits_per_octave));
+    return static_cast<std::uint64_t>((exponent_bias + lowest_exponent + octave) << mantissa_bits |
+                                      within << (mantissa_bits - bits_per_octave));
   }
 
   /// Interval that holds x, and where in it x lies (0..1). x outside the axis is taken to its ends.
@@ -33,17 +38,16 @@ struct OctaveAxis {
     std::int64_t index;
     double fraction;
   };
-  constexpr Place locate(double x) const noexcept {
+  Place locate(double x) const noexcept {
     // The leading bits of x, less those of the first node, count the intervals; the rest is the fraction.
     const std::int64_t first = (exponent_bias + lowest_exponent) << bits_per_octave;
     const int shift = mantissa_bits - bits_per_octave;
-    const auto bits = std::bit_cast<std::int64_t>(x);
+    const auto bits = static_cast<std::int64_t>(bits_of(x));
     const std::int64_t index = (bits >> shift) - first;
     if (index < 0) return {0, 0.0};
     if (index >= intervals()) return {intervals() - 1, 1.0};
     const std::int64_t rest = bits & ((std::int64_t{1} << shift) - 1);
-    const double interval = std::bit_cast<double>((exponent_bias - shift) << mantissa_bits);  // 2^-shift
-    return {index, static_cast<double>(rest) * interval};
+    return {index, static_cast<double>(rest) * power_of_two(-shift)};
   }
 
  private:
@@ -76,12 +80,12 @@ struct LogAxis {
                           third = per_octave * 0.315, fourth = per_octave * -0.079;
 
   /// Place of x, in intervals from the first node. x outside the axis is taken to its ends.
-  constexpr double place(double x) const noexcept {
+  double place(double x) const noexcept {
     const double inside = x > low() ? (x < high() ? x : high()) : low();
-    const auto bits = std::bit_cast<std::uint64_t>(inside);
+    const std::uint64_t bits = bits_of(inside);
     // x = 2^e (1 + t).
     const auto exponent = static_cast<int>(bits >> mantissa_bits) - exponent_bias;
-    const double t = std::bit_cast<double>((bits & mantissa) | power_of_two_bits(0)) - 1.0;
+    const double t = number_of((bits & mantissa) | one) - 1.0;
     return per_octave * (exponent - lowest_exponent) + t * (first + t * (second + t * (third + t * fourth)));
   }
 
@@ -96,12 +100,7 @@ struct LogAxis {
  private:
   static constexpr int mantissa_bits = 52, exponent_bias = 1023;
   static constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
-  static constexpr std::uint64_t power_of_two_bits(int exponent) {
-    return static_cast<std::uint64_t>(exponent_bias + exponent) << mantissa_bits;
-  }
-  static constexpr double power_of_two(int exponent) {
-    return std::bit_cast<double>(power_of_two_bits(exponent));
-  }
+  static constexpr std::uint64_t one = std::uint64_t{exponent_bias} << mantissa_bits;  // the bits of 1
 };
 
 /// Distances from a line of semi-elliptic pressure, over its half length: 1e-6 .. 256.

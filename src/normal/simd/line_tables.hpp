@@ -1,6 +1,7 @@
 /// The tables of influence_tables.hpp read for a pack of places at once.
 #pragma once
 
+#include "base/bits.hpp"
 #include "base/pack.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "normal/simd/tasks.hpp"
@@ -19,9 +20,9 @@ struct Places {
 template <int lowest_exponent, int octaves, int bits_per_octave>
 Places locate(Pack x) {
   constexpr normal::OctaveAxis axis{lowest_exponent, octaves, bits_per_octave};
-  constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
-  constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
-  constexpr double low = axis.node(0), high = std::bit_cast<double>(end - 1);
+  constexpr std::uint64_t first = axis.node_bits(0);
+  constexpr double low = axis.node(0);
+  const double high = number_of(axis.node_bits(axis.intervals()) - 1);
   constexpr int mantissa_bits = 52, shift = mantissa_bits - axis.bits_per_octave;
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
@@ -166,15 +167,15 @@ struct LineCells {
 WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cells) {
   constexpr normal::OctaveAxis axis = normal::InfluenceTables::from_end;
   constexpr int mantissa_bits = 52;
-  constexpr std::uint64_t first = std::bit_cast<std::uint64_t>(axis.node(0));
-  constexpr std::uint64_t end = std::bit_cast<std::uint64_t>(axis.node(axis.intervals()));
-  constexpr double least = axis.node(0), high = std::bit_cast<double>(end - 1);
+  constexpr std::uint64_t first = axis.node_bits(0);
+  constexpr double least = axis.node(0);
+  const double high = number_of(axis.node_bits(axis.intervals()) - 1);
   constexpr int shift = mantissa_bits - axis.bits_per_octave;
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << mantissa_bits) - 1;
   constexpr std::uint64_t one = std::uint64_t{1023} << mantissa_bits;
   constexpr std::uint64_t outside = (0 - (first >> shift)) & 0xffffffff;  // indices are the lower halves
   constexpr std::uint64_t inside = outside + normal::InfluenceTables::inside;
-  constexpr double outside_bits = std::bit_cast<double>(outside), inside_bits = std::bit_cast<double>(inside);
+  const double outside_bits = number_of(outside), inside_bits = number_of(inside);
   // Row, side of the line's end, and interval of the distance from it add up to the cell.
   const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));
   const Bits side = bits_of(select(from_end < 0.0, inside_bits, outside_bits));

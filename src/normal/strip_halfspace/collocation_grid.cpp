@@ -128,8 +128,8 @@ WeightLine weigh(const Samples& s, double level) {
   bool inside = false;
   for (int i = 0; i < samples; ++i) {
     // Depth below the level at both ends of the step [m].
-    const double left = level - s.height[static_cast<std::size_t>(i + curvature_reach)];
-    const double right = level - s.height[static_cast<std::size_t>(i + curvature_reach + 1)];
+    const double* const height = s.height.data() + curvature_reach + i;
+    const double left = level - height[0], right = level - height[1];
     const double y = s.y_from + i * s.step;
     // Parts of the step at which the stretch begins and ends [-].
     double start = 0.0;
@@ -142,9 +142,8 @@ WeightLine weigh(const Samples& s, double level) {
     }
     if (inside) {
       if (right <= 0.0) end = left > 0.0 ? left / (left - right) : start;
-      const double densities =
-          s.density[static_cast<std::size_t>(i)] + s.density[static_cast<std::size_t>(i + 1)];
-      line.add(y + end * s.step, (end - start) * s.step * 0.5 * densities);
+      const double* const density = s.density.data() + i;
+      line.add(y + end * s.step, (end - start) * s.step * 0.5 * (density[0] + density[1]));
     }
     if (right <= 0.0) inside = false;
   }

@@ -13,16 +13,15 @@ StripSystem cut(Arena& arena, std::int32_t capacity) {
   const std::int64_t columns = simd::elimination_stride(rows);
   StripSystem s;
   s.stride = simd::whole_packs(columns);
-  arena.each<double>(
-      s.stride, {&s.grid.y, &s.grid.width, &s.cell_y, &s.cell_width, &s.height, &s.curvature, &s.gap_centre,
-                 &s.half_length, &s.inverse_length, &s.centre, &s.peak, &s.by_approach, &s.by_height,
-                 &s.peak_per_length, &s.shift, &s.half_width, &s.edge, &s.leading, &s.trailing});
+  arena.each(s.stride, s.grid.y, s.grid.width, s.cell_y, s.cell_width, s.height, s.curvature, s.gap_centre,
+             s.half_length, s.inverse_length, s.centre, s.peak, s.by_approach, s.by_height, s.peak_per_length,
+             s.shift, s.half_width, s.edge, s.leading, s.trailing);
   for (simd::Sources* sources : {&s.sources, &s.pairs})
-    arena.each<double>(s.stride + 2 * simd::beyond_sources,
-                       {&sources->y, &sources->centre, &sources->inverse_length, &sources->line_load});
+    arena.each(s.stride + 2 * simd::beyond_sources, sources->y, sources->centre, sources->inverse_length,
+               sources->line_load);
   s.influence = arena.take(s.stride * capacity);
   s.matrix = arena.take(rows * columns);
-  arena.each<std::int32_t>(capacity, {&s.grid.region, &s.active, &s.next_active, &s.row_known});
+  arena.each(capacity, s.grid.region, s.active, s.next_active, s.row_known);
   return s;
 }
 

@@ -29,7 +29,7 @@ CurveArrays cut_curve(Arena& arena, std::int32_t points) {
   a.s = arena.take(a.capacity);
   for (double*& c : a.y) c = arena.take(a.capacity);
   for (double*& c : a.z) c = arena.take(a.capacity);
-  arena.each(points, {&a.knot_s, &a.knot_y, &a.knot_z, &a.second_y, &a.second_z, &a.scratch});
+  arena.each(points, a.knot_s, a.knot_y, a.knot_z, a.second_y, a.second_z, a.scratch);
   return a;
 }
 

@@ -151,9 +151,9 @@ void find_surface(double* reach, double radius, std::int32_t* place, double* sur
 OutOfRoundArrays cut_out_of_round(Arena& arena, const RadiusTable& table) {
   OutOfRoundArrays a;
   const std::int64_t all = static_cast<std::int64_t>(table.rows) * nodes;
-  arena.each(all, {&a.value, &a.second, &a.surface, &a.surface_second});
-  arena.each(table.angles, {&a.given, &a.given_pivot, &a.given_corner});
-  arena.each(nodes, {&a.sampled, &a.corner});
+  arena.each(all, a.value, a.second, a.surface, a.surface_second);
+  arena.each(table.angles, a.given, a.given_pivot, a.given_corner);
+  arena.each(nodes, a.sampled, a.corner);
   a.place = arena.take<std::int32_t>(nodes);
   return a;
 }

@@ -16,7 +16,7 @@ constexpr double unseen = 1e300;
 
 KnotArrays cut_knots(Arena& arena, std::int32_t most_pieces) {
   KnotArrays arrays;
-  arena.each(simd::whole_packs(most_pieces + 1), {&arrays.y, &arrays.radius, &arrays.slope});
+  arena.each(simd::whole_packs(most_pieces + 1), arrays.y, arrays.radius, arrays.slope);
   return arrays;
 }
 
@@ -39,16 +39,16 @@ WheelCurve make_wheel_curve(const Curve& curve, const KnotArrays& arrays) {
 Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
   Overlaps o;
   o.capacity = capacity;
-  arena.each(capacity, {&o.depth, &o.centre, &o.curvature, &o.ny, &o.nz, &o.wy, &o.wz, &o.u});
-  arena.each(capacity, {&o.strip, &o.piece});
+  arena.each(capacity, o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u);
+  arena.each(capacity, o.strip, o.piece);
   if (graded) o.grade = arena.take(capacity);
   return o;
 }
 
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips) {
   OverlapScratch scratch;
-  arena.each(simd::whole_packs(wheel_pieces + 1), {&scratch.y, &scratch.z, &scratch.seen});
-  arena.each(rail_strips, {&scratch.overlap, &scratch.part});
+  arena.each(simd::whole_packs(wheel_pieces + 1), scratch.y, scratch.z, scratch.seen);
+  arena.each(rail_strips, scratch.overlap, scratch.part);
   scratch.piece = arena.take<std::int32_t>(rail_strips);
   return scratch;
 }

@@ -44,7 +44,7 @@ struct StripWidths {
 /// On a face beside the rail, which may be a check rail. A flange's back touches that over 1 to 8 mm of arc,
 /// and under yaw contacts of strips 0.5 mm wide lie 2 to 5 mm apart along the track: peak pressures were up
 /// to half off.
-inline constexpr StripWidths guiding_widths{.guiding = 0.2e-3};
+inline constexpr double guiding_width = 0.2e-3;  // [m]
 
 /// Width wanted at a length of a curve [m].
 double wanted_width(const Curve& rail, const StripWidths& widths, double s);

@@ -263,16 +263,17 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
   VaryingRailArrays a;
   a.distance = arena.take(sections);
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
-  arena.each(most_strips, {&a.step, &a.middle});
+  arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
-  arena.each(4 * static_cast<std::int64_t>(most_strips), {&a.before, &a.behind});
-  arena.each(nodes, {&a.y, &a.z});
+  arena.each(4 * static_cast<std::int64_t>(most_strips), a.before, a.behind);
+  arena.each(nodes, a.y, a.z);
   a.curve = cut_curve(arena, nodes);
   return a;
 }
 
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, const VaryingRailArrays& a, VaryingRail& rail) {
+                        const StripWidths& widths, std::int32_t most_strips, const VaryingRailArrays& a,
+                        VaryingRail& rail) {
   rail = {};
   rail.stride = most_strips;
   rail.distance = a.distance;
@@ -287,8 +288,9 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     // strips along u by the widths wanted, linear between their samples; a share of all strips for each face
     SectionReader reader{sections, cosine, sine, a, {}, {}};
     double length = 0.0;
-    const StripWidths widths = f + 1 < rail.faces ? guiding_widths : StripWidths{};
-    Fault fault = find_widths(reader, face, widths, a.wanted, length);
+    StripWidths of_face = widths;
+    if (f + 1 < rail.faces) of_face.guiding = guiding_width;
+    Fault fault = find_widths(reader, face, of_face, a.wanted, length);
     if (fault.failed()) return fault;
     const auto wanted_at = [&](double u) {
       const double place = std::clamp(u / length, 0.0, 1.0) * (width_samples - 1);

@@ -68,9 +68,11 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
                                    std::int32_t most_strips);
 
 /// Cuts and pairs the sections, whose distances and faces the caller has put in order. WRC_ERROR_PROFILE,
-/// with the section's index, if they cannot be paired.
+/// with the section's index, if they cannot be paired. `widths`: of the strips; those of faces beside the
+/// running rail, which guide, are guiding_width at most.
 Fault make_varying_rail(const RailSection* sections, std::int32_t count, double inclination,
-                        std::int32_t most_strips, const VaryingRailArrays& arrays, VaryingRail& rail);
+                        const StripWidths& widths, std::int32_t most_strips, const VaryingRailArrays& arrays,
+                        VaryingRail& rail);
 
 /// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
 /// their values and slopes in the outline and its derivatives by the distance, up to the number asked for.

@@ -67,6 +67,7 @@ bool deactivate(PressureScratch& w) {
 void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const std::int32_t n = w.active.count;
   const simd::SurfaceSources sources = sources_of(w.active);
+  w.work += 1.0 * n * n;
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
   // Rows of M at the strips' own middles; the kernel of pairs leaves the diagonal to the second one.
@@ -168,9 +169,11 @@ void solve_contact(const PressureProblem& problem, const StripSet& s, bool every
     // Both are judged by the same loads: strips enter and leave in one round.
     bool changed = activate(problem, s, everywhere, w);
     changed = deactivate(w) || changed;
-    if (!changed) return;
+    // Another round takes the loads, and there must be work left for the edges.
+    if (!changed || w.work + 2.0 * w.active.count * w.active.count > w.max_work) return;
   }
-  // Rounds used up: strips may still pull. Their loads count as 0, and the next iteration goes on from there.
+  // Rounds or work used up: strips may still pull. Their loads count as 0, and the next iteration goes on
+  // from there.
 }
 
 }  // namespace wrc::surface

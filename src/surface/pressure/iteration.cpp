@@ -25,6 +25,11 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 constexpr std::int32_t early_iterations = 6;  ///< in which L changes at most by these factors
 constexpr double early_shrinking = 0.1, early_growth = 10.0;
 
+/// Iterations end without a solution after `assured_iterations`, when those before have taken `usual_work`,
+/// which 40 of them on 40 strips do; narrow patches take more.
+constexpr std::int32_t assured_iterations = 40;
+constexpr double usual_work = 128000.0;
+
 constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
 /// Power of L that q follows over the last step, found on random poses: halves that step's error of q.
 constexpr double load_follows = 0.3;
@@ -94,15 +99,39 @@ double product(std::int32_t n, const double* a, const double* b) {
 /// Index in the ring buffer of the iterate `ago` iterations back.
 std::int32_t slot_of(std::int32_t iteration, std::int32_t ago) { return (iteration - ago) % (history + 1); }
 
+/// The part of the area that the map moves the present iterate by.
+double moved_part(const PressureScratch& w) { return w.change.moved / w.change.area; }
+
 /// Keeps the present iterate, its loads and its preconditioned step.
 void remember(const StripSet& s, std::int32_t iteration, PressureScratch& w) {
   const std::int32_t n = s.count;
-  const Iterate& now = w.iterate[slot_of(iteration, 0)];
+  Iterate& now = w.iterate[slot_of(iteration, 0)];
   std::copy_n(s.L, n, now.x);
   std::copy_n(s.shift, n, now.x + n);
   std::copy_n(s.q, n, now.q);
+  now.moved = moved_part(w);
   std::copy_n(w.residual, 2 * n, now.f);
   precondition(s, now.f, w);
+}
+
+/// Goes back to the iterate of the last ones that the map moves least: at a cap it is the best there is.
+double take_best(const StripSet& s, std::int32_t iterations, PressureScratch& w) {
+  const Iterate* best = &w.iterate[slot_of(iterations, 1)];
+  for (std::int32_t ago = 2; ago <= std::min(iterations, history + 1); ++ago) {
+    const Iterate& earlier = w.iterate[slot_of(iterations, ago)];
+    if (earlier.moved < best->moved) best = &earlier;
+  }
+  const std::int32_t n = s.count;
+  std::copy_n(best->x, n, s.L);
+  std::copy_n(best->x + n, n, s.shift);
+  std::copy_n(best->q, n, s.q);
+  for (std::int32_t i = 0; i < n; ++i) {
+    // A strip that entered in that iteration has a load and no length yet: its least length.
+    const double least = least_half_length * s.width[i];
+    w.in_contact[i] = s.q[i] > 0.0;
+    if (w.in_contact[i]) s.L[i] = larger(s.L[i], least * least);
+  }
+  return best->moved;
 }
 
 /// Anderson's acceleration, into w.next: combines the last `used` iterates so that the step becomes smallest.
@@ -255,19 +284,22 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, double toler
                        const PressureOptions& options, PressureScratch& w) {
   PressureResult result;
   begin_iterations(s, w);
+  w.max_work = options.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
-  double moved_before = any_change, shift_weight = 0.0, work = 0.0;
-  // Work is the number of pairs that see each other.
-  const auto affordable = [&options](std::int32_t iteration, double so_far) {
-    return iteration < options.assured_iterations ||
-           (iteration < options.max_iterations && so_far < options.max_work);
+  double moved_before = any_change, shift_weight = 0.0;
+  const double before = w.work;
+  // An iteration takes the loads and the edges of the strips in contact.
+  const auto affordable = [&](std::int32_t k) {
+    const double next = 2.0 * w.active.count * w.active.count;
+    return k == 0 || (k < options.max_iterations && w.work + next <= options.max_work &&
+                      (k < assured_iterations || w.work - before < usual_work));
   };
-  for (std::int32_t k = 0; affordable(k, work); ++k) {
+  std::int32_t k = 0;
+  for (; affordable(k); ++k) {
     ++result.iterations;
     // Active set, edges, residual f. Far strips are asked whether they enter at the beginning and at the end.
     evaluate(problem, s, k == 0, w);
     if (w.active.count == 0) break;
-    work += 1.0 * w.active.count * w.active.count;
     const auto [moved, area] = w.change;
     result.converged = moved <= tolerance * area && !activate(problem, s, true, w);
     if (k == 0 && moved > farthest * area) return result;
@@ -286,8 +318,11 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, double toler
     take_step(s, k, w);
     if (result.converged) break;
   }
+  if (w.active.count == 0)
+    result.converged = true;  // nothing overlaps
+  else
+    result.residual = result.converged ? moved_part(w) : take_best(s, k, w);
   finish(s, w);
-  if (w.active.count == 0) result.converged = true;  // nothing overlaps
   return result;
 }
 

@@ -21,9 +21,9 @@ struct Memory {
 Memory cut(Arena& arena, std::int32_t most, std::int32_t strips) {
   Memory m;
   m.place = arena.take(most);
-  arena.each(most + 2 * beyond, {&m.y, &m.height, &m.centre, &m.curvature});
+  arena.each(most + 2 * beyond, m.y, m.height, m.centre, m.curvature);
   m.strips.capacity = strips;
-  arena.each(strips, {&m.strips.y, &m.strips.width, &m.strips.half_length, &m.strips.peak, &m.strips.centre});
+  arena.each(strips, m.strips.y, m.strips.width, m.strips.half_length, m.strips.peak, m.strips.centre);
   return m;
 }
 

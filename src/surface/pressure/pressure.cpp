@@ -12,11 +12,12 @@ namespace {
 constexpr double farthest_start = 0.3;
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
-bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StripSet& s) {
-  // Candidates that were not in contact then have L = 0 and may enter.
+bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StartFrom from,
+                 PressureScratch& w) {
+  StripSet& s = w.fine;
   bool started = false;
   s.count = o.count;
-  for (std::int32_t i = 0; i < o.count; ++i) {
+  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
     s.place[i] = rail.s[j];
     s.width[i] = rail.width[j];
@@ -25,30 +26,32 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
     s.deepest_x[i] = o.centre[i];
     s.ny[i] = o.ny[i];
     s.nz[i] = o.nz[i];
-    s.L[i] = start.set ? start.length_squared[j] : 0.0;
-    s.shift[i] = start.set ? start.shift[j] : 0.0;
+    // Candidates that were not in contact then have L = 0 and may enter.
+    s.L[i] = s.shift[i] = w.depth_before[i] = 0.0;
+    if (from == StartFrom::overlaps) continue;
+    while (b < start.count && start.strip[b] < j) ++b;
+    if (b == start.count || start.strip[b] != j) continue;
+    s.L[i] = start.length_squared[b];
+    s.shift[i] = start.shift[b];
+    w.depth_before[i] = start.depth[b];
     started = started || s.L[i] > 0.0;
   }
   return started;
 }
 
-/// The solution over the candidates, and over the strips of the rail for the next start.
-void store(const RailStrips& rail, const Overlaps& o, const StripSet& s, PressureStart& start,
-           const StripPressure& p) {
-  // Strips of the rail that are no candidates start the next solve without contact.
-  for (std::int32_t j = 0; j < rail.count; ++j)
-    start.length_squared[j] = start.shift[j] = start.depth[j] = 0.0;
-  for (std::int32_t i = 0; i < o.count; ++i) {
-    start.length_squared[o.strip[i]] = s.L[i];
-    start.shift[o.strip[i]] = s.shift[i];
-    start.depth[o.strip[i]] = s.depth[i];
+/// The solution over the candidates, and where the next solve may start.
+void store(const Overlaps& o, const StripSet& s, PressureStart& start, const StripPressure& p) {
+  start.count = s.count;
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    start.strip[i] = o.strip[i];
+    start.length_squared[i] = s.L[i];
+    start.shift[i] = s.shift[i];
+    start.depth[i] = s.depth[i];
     p.length_squared[i] = s.L[i];
     p.peak_per_length[i] = s.lambda[i];
     p.centre[i] = s.deepest_x[i] + s.shift[i];
     p.line_load[i] = s.q[i];
   }
-  start.set = true;
-  start.extrapolated = false;
 }
 
 }  // namespace
@@ -61,25 +64,24 @@ std::int64_t pressure_doubles(std::int32_t most) {
 
 PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& o,
                               const PressureOptions& options, double* workspace, PressureStart& start,
-                              const StripPressure& p) noexcept {
+                              StartFrom from, const StripPressure& p) noexcept {
   Arena arena(workspace);
   PressureScratch w = cut_pressure_scratch(arena, o.capacity);
   StripSet& s = w.fine;
   const PressureProblem problem{
       model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
   PressureResult result;
-  bool started = load_strips(rail, o, start, s);
+  bool started = load_strips(rail, o, start, from, w);
   if (o.count == 0) {
     result.converged = true;
-    store(rail, o, s, start, p);
+    store(o, s, start, p);
     return result;
   }
-  // From an earlier solution, if there is one that is near enough and leads to the end. Lengths predicted by
-  // the caller are not moved again.
-  if (started && !start.extrapolated) started = follow_overlaps(o, start, s);
+  // From an earlier solution, if there is one that is near enough and leads to the end.
+  if (started && from == StartFrom::solution) started = follow_overlaps(w);
   if (started) {
     result = iterate(problem, s, options.tolerance, farthest_start, options, w);
-    started = result.converged;
+    started = result.converged || w.work >= options.max_work;
   }
   // Else from the overlaps, which is the only way of a call without a past.
   if (!started) {
@@ -87,7 +89,8 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
     result = iterate(problem, s, options.tolerance, any_change, options, w);
     result.iterations += spent;
   }
-  store(rail, o, s, start, p);
+  result.work = w.work;
+  store(o, s, start, p);
   return result;
 }
 

@@ -48,23 +48,31 @@ struct PressureModel {
   double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
 };
 
-/// A solution over the strips of the rail, from which the next solve may start.
+/// A solution over the strips that overlapped, from which a later solve may start: `count` of them by
+/// increasing number.
 struct PressureStart {
-  double* length_squared = nullptr;  ///< L of every strip of the rail [m^2]
-  double* shift = nullptr;           ///< c less the overlap's centre, of every strip [m]
-  double* depth = nullptr;           ///< overlap it was found at, of every strip [m]
-  bool set = false;
-  bool extrapolated = false;  ///< length_squared is predicted for the new overlaps: it is not moved again
+  double* strip = nullptr;           ///< number among the rail's strips
+  double* length_squared = nullptr;  ///< L [m^2]
+  double* shift = nullptr;           ///< c less the overlap's centre [m]
+  double* depth = nullptr;           ///< overlap it was found at [m]
+  std::int32_t count = 0;
+};
+
+/// Where a solve starts.
+enum class StartFrom {
+  overlaps,      ///< from the overlaps alone
+  solution,      ///< from an earlier solution, moved as its overlaps have moved since
+  extrapolation  ///< from lengths that are predicted for the overlaps: they are not moved again
 };
 
 struct PressureOptions {
-  /// Iterations end without a solution after `assured_iterations`, when the squares of the strips in contact
-  /// add up to `max_work`, which 40 of them reach by then; narrow patches take more, up to `max_iterations`.
-  std::int32_t assured_iterations = 40, max_iterations = 160;
-  double max_work = 64000.0;
   /// Part of the area that an iteration moves at which it is the last. Its step is taken and line loads
   /// follow it, so that L and q end ten and more times nearer.
   double tolerance = 1e-7;
+  /// Work that a solve may take: pairs of strips of which one displaces the other, each time it does. The
+  /// iteration that would exceed it is not begun, but for the first.
+  double max_work = 2e7;
+  std::int32_t max_iterations = 160;
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.
@@ -77,15 +85,17 @@ struct StripPressure {
 
 struct PressureResult {
   std::int32_t iterations = 0;  ///< in all, those at half resolution included
+  double work = 0.0;            ///< in all (PressureOptions::max_work)
+  double residual = 0.0;        ///< part of the area that the last iteration moved; of the best one at a cap
   bool converged = false;
 };
 
 /// Doubles of working memory for at most so many candidates.
 std::int64_t pressure_doubles(std::int32_t most);
 
-/// Solves at the depths given. `start` is read where it is set, and left with the solution.
+/// Solves at the depths given. `start` is read unless `from` the overlaps, and left with the solution.
 PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& overlaps,
                               const PressureOptions& options, double* workspace, PressureStart& start,
-                              const StripPressure& pressure) noexcept;
+                              StartFrom from, const StripPressure& pressure) noexcept;
 
 }  // namespace wrc::surface

@@ -46,10 +46,10 @@ Scratch cut(Arena& arena, std::int32_t most) {
   w.matrix = arena.take(size.rows * size.stride);
   w.x = arena.take(static_cast<std::int64_t>(size.rows) * inputs);
   w.kept_rows = arena.take(most_within_reach * size.stride);
-  arena.each(padded, {&w.place, &w.centre, &w.inverse_length, &w.half_width, &w.factor, &w.ny, &w.nz, &w.l,
-                      &w.dl_dL, &w.q_dl_dL, &w.lambda, &w.edge_lambda, &w.edge_shift, &w.shift, &w.seen.value,
-                      &w.seen.by_length, &w.seen.by_x});
   w.direction = arena.take(padded * directions);
+  arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
+             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.seen.value, w.seen.by_length,
+             w.seen.by_x);
   return w;
 }
 

@@ -26,8 +26,8 @@
 
 namespace wrc::surface {
 
-/// Most strips in contact that are differentiated.
-inline constexpr std::int32_t most_differentiated_strips = 160;
+/// Most strips in contact that are differentiated, of so many that may overlap.
+inline std::int32_t most_differentiated(std::int32_t overlapping) { return 5 * overlapping / 8; }
 
 /// Strips in contact, by increasing place; one element per strip.
 struct PressedStrips {

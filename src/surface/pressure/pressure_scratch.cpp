@@ -1,5 +1,7 @@
 #include "surface/pressure/pressure_scratch.hpp"
 
+#include <initializer_list>
+
 namespace wrc::surface {
 
 PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
@@ -7,29 +9,28 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   // Kernels read whole packs from any strip on: a pack more than the strips fill.
   const std::int64_t padded = simd::whole_packs(most) + simd::most_lanes;
   for (StripSet* s : {&w.fine, &w.coarse})
-    arena.each(padded, {&s->place, &s->width, &s->depth, &s->curvature, &s->deepest_x, &s->ny, &s->nz, &s->L,
-                        &s->shift, &s->lambda, &s->q});
+    arena.each(padded, s->place, s->width, s->depth, s->curvature, s->deepest_x, s->ny, s->nz, s->L, s->shift,
+               s->lambda, s->q);
   // Rows of the elimination come in fours and end in two right-hand sides.
   const std::int64_t rows = (most + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(static_cast<std::int32_t>(rows)) + simd::most_lanes;
   w.matrix = arena.take(stride * rows);
-  arena.each(stride, {&w.solution, &w.unused});
+  arena.each(stride, w.solution, w.unused);
   w.pairs.stride = padded;
-  arena.each(padded * most, {&w.pairs.axis_place, &w.pairs.cosine, &w.pairs.correction});
+  arena.each(padded * most, w.pairs.axis_place, w.pairs.cosine, w.pairs.correction);
   // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;
-  arena.each(padded, {&a.place, &a.centre, &a.half_length, &a.inverse_length, &a.half_width, &a.factor, &a.q,
-                      &a.load_factor, &a.load, &a.width, &a.ny, &a.nz});
-  arena.each(padded,
-             {&w.half_length, &w.outside_place, &w.outside_x, &w.u_leading, &w.u_trailing, &w.edge_lambda,
-              &w.edge_shift, &w.inverse_reach, &w.rim_weight, &w.upper, &w.smooth_part});
+  arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,
+             a.load_factor, a.load, a.width, a.ny, a.nz);
+  arena.each(padded, w.depth_before, w.half_length, w.outside_place, w.outside_x, w.u_leading, w.u_trailing,
+             w.edge_lambda, w.edge_shift, w.inverse_reach, w.rim_weight, w.upper, w.smooth_part);
   // Vectors of all unknowns: L, then shifts.
-  arena.each(2 * padded, {&w.residual, &w.next});
+  arena.each(2 * padded, w.residual, w.next);
   for (Iterate& iterate : w.iterate) {
-    arena.each(2 * padded, {&iterate.x, &iterate.f});
+    arena.each(2 * padded, iterate.x, iterate.f);
     iterate.q = arena.take(padded);
   }
-  arena.each(padded, {&a.index, &w.in_contact, &w.paired, &w.outside, &w.pair_of});
+  arena.each(padded, a.index, w.in_contact, w.paired, w.outside, w.pair_of);
   return w;
 }
 

@@ -56,8 +56,9 @@ struct ActiveStrips {
 
 /// An iterate and its step.
 struct Iterate {
-  double *x, *f;  ///< L, then shifts
-  double* q;      ///< line loads at x
+  double *x, *f;     ///< L, then shifts
+  double* q;         ///< line loads at x
+  double moved = 0;  ///< part of the area that the map moves x by
 };
 
 /// Size of the move that the fixed-point map asks for.
@@ -67,6 +68,9 @@ struct Change {
 
 struct PressureScratch {
   StripSet fine, coarse;
+  double work = 0.0;      ///< so far, of the whole solve (PressureOptions::max_work)
+  double max_work = 0.0;  ///< that it may take
+  double* depth_before;   ///< each strip: overlap of the solution that a solve starts from [m]
   ActiveStrips active;
   std::int32_t* in_contact;            ///< each strip: 1 in the active set
   double* half_length;                 ///< each strip: l, at least a part of its width [m]

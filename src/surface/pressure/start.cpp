@@ -70,17 +70,21 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
   }
   if (s.count < 2 * fewest_pairs) return 0;
   pair_up(o, w);
-  const std::int32_t spent = iterate(problem, w.coarse, coarse_tolerance, any_change, options, w).iterations;
+  // An iteration over all strips must be left.
+  PressureOptions on_pairs = options;
+  on_pairs.max_work -= 2.0 * s.count * s.count;
+  const std::int32_t spent = iterate(problem, w.coarse, coarse_tolerance, any_change, on_pairs, w).iterations;
   interpolate_pairs(w);
   return spent;
 }
 
-bool follow_overlaps(const Overlaps& o, const PressureStart& start, const StripSet& s) {
+bool follow_overlaps(PressureScratch& w) {
+  const StripSet& s = w.fine;
   // Mean growth of the overlaps in contact [m], by the areas of their strips.
   double longest = 0.0, deepest = 0.0, weights = 0.0, mean = 0.0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
-    const double before = start.depth[o.strip[i]], weight = s.width[i] * s.L[i];
+    const double before = w.depth_before[i], weight = s.width[i] * s.L[i];
     longest = larger(longest, s.L[i]);
     deepest = larger(deepest, before);
     weights += weight;
@@ -97,7 +101,7 @@ bool follow_overlaps(const Overlaps& o, const PressureStart& start, const StripS
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (!(s.L[i] > 0.0)) continue;
     // Within a factor of four, so that strips at the rim stay in contact.
-    const double grown = s.depth[i] - start.depth[o.strip[i]];
+    const double grown = s.depth[i] - w.depth_before[i];
     const double next = s.L[i] + per * (follows_mean * mean + follows_rest * (grown - mean));
     const double limited = smaller(larger(next, 0.25 * s.L[i]), 4.0 * s.L[i]);
     moved += s.width[i] * magnitude(limited - s.L[i]);

@@ -10,8 +10,8 @@ namespace wrc::surface {
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps,
                                  const PressureOptions& options, PressureScratch& w);
 
-/// Moves the lengths of an earlier solution in `s` as its overlaps have moved since. Returns whether they
-/// moved so little that this is a start.
-bool follow_overlaps(const Overlaps& overlaps, const PressureStart& start, const StripSet& s);
+/// Moves the lengths of an earlier solution in w.fine as its overlaps have moved from w.depth_before. Returns
+/// whether they moved so little that this is a start.
+bool follow_overlaps(PressureScratch& w);
 
 }  // namespace wrc::surface

@@ -28,8 +28,8 @@ struct Scratch {
 
 Scratch cut(Arena& arena, std::int32_t strips, const RegionRolling& method) {
   Scratch s{};
-  arena.each(strips, {&s.line_load, &s.load, &s.shares, &s.cold, &s.heat_share, &s.hot, &s.strips.y,
-                      &s.strips.width, &s.strips.centre, &s.strips.half_length, &s.strips.peak});
+  arena.each(strips, s.line_load, s.load, s.shares, s.cold, s.heat_share, s.hot, s.strips.y, s.strips.width,
+             s.strips.centre, s.strips.half_length, s.strips.peak);
   s.strips.capacity = strips;
   s.method = arena.take<std::byte>(method.workspace_bytes);
   return s;

@@ -55,9 +55,8 @@ template <class Number>
 RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
   RollingArraysOf<Number> a{};
   for (Number*& mean : a.mean) mean = arena.take<Number>(strips);
-  arena.each(strips,
-             {&a.load, &a.link, &a.pivot, &a.c11, &a.c22, &a.c23, &a.own, &a.bound, &a.growth_x, &a.growth_y,
-              &a.curvature, &a.slip_x, &a.slip_y, &a.elastic, &a.turn_x, &a.turn_y, &a.edge_x, &a.edge_y});
+  arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.bound, a.growth_x, a.growth_y,
+             a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x, a.turn_y, a.edge_x, a.edge_y);
   return a;
 }
 

@@ -103,9 +103,8 @@ StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, 
 }
 
 /// Derivatives by m, then by all inputs.
-template <std::size_t n>
-requires(n > 1) StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoefficientNodes& table,
-                                                             const Dual<n>& m) {
+template <std::size_t n, std::enable_if_t<(n > 1), int> = 0>
+StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoefficientNodes& table, const Dual<n>& m) {
   const StripCoefficientsOf<Dual<1>> c = coefficients_at(table, Dual<1>::input(m.value, 0));
   const auto by_inputs = [&](const Dual<1>& a) { return m.chain(a.value, a.d[0]); };
   return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};

@@ -20,7 +20,6 @@ inline constexpr double reach2 = 0.5;               // beta^2
 inline constexpr double edge_slip = 32.0 / 9.0;
 
 using Mean = RollingMeans::Mean;
-using enum RollingMeans::Mean;
 
 /// Place of a strip's numbers in the arrays: one strip, or (simd/strip_numbers_kernel.hpp) as many as a pack
 /// has lanes.
@@ -121,8 +120,8 @@ Number gain(const Number& u, double poisson) {
 }
 
 /// The derivative by u, then by all inputs.
-template <std::size_t n>
-requires(n > 1) Dual<n> gain(const Dual<n>& u, double poisson) {
+template <std::size_t n, std::enable_if_t<(n > 1), int> = 0>
+Dual<n> gain(const Dual<n>& u, double poisson) {
   const Dual<1> g = gain(Dual<1>::input(u.value, 0), poisson);
   return u.chain(g.value, g.d[0]);
 }
@@ -162,27 +161,27 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     at.put(a.c11, c.c11);
     at.put(a.c22, c.c22);
     at.put(a.c23, c.c23);
-    at.put(a.mean[slip], at.get(in.slip_x) * N);
-    at.put(a.mean[slender], c.slenderness * N);
-    at.put(a.mean[edge], edge_slip / 0.884 * at.get(in.friction) * lambda * l / (G * c.c22) * N);
-    at.put(a.mean[lateral], 2.0 / pi * G * c.c22 * at.get(in.slip_y) * area);
-    at.put(a.mean[spin], 0.75 * G * c.c23 * at.get(in.spin) * l * area);
-    at.put(a.mean[friction], at.get(in.friction) * N);
-    at.put(a.mean[location], at.get(in.place) * N);
+    at.put(a.mean[Mean::slip], at.get(in.slip_x) * N);
+    at.put(a.mean[Mean::slender], c.slenderness * N);
+    at.put(a.mean[Mean::edge], edge_slip / 0.884 * at.get(in.friction) * lambda * l / (G * c.c22) * N);
+    at.put(a.mean[Mean::lateral], 2.0 / pi * G * c.c22 * at.get(in.slip_y) * area);
+    at.put(a.mean[Mean::spin], 0.75 * G * c.c23 * at.get(in.spin) * l * area);
+    at.put(a.mean[Mean::friction], at.get(in.friction) * N);
+    at.put(a.mean[Mean::location], at.get(in.place) * N);
   });
-  take_means<At, slip, longitudinal>(in.count, a);
+  take_means<At, Mean::slip, Mean::longitudinal>(in.count, a);
   // With W and u known: the local part g (w_x - W) of slip along x, the force of both parts
   // x N = (2/pi) G C11 (W + g (w_x - W)) l h [N], and squared distances from the mean place [m^2].
   At::each(in.count, [&](const At& at) {
-    const auto &N = at.get(a.load), &shared_slip = at.get(a.mean[slip]);
-    const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
+    const auto &N = at.get(a.load), &shared_slip = at.get(a.mean[Mean::slip]);
+    const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
     const Number own = gain(u, poisson) * (at.get(in.slip_x) - shared_slip);
     at.put(a.own, own);
-    at.put(a.mean[longitudinal], 2.0 / pi * G * at.get(a.c11) * (shared_slip + own) * area_of(at, N));
-    const Number from_middle = at.get(in.place) - at.get(a.mean[location]);
-    at.put(a.mean[variance], from_middle * from_middle * N);
+    at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * (shared_slip + own) * area_of(at, N));
+    const Number from_middle = at.get(in.place) - at.get(a.mean[Mean::location]);
+    at.put(a.mean[Mean::variance], from_middle * from_middle * N);
   });
-  take_means<At, longitudinal, means>(in.count, a);
+  take_means<At, Mean::longitudinal, Mean::means>(in.count, a);
 }
 
 /// Inverse of a number, 0 for 0.
@@ -244,9 +243,9 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
 }
 
 /// Derivatives by the five numbers of the fit, then by all inputs, which are more.
-template <std::size_t n>
-requires(n > 5) Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
-                                    const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
+template <std::size_t n, std::enable_if_t<(n > 5), int> = 0>
+Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
+                    const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
   using Few = Dual<5>;
   const Fitted<Few> few = fit(calibration, Few::input(u.value, 0), Few::input(x.value, 1),
                               Few::input(e.value, 2), Few::input(s.value, 3), Few::input(limit2.value, 4));
@@ -272,9 +271,10 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     // factors of the calibration, by means over neighbours
     const Number l = larger(at.get(in.half_length), Number(least_strip_length));
     const auto &mu = at.get(in.friction), &peak = at.get(in.peak);
-    const Number u = held_slenderness<Number>(at.get(a.mean[slender]));
-    const auto &x = at.get(a.mean[longitudinal]), &e = at.get(a.mean[lateral]), &s = at.get(a.mean[spin]);
-    const auto& held = at.get(a.mean[friction]);
+    const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
+    const auto &x = at.get(a.mean[Mean::longitudinal]), &e = at.get(a.mean[Mean::lateral]),
+               &s = at.get(a.mean[Mean::spin]);
+    const auto& held = at.get(a.mean[Mean::friction]);
     const Number limit2 = held * held + least_limit2;
     const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
@@ -292,7 +292,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number none = 0.0, stiff = inverse_or_none(soft);
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
-    at.put(a.growth_x, stiff * c11 * (at.get(a.mean[slip]) / by_x + at.get(a.own) / by_spin_x));
+    at.put(a.growth_x, stiff * c11 * (at.get(a.mean[Mean::slip]) / by_x + at.get(a.own) / by_spin_x));
     at.put(a.growth_y, stiff * c22 * slip_y / by_y);
     at.put(a.curvature, 16.0 / (3.0 * pi) * stiff * at.get(a.c23) * at.get(in.spin) * l / by_spin_y);
     at.put(a.elastic, tangential::creepage_area * (soft_x - soft_y));
@@ -304,9 +304,9 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     // Rigid slip and the elastic slip from tractions beside: torsion, an even lateral slip of contact that
     // spins; twist, slip across the force in proportion to the distance from the middle, 1 at the border of
     // an ellipse.
-    const Number across = (at.get(in.place) - at.get(a.mean[location])) /
-                          root(5.0 * larger(at.get(a.mean[variance]), Number(least_variance)));
-    const Number elastic = at.get(a.mean[edge]) * fitted.per_size;
+    const Number across = (at.get(in.place) - at.get(a.mean[Mean::location])) /
+                          root(5.0 * larger(at.get(a.mean[Mean::variance]), Number(least_variance)));
+    const Number elastic = at.get(a.mean[Mean::edge]) * fitted.per_size;
     at.put(a.slip_x, at.get(in.slip_x) + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));

@@ -8,12 +8,11 @@
 namespace wrc::surface {
 
 struct SurfaceCalibration {
-  using enum tangential::SaturationTerms::Term;
   enum {
-    unison_u = saturation_terms,  ///< u times the last of those
-    spin_squared,                 ///< s^4 / Q^2
-    lateral_spin,                 ///< e^2 s^2 / Q^2
-    longitudinal_spin,            ///< x^2 s^2 / Q^2
+    unison_u = tangential::SaturationTerms::saturation_terms,  ///< u times the last of those
+    spin_squared,                                              ///< s^4 / Q^2
+    lateral_spin,                                              ///< e^2 s^2 / Q^2
+    longitudinal_spin,                                         ///< x^2 s^2 / Q^2
     terms
   };
   enum Quantity {

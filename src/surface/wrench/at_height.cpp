@@ -66,8 +66,7 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   const Overlaps& o = s.overlaps;
   if (o.full)
-    return Fault::more_patches("strips that overlap",
-                               {1.0 + most_overlapping_strips, "", 0.0, most_overlapping_strips},
+    return Fault::more_patches("strips that overlap", {1.0 + o.capacity, "", 0.0, 1.0 * o.capacity},
                                "those beyond, on the field side, carry nothing");
   const RailStrips& rail = problem.rail;
   const SurfaceModel& model = problem.model;
@@ -98,7 +97,7 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
 }
 
 /// Pressures at the overlaps, by the model's method.
-Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options) {
+Fault solve_pressures(const HeightSolver& solver, double tolerance) {
   const SurfaceModel& model = solver.problem.model;
   const RailStrips& rail = solver.problem.rail;
   const Overlaps& overlaps = solver.solution.overlaps;
@@ -106,7 +105,7 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
   Arena scratch = solver.scratch;
   if (model.methods.planar.solve) {
     const PlanarMethod& method = model.methods.planar;
-    double* const work = scratch.take(planar_pressure_doubles(most_overlapping_strips, method));
+    double* const work = scratch.take(planar_pressure_doubles(overlaps.capacity, method));
     const PlanarResult planar =
         solve_planar_pressure(rail, overlaps, method, model.material, *model.kernels, work, pressure);
     solver.out.iterations += planar.iterations;
@@ -114,10 +113,18 @@ Fault solve_pressures(const HeightSolver& solver, const PressureOptions& options
     if (planar.jumps) keep_worst(fault, Fault::force_jumps("config.normal.method"));
     return fault;
   }
-  double* const work = scratch.take(pressure_doubles(most_overlapping_strips));
-  const PressureResult normal =
-      solve_pressure(pressure_model(model), rail, overlaps, options, work, solver.start, pressure);
+  double* const work = scratch.take(pressure_doubles(overlaps.capacity));
+  // all heights of a call together have the work that the model allows
+  PressureOptions options = model.pressure;
+  options.tolerance = tolerance;
+  options.max_work -= solver.out.work;
+  HeightStart& start = solver.start;
+  const PressureResult normal = solve_pressure(pressure_model(model), rail, overlaps, options, work,
+                                               start.solution, start.from, pressure);
+  start.from = StartFrom::solution;
   solver.out.iterations += normal.iterations;
+  solver.out.work += normal.work;
+  solver.out.residual = normal.residual;
   if (normal.converged) return {};
   return Fault::iteration_cap("sweeps", {normal.iterations});
 }
@@ -193,20 +200,22 @@ void scale(double factor, Wrench& out) {
 }
 
 /// Pressures, slips, tractions and sums of the overlaps that the solution holds, which are those at `height`.
-Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOptions& options) {
+Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance) {
   const WheelOnRail& in = solver.problem.in;
   WheelSolution& s = solver.solution;
   Wrench& out = solver.out;
-  // a wrench of zeros, but for iterations of earlier heights
+  // a wrench of zeros, but for iterations and work of earlier heights
   const std::int32_t iterations_before = out.iterations;
+  const double work_before = out.work;
   out = {};
   out.iterations = iterations_before;
+  out.work = work_before;
   out.height = height;
   s.sums = {};
   s.strips.count = 0;
 
   // pressures, and of the strips that carry load the velocities over the rail
-  Fault fault = solve_pressures(solver, options);
+  Fault fault = solve_pressures(solver, tolerance);
   if (fault.failed()) return fault;
   const LoadSums sums = take_loaded_strips(solver.problem, s);
   // converged or not: there is no force
@@ -241,12 +250,12 @@ Fault solve_overlaps(const HeightSolver& solver, double height, const PressureOp
 
 bool is_apart(const Fault& fault) { return fault.status == WRC_FLAG_NO_CONTACT && fault.field == nullptr; }
 
-Fault solve_at_height(const HeightSolver& solver, double height, const PressureOptions& options) {
+Fault solve_at_height(const HeightSolver& solver, double height, double tolerance) {
   const WheelProblem& problem = solver.problem;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
   find_wheel_overlaps(problem, s.motion, candidate_margin(problem.model), s.overlaps);
-  return solve_overlaps(solver, height, options);
+  return solve_overlaps(solver, height, tolerance);
 }
 
 Fault solve_given_height(const HeightSolver& solver) {
@@ -254,16 +263,16 @@ Fault solve_given_height(const HeightSolver& solver) {
   const WheelProblem& problem = solver.problem;
   WheelSolution& s = solver.solution;
   Wrench& out = solver.out;
-  const double asked = problem.in.wheel.position[2];
+  const double asked = problem.in.wheel.position[2], tolerance = problem.model.pressure.tolerance;
   // the usual wheel is not that deep: the search for the border has left its overlaps already
   const double border = height_at_border(problem, asked, s.motion, s.overlaps);
-  if (asked == border) return solve_overlaps(solver, asked, {});
-  if (!(asked > border)) return solve_at_height(solver, asked, {});
+  if (asked == border) return solve_overlaps(solver, asked, tolerance);
+  if (!(asked > border)) return solve_at_height(solver, asked, tolerance);
 
   // two heights at the border give the stiffness there
-  solve_at_height(solver, border - step, {});
+  solve_at_height(solver, border - step, tolerance);
   const double before = out.normal_force;
-  Fault fault = solve_at_height(solver, border, {});
+  Fault fault = solve_at_height(solver, border, tolerance);
   if (fault.status == WRC_FLAG_NO_CONTACT) {  // raised until faces that are far inside each other are apart
     s.motion = motion_at_height(problem.model, problem.in, asked);
     find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);

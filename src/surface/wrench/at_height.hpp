@@ -5,17 +5,24 @@
 
 namespace wrc::surface {
 
+/// Where the normal problem at the next height starts: a solve leaves its solution there.
+struct HeightStart {
+  PressureStart solution;
+  StartFrom from;
+};
+
 /// Solves at heights: the problem, where the normal problem starts, and where results go. A solve replaces
-/// the solution and the wrench as a whole, but for the iterations, which add up.
+/// the solution and the wrench as a whole, but for iterations and work, which add up.
 struct HeightSolver {
   const WheelProblem& problem;
-  PressureStart& start;
+  HeightStart& start;
   Arena scratch;
   WheelSolution& solution;
   Wrench& out;
 };
 
-Fault solve_at_height(const HeightSolver& solver, double height, const PressureOptions& options);
+/// `tolerance`: PressureOptions.
+Fault solve_at_height(const HeightSolver& solver, double height, double tolerance);
 
 /// The wrench at the height of the problem. Beyond the deepest overlap that is solved the load goes on with
 /// the stiffness it had, in the directions it had.

@@ -12,8 +12,16 @@
 namespace wrc::surface {
 namespace {
 
-constexpr double load_tolerance = 1e-8;  ///< prescribed loads are met to this part
+/// Prescribed loads are met to this part: as well as loads are known, a tenth of the normal problem's
+/// tolerance.
+double load_tolerance(double tolerance) { return larger(0.1 * tolerance, 1e-8); }
+
 constexpr std::int32_t most_load_steps = 30;
+
+/// Has the call taken the work that the model allows?
+bool exhausted(const HeightSolver& solver) {
+  return solver.out.work >= solver.problem.model.pressure.max_work;
+}
 
 /// Approach of the overlaps of the last solve: their largest depth, vertically [m].
 double approach_of(const WheelSolution& s) {
@@ -45,11 +53,11 @@ struct Lengths {
 /// Predicts the squared lengths at `height` for the start of its solve: along the line through those at
 /// `last`, of the solution, and those `before`.
 void predict_lengths(const Lengths& before, double last, double height, const WheelSolution& s,
-                     PressureStart& start) {
+                     HeightStart& start) {
   const Overlaps& o = s.overlaps;
   const double* const squared = s.pressure.length_squared;
-  start.extrapolated = start.set && before.count > 0 && before.height != last;
-  if (!start.extrapolated) return;
+  if (start.from == StartFrom::overlaps || before.count == 0 || before.height == last) return;
+  start.from = StartFrom::extrapolation;
   const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
   for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
@@ -57,7 +65,8 @@ void predict_lengths(const Lengths& before, double last, double height, const Wh
     while (b < before.count && before.strip[b] < j) ++b;
     if (b == before.count) break;
     if (before.strip[b] != j || !(squared[i] > 0.0) || !(before.squared[b] > 0.0)) continue;
-    start.length_squared[j] = larger(squared[i] + share * (squared[i] - before.squared[b]), 0.5 * squared[i]);
+    start.solution.length_squared[i] =
+        larger(squared[i] + share * (squared[i] - before.squared[b]), 0.5 * squared[i]);
   }
 }
 
@@ -69,24 +78,24 @@ void predict_lengths(const Lengths& before, double last, double height, const Wh
 Fault search_height(const HeightSolver& solver, HeightSearch search, bool found, double height) {
   constexpr double coarse = 2e-3;  // where nothing is known yet
   const double asked = solver.problem.in.vertical_load;
-  const PressureOptions exact;
-  PressureOptions options;
-  if (!found) options.tolerance = coarse;
+  const double exact = solver.problem.model.pressure.tolerance;
+  const double met = load_tolerance(exact);
+  double tolerance = found ? exact : coarse;
   Lengths before;
   double miss_before = 0.5;
   Fault fault;
   for (std::int32_t step = 0; step < most_load_steps; ++step) {
-    const Fault here = solve_at_height(solver, height, options);
+    const Fault here = solve_at_height(solver, height, tolerance);
     const double load = -solver.out.force[2], miss = smaller(magnitude(load - asked) / asked, 1.0);
     fault = here.status == WRC_FLAG_NO_CONTACT ? Fault{} : here;
     // a load met at a coarse tolerance is solved once more at the same height
-    if (miss <= load_tolerance) {
-      if (options.tolerance <= exact.tolerance) return fault;
-      options = exact;
+    if (miss <= met) {
+      if (tolerance <= exact) return fault;
+      tolerance = exact;
       continue;
     }
-    search.take(height, load, options.tolerance);
-    if (search.exhausted()) break;
+    search.take(height, load, tolerance);
+    if (search.exhausted() || exhausted(solver)) break;
 
     // Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach
     const double last = height, approach = approach_of(solver.solution);
@@ -96,8 +105,8 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
 
     // a secant leaves about this of the last two; and the one after that should be as good
     const double expected = 0.2 * miss * miss_before;
-    options.tolerance = larger(smaller(0.2 * miss * expected, coarse), exact.tolerance);
-    if (expected < load_tolerance) options = exact;
+    tolerance = larger(smaller(0.2 * miss * expected, coarse), exact);
+    if (expected < met) tolerance = exact;
     miss_before = miss;
   }
   keep_worst(fault, Fault::iteration_cap("input.vertical_load", {asked, "N"}));
@@ -151,14 +160,12 @@ Descent sample_descent(const HeightSolver& solver) {
   d.height[d.count++] = touch;
   const double border = height_at_border(problem, touch + step_of(Descent::most - 1), solver.solution.motion,
                                          solver.solution.overlaps);
-  PressureOptions options;
-  options.tolerance = descent_tolerance;
   std::int32_t highest = 0;
   double pressed = 0.0;  // [N]
-  for (std::int32_t k = 1; k < Descent::most && !d.falls_again; ++k) {
+  for (std::int32_t k = 1; k < Descent::most && !d.falls_again && !exhausted(solver); ++k) {
     const double height = smaller(touch + step_of(k), border);
     if (!(height > d.height[k - 1]) || pressed > enough * asked) break;
-    solve_at_height(solver, height, options);
+    solve_at_height(solver, height, descent_tolerance);
     const double load = -solver.out.force[2];
     pressed = solver.out.normal_force;
     d.height[k] = height;
@@ -182,12 +189,13 @@ Descent sample_descent(const HeightSolver& solver) {
 /// The wrench where the vertical force is largest between two heights.
 Fault solve_at_summit(const HeightSolver& solver, double low, double high) {
   constexpr int steps = 20;
+  const double tolerance = solver.problem.model.pressure.tolerance;
   const auto load_at = [&](double at) {
-    solve_at_height(solver, at, {});
+    solve_at_height(solver, at, tolerance);
     return -solver.out.force[2];
   };
   narrow_to_largest(low, high, steps, load_at);
-  return solve_at_height(solver, 0.5 * (low + high), {});
+  return solve_at_height(solver, 0.5 * (low + high), tolerance);
 }
 
 Fault climbing(double load, const char* cause, const Fault& beside) {
@@ -201,6 +209,7 @@ Fault climbing(double load, const char* cause, const Fault& beside) {
 Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double searched,
                             const Fault& found) {
   const double asked = solver.problem.in.vertical_load;
+  const double exact = solver.problem.model.pressure.tolerance;
   const bool capped = found.has(WRC_FLAG_ITERATION_CAP);
   // the height that carries the load between two that carry less and more: the one searched, where it lies
   // there
@@ -233,10 +242,10 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
     return d.falls_again ? climbing(asked, "the highest of the heights that do is returned", fault) : fault;
   }
   if (d.falls) {
-    solve_at_height(solver, d.height[0], {});
+    solve_at_height(solver, d.height[0], exact);
     return climbing(asked, "none does; returned is first touch: from there on the force does not grow", {});
   }
-  const Fault fault = solve_at_height(solver, searched, {});
+  const Fault fault = solve_at_height(solver, searched, exact);
   return found.status == WRC_OK ? fault : found;
 }
 
@@ -247,7 +256,7 @@ double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); 
 Fault solve_given_load(const HeightSolver& solver, double guess) {
   const WheelProblem& problem = solver.problem;
   const Fault found = search_height(solver, HeightSearch(problem.in.vertical_load), false, guess);
-  if (!(problem.in.friction > 0.0)) return found;
+  if (!(problem.in.friction > 0.0) || exhausted(solver)) return found;
 
   // One branch alone, unless friction can hold the wheel up against a face: without a height to judge that
   // at, at first touch.

@@ -67,7 +67,7 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
   // N = pi/2 w l p0, the area of a semi-ellipse times the width
   const double l = strips.half_length[k], x = strips.x[k];
   const double N = 0.5 * pi * strips.width[k] * l * strips.solved_peak[k];
-  add_force(strip_of(o, i), x, o.grade != nullptr, N, strips.fx[k], strips.fy[k], strips.mz[k], r.force,
+  add_force(strip_of(o, i), x, o.grade != nullptr, {N, strips.fx[k], strips.fy[k], strips.mz[k]}, r.force,
             r.moment);
 
   // the resultant of the pressure alone has no part along x: a grade does not count in the region's angle
@@ -96,6 +96,7 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
 Fault sum_regions(const WheelOnRail& in, const WheelSolution& s, Wrench& out) {
   Fault fault;
   OpenRegion open;
+  out.regions = 0;
   std::int32_t last_strip = -2;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     const std::int32_t strip = s.overlaps.strip[s.strips.candidate[k]];

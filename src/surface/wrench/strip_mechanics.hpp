@@ -42,11 +42,19 @@ StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOv
   return m;
 }
 
-/// Adds the forces on the wheel at a strip to force and moment: its normal force N, tangential forces fx and
-/// fy [N] and the moment mz about its normal [N m].
+/// Forces on the wheel at a strip: normal force N, tangential forces fx and fy [N], moment mz about the
+/// normal [N m].
 template <class Number>
-void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, const Number& N, const Number& fx,
-               const Number& fy, const Number& mz, Number (&force)[3], Number (&moment)[3]) {
+struct StripForce {
+  Number N, fx, fy, mz;
+};
+
+/// Adds the forces at a strip that presses at `x` [m] to force [N] and moment [N m]. `graded`: as in
+/// motion_at().
+template <class Number>
+void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, const StripForce<Number>& strip,
+               Number (&force)[3], Number (&moment)[3]) {
+  const auto& [N, fx, fy, mz] = strip;
   // in rail axes: tangential forces and pressure, then the parts that a grade turns into one another
   Number Fx = fx, Fy = fy * o.nz - N * o.ny, Fz = -(fy * o.ny) - N * o.nz;
   if (graded) {

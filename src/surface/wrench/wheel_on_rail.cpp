@@ -56,17 +56,32 @@ void fill_free_slips(const tangential::MarchGrid& grid, const ContactStrips& str
     }
 }
 
+/// Copies a kept solution.
+void copy_start(const KeptStart& from, KeptStart& to) {
+  to.set = from.set;
+  to.height = from.height;
+  to.count = from.count;
+  const auto count = static_cast<std::int32_t>(from.count);
+  std::copy_n(from.strip, count, to.strip);
+  std::copy_n(from.length_squared, count, to.length_squared);
+  std::copy_n(from.shift, count, to.shift);
+  std::copy_n(from.depth, count, to.depth);
+}
+
 }  // namespace
+
+void mark_solution(SurfaceState& state) { copy_start(state.last, state.mark); }
 
 std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     std::int32_t cells, bool varying) {
-  return wheel_work_bytes({most_curve_pieces(wheel_nodes), cells, varying, methods});
+                                     const StripWidths& widths, std::int32_t cells, bool varying) {
+  return wheel_work_bytes(
+      {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods});
 }
 
-Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& out, RailFrameJacobian* jacobian,
+Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,
+                          SurfaceState& state, void* workspace, Wrench& out, RailFrameJacobian* jacobian,
                           RailFrameJacobian* by_track) noexcept {
   // results of the stages first; the rest of the workspace is scratch
   Arena arena(workspace);
@@ -77,21 +92,26 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, bool
   WheelProblem problem{model, in, {}};
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
 
-  // from the last solution where it holds one: a load is searched from its height, else below first touch
-  warm = warm && state.set > 0.0;
-  PressureStart start{state.length_squared, state.shift, state.depth, warm};
+  // from an earlier solution where there is one: a load is searched from its height, else below first touch
+  KeptStart& last = state.last;
+  if (from == SolutionStart::mark) copy_start(state.mark, last);
+  const bool warm = from != SolutionStart::anew && last.set > 0.0;
+  HeightStart start{
+      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count)},
+      warm ? StartFrom::solution : StartFrom::overlaps};
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
   if (in.load_prescribed) {
-    const double guess = warm ? state.height : first_touch(problem, arena) + usual_approach(in.vertical_load);
+    const double guess = warm ? last.height : first_touch(problem, arena) + usual_approach(in.vertical_load);
     fault = solve_given_load(solver, guess);
   } else {
     fault = solve_given_height(solver);
   }
-  // the state is that of the wrench: height, lengths (by `start`), strips
-  state.height = out.height;
-  state.set = start.set ? 1.0 : 0.0;
+  // the state is that of the wrench: height, lengths (in arrays of `start`), strips
+  last.height = out.height;
+  last.count = start.solution.count;
+  last.set = start.from == StartFrom::overlaps ? 0.0 : 1.0;
   complete_results(problem, solution, state.kept);
 
   if (jacobian)

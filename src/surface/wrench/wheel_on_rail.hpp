@@ -83,31 +83,51 @@ struct Wrench {
   double clearance = 0.0;
   std::int32_t regions = 0;
   std::int32_t iterations = 0;  ///< number in the normal problem, all solves of the call
+  double work = 0.0;            ///< the normal problem's, all solves of the call (PressureOptions::max_work)
+  double residual = 0.0;        ///< of the normal problem at this height (PressureResult)
   SurfaceRegion region[most_surface_regions];
 };
 
-/// The last solution: where the next one may start. Plain memory, saved and restored by copying bytes.
-struct SurfaceState {
+/// A solution that a later one may start from (PressureStart).
+struct KeptStart {
   double set = 0.0;     ///< 1: the rest holds a solution
   double height = 0.0;  ///< position[2] of the wheel [m]
-  double length_squared[most_strips_of_a_rail] = {};
-  double shift[most_strips_of_a_rail] = {};
-  double depth[most_strips_of_a_rail] = {};  ///< overlaps [m]
+  double count = 0.0;   ///< strips
+  double strip[most_overlapping_strips] = {};
+  double length_squared[most_overlapping_strips] = {};
+  double shift[most_overlapping_strips] = {};
+  double depth[most_overlapping_strips] = {};
+};
+
+/// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes.
+struct SurfaceState {
+  KeptStart last, mark;
   StripResults kept;
+};
+
+/// Where the solution of a wheel starts.
+enum class SolutionStart {
+  anew,  ///< from the overlaps
+  last,  ///< from the last solution, if there is one
+  mark   ///< from the marked solution, if there is one: results depend on it and the input alone
 };
 
 std::int64_t surface_state_bytes();
 /// Memory of a solve, and of fields over so many cells along a strip.
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     std::int32_t cells, bool varying);
+                                     const StripWidths& widths, std::int32_t cells, bool varying);
 
-/// Solves a step. `state` is where the solve starts when `warm`, and left with the solution. `workspace` has
+/// Marks the last solution of the state.
+void mark_solution(SurfaceState& state);
+
+/// Solves a step. `state` has where the solve starts, and is left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
 /// `jacobian`, if given: the wrench with its derivatives, of methods that are differentiable(); at the border
 /// where the overlap is deeper than the deepest solved. `by_track`: those by distance and angle in place of
 /// its first two (wrench_jacobian.hpp).
-Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, bool warm, SurfaceState& state,
-                          void* workspace, Wrench& wrench, RailFrameJacobian* jacobian = nullptr,
+Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, SolutionStart from,
+                          SurfaceState& state, void* workspace, Wrench& wrench,
+                          RailFrameJacobian* jacobian = nullptr,
                           RailFrameJacobian* by_track = nullptr) noexcept;
 
 /// Tractions and slips over the cells of `count` strips of `results` from `first` on, which are one region or

@@ -8,26 +8,21 @@
 #include "surface/wrench/wrench_jacobian.hpp"
 
 namespace wrc::surface {
-namespace {
-
-constexpr std::int32_t most = most_overlapping_strips;
-
-}  // namespace
-
 WorkSizes work_sizes(const SurfaceModel& model) {
-  return {model.wheel.curve.pieces, model.grid->cells, varies(model), model.methods};
+  return {model.wheel.curve.pieces, model.grid->cells, model.most_overlapping, varies(model), model.methods};
 }
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
-  return {cut_overlaps(arena, most, sizes.varying),
+  return {cut_overlaps(arena, sizes.strips, sizes.varying),
           cut_overlap_scratch(arena, sizes.wheel_pieces, most_strips_of_a_rail)};
 }
 
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results) {
+  const std::int32_t most = sizes.strips;
   WheelSolution s;
   s.overlaps = cut_wheel_overlaps(arena, sizes);
   StripPressure& p = s.pressure;
-  arena.each(most, {&p.length_squared, &p.peak_per_length, &p.centre, &p.line_load});
+  arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
   static_cast<ContactArrays&>(s.strips) = ContactArrays(results, 0);
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
@@ -35,13 +30,13 @@ WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& r
 }
 
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
+  const std::int32_t most = sizes.strips;
   RollingScratch r;
   // fields: of methods that need them, of friction over temperature, and results of fields_of_strips()
   const std::int64_t cells = static_cast<std::int64_t>(most) * sizes.cells;
-  arena.each(cells, {&r.fields.traction_x, &r.fields.traction_y, &r.fields.slip_x, &r.fields.slip_y});
+  arena.each(cells, r.fields.traction_x, r.fields.traction_y, r.fields.slip_x, r.fields.slip_y);
   r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
-  arena.each(most,
-             {&r.slip_x, &r.spin, &r.other_fx, &r.other_fy, &r.other_mz, &r.cold_friction, &r.heat_share});
+  arena.each(most, r.slip_x, r.spin, r.other_fx, r.other_fy, r.other_mz, r.cold_friction, r.heat_share);
   r.x = r.region = nullptr;
   if (sizes.methods.region.solve) {
     r.x = arena.take(most);
@@ -51,6 +46,7 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
 }
 
 std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
+  const std::int32_t most = sizes.strips;
   // behind the results of a solve ...
   Arena results;
   if (sizes.varying) cut_strips(results, most_strips_of_a_rail);

@@ -19,7 +19,8 @@ namespace wrc::surface {
 /// Numbers that the size of the memory follows from.
 struct WorkSizes {
   std::int32_t wheel_pieces, cells;
-  bool varying;  ///< the rail or the wheel is not the same everywhere
+  std::int32_t strips;  ///< that may overlap at a time
+  bool varying;         ///< the rail or the wheel is not the same everywhere
   const SurfaceMethods& methods;
 };
 WorkSizes work_sizes(const SurfaceModel& model);

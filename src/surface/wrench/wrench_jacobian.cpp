@@ -66,12 +66,12 @@ struct Scratch {
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
-  constexpr std::int32_t most = most_differentiated_strips;
+  const std::int32_t most = most_differentiated(sizes.strips);
   Scratch w;
   // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
-  arena.each(most, {&p.place, &p.width, &p.line_load, &p.length_squared, &p.centre});
-  arena.each(most, {&p.line_load_dual, &p.length_squared_dual, &p.centre_dual});
+  arena.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
+  arena.each(most, p.line_load_dual, p.length_squared_dual, p.centre_dual);
   p.overlap = arena.take<OverlapSlopes>(most);
 
   // Their elimination comes before everything below, and shares its memory.
@@ -80,15 +80,15 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
 
   LoadedStrips& s = w.loaded;
   s.pressed = arena.take<std::int32_t>(most);
-  arena.each(most, {&s.place, &s.width});
-  arena.each(most, {&s.normal, &s.half_length, &s.peak, &s.curvature, &s.slip_x, &s.slip_y, &s.spin,
-                    &s.friction, &s.fx, &s.fy, &s.mz, &s.other_fx, &s.other_fy, &s.other_mz});
+  arena.each(most, s.place, s.width);
+  arena.each(most, s.normal, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin, s.friction, s.fx,
+             s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   HeatedScratch& h = w.heated;
-  arena.each(most, {&h.half_length, &h.peak, &h.curvature, &h.slip_x, &h.slip_y, &h.spin, &h.friction, &h.fx,
-                    &h.fy, &h.mz, &h.share, &h.base_fx, &h.base_fy, &h.base_mz});
+  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.friction, h.fx, h.fy,
+             h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
   h.rolling = cut_rolling(arena, sizes);
 
   // whichever of both is larger
@@ -161,15 +161,15 @@ Fault take_pressed_strips(const Differentiation& d) {
   const RelativePose& solved = d.solved.motion.pose;
   PressedStrips& s = d.w.pressed;
   s.count = 0;
+  const std::int32_t most = most_differentiated(d.problem.model.most_overlapping);
   // by track the wheel rests, and strips and outline move below it
   const RelativePoseOf<PlaceDual> pose =
       d.by == JacobianBy::place ? moving_pose(solved) : resting_pose(solved);
   const OutlineAttitudeOf<PlaceDual> attitude = attitude_of(pose);
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
-    if (s.count == most_differentiated_strips) {
-      return Fault::more_patches("strips in contact",
-                                 {1.0 + most_differentiated_strips, "", 0.0, most_differentiated_strips},
+    if (s.count == most) {
+      return Fault::more_patches("strips in contact", {1.0 + most, "", 0.0, 1.0 * most},
                                  "there is no room for the derivatives of so many");
     }
 
@@ -524,7 +524,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), frame_number(w.pressed.centre_dual[k]), graded,
-              loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i], out.force, out.moment);
+              {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   return {};
 }

@@ -22,10 +22,10 @@ struct Gmres {
 inline Gmres cut_gmres(Arena& arena, std::size_t unknowns, std::size_t max_products) {
   const auto size = static_cast<std::int64_t>(unknowns), products = static_cast<std::int64_t>(max_products);
   Gmres w{};
-  arena.each(size, {&w.rhs, &w.x});
+  arena.each(size, w.rhs, w.x);
   w.basis = arena.take((products + 1) * size);
   w.hessenberg = arena.take(products * products);
-  arena.each(products + 1, {&w.cosine, &w.minus_sine, &w.projected});
+  arena.each(products + 1, w.cosine, w.minus_sine, w.projected);
   return w;
 }
 

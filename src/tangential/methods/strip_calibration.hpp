@@ -7,10 +7,9 @@
 namespace wrc::tangential {
 
 struct StripCalibration {
-  using enum SaturationTerms::Term;
   enum {
-    lopsided =
-        saturation_terms,  ///< psi x s / Q: the wider half pulls with the longitudinal force or against it
+    lopsided = SaturationTerms::saturation_terms,  ///< psi x s / Q: the wider half pulls with the
+                                                   ///< longitudinal force or against it
     terms
   };
   enum Quantity {

@@ -9,6 +9,12 @@
 namespace wrc::simd {
 namespace {
 
+/// Those of each kernel are found by their arguments; C++17 asks for some template of the name before.
+template <bool entering>
+void begin_step() = delete;
+template <bool entering, Output output>
+void settle() = delete;
+
 /// A cell of a group in which strips move. entering: some may still be in their first stick zones.
 template <bool entering, Output output, class Task, class Cell, class Marching, class Derivative,
           std::int32_t inputs>

@@ -239,6 +239,10 @@ static void repeated(wrc_contact* const contacts[2]) {
   OF(contacts[0],
      wrc_contact_wrench_batch(contacts, 2, inputs, sizeof inputs[0], wrenches, sizeof wrenches[0], statuses));
   for (int i = 0; i < 2; ++i) SHOW(wrenches[i], force[0], steepest_angle);
+  OF(contacts[1], wrc_contact_mark(contacts[1]));
+  inputs[1].start = WRC_START_MARK;
+  OF(contacts[1], wrc_contact_wrench(contacts[1], &inputs[1], &wrenches[1]));
+  SHOW(wrenches[1], force[0], work);
 
   uint64_t bytes, portable_bytes;
   const wrc_config config = standard();

@@ -582,28 +582,28 @@ in_own_memory:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$232, %rsp
+	subq	$248, %rsp
 	movq	%rdi, %r12
 	movq	%rsi, 8(%rsp)
-	movl	$0, 204(%rsp)
-	movq	$0, 192(%rsp)
-	movq	$0, 184(%rsp)
-	leaq	208(%rsp), %r14
-	leaq	216(%rsp), %r13
+	movl	$0, 220(%rsp)
+	movq	$0, 208(%rsp)
+	movq	$0, 200(%rsp)
+	leaq	224(%rsp), %r14
+	leaq	232(%rsp), %r13
 	movq	%r14, %rdx
 	movq	%r13, %rsi
 	call	wrc_model_size@PLT
 	movl	%eax, %edi
 	leaq	.LC30(%rip), %rsi
 	call	done
-	movq	216(%rsp), %r15
-	leaq	204(%rsp), %rbx
-	movq	208(%rsp), %rdx
+	movq	232(%rsp), %r15
+	leaq	220(%rsp), %rbx
+	movq	224(%rsp), %rdx
 	movq	%r15, %rsi
 	movq	%rbx, %rdi
 	call	take
 	movq	%rax, %rbp
-	leaq	192(%rsp), %rcx
+	leaq	208(%rsp), %rcx
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r15, %rdx
@@ -615,13 +615,13 @@ in_own_memory:
 	call	done
 	movq	%r14, %rdx
 	movq	%r13, %rsi
-	movq	192(%rsp), %rdi
+	movq	208(%rsp), %rdi
 	call	wrc_contact_size@PLT
 	movl	%eax, %edi
 	leaq	.LC32(%rip), %rsi
 	call	done
-	movq	216(%rsp), %r13
-	movq	208(%rsp), %rdx
+	movq	232(%rsp), %r13
+	movq	224(%rsp), %rdx
 	movq	%r13, %rsi
 	movq	%rbx, %rdi
 	call	take
@@ -629,24 +629,24 @@ in_own_memory:
 	subq	$8, %rsp
 	pushq	$400
 	leaq	text(%rip), %r9
-	leaq	200(%rsp), %r8
+	leaq	216(%rsp), %r8
 	movq	%r13, %rcx
 	movq	%rax, %rdx
 	movl	$0, %esi
-	movq	208(%rsp), %rdi
+	movq	224(%rsp), %rdi
 	call	wrc_contact_init@PLT
 	movl	%eax, %edi
 	leaq	.LC33(%rip), %rsi
 	call	done
 	movq	$0, 36(%rsp)
-	movq	$0, 192(%rsp)
+	movq	$0, 208(%rsp)
 	leaq	40(%rsp), %rdi
-	movl	$20, %ecx
+	movl	$22, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$168, 32(%rsp)
+	movl	$184, 32(%rsp)
 	movb	$0, text(%rip)
-	movq	200(%rsp), %rdi
+	movq	216(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	leaq	32(%rsp), %rdx
 	movq	24(%rsp), %rsi
@@ -664,7 +664,7 @@ in_own_memory:
 	movq	%rbp, %rsi
 	movq	%rbx, %rdi
 	call	release
-	addq	$248, %rsp
+	addq	$264, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -678,7 +678,7 @@ wrench_of:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$176, %rsp
+	subq	$192, %rsp
 	movq	%rsi, %r12
 	call	model_of
 	movq	%rax, %rbp
@@ -687,12 +687,12 @@ wrench_of:
 	call	contact_of
 	movq	%rax, %rbx
 	movq	$0, 4(%rsp)
-	movq	$0, 160(%rsp)
+	movq	$0, 176(%rsp)
 	leaq	8(%rsp), %rdi
-	movl	$20, %ecx
+	movl	$22, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$168, (%rsp)
+	movl	$184, (%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
 	movq	%rsp, %rdx
@@ -710,7 +710,7 @@ wrench_of:
 	call	wrc_contact_destroy@PLT
 	movq	%rbp, %rdi
 	call	wrc_model_destroy@PLT
-	addq	$176, %rsp
+	addq	$192, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -1570,34 +1570,43 @@ rolling:
 	.section	.rodata.str1.1
 .LC89:
 	.string	"wrenches[i].force[0]"
+.LC90:
+	.string	"wrc_contact_mark(contacts[1])"
 	.section	.rodata.str1.8
 	.align 8
-.LC90:
-	.string	"wrc_contact_state_size(model, &bytes)"
-	.align 8
 .LC91:
-	.string	"wrc_contact_portable_size(model, &portable_bytes)"
-	.align 8
+	.string	"wrc_contact_wrench(contacts[1], &inputs[1], &wrenches[1])"
+	.section	.rodata.str1.1
 .LC92:
-	.string	"wrc_contact_save(contacts[0], state, bytes)"
+	.string	"wrenches[1].force[0]"
+	.section	.rodata.str1.8
 	.align 8
 .LC93:
-	.string	"wrc_contact_save_portable(contacts[0], portable, portable_bytes)"
+	.string	"wrc_contact_state_size(model, &bytes)"
+	.align 8
+.LC94:
+	.string	"wrc_contact_portable_size(model, &portable_bytes)"
 	.align 8
 .LC95:
+	.string	"wrc_contact_save(contacts[0], state, bytes)"
+	.align 8
+.LC96:
+	.string	"wrc_contact_save_portable(contacts[0], portable, portable_bytes)"
+	.align 8
+.LC98:
 	.string	"wrc_contact_wrench(contacts[0], &inputs[0], &wrenches[0])"
 	.section	.rodata.str1.1
-.LC96:
+.LC99:
 	.string	"wrenches[0].force[0]"
 	.section	.rodata.str1.8
 	.align 8
-.LC97:
+.LC100:
 	.string	"wrc_contact_restore(contacts[0], state, bytes)"
 	.align 8
-.LC98:
+.LC101:
 	.string	"wrc_contact_restore_portable(contacts[0], portable, portable_bytes)"
 	.align 8
-.LC100:
+.LC103:
 	.string	"wrc_contact_last_error(contacts[0], text, sizeof text)"
 	.text
 	.type	wheel_on_a_rail, @function
@@ -1608,8 +1617,8 @@ wheel_on_a_rail:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$6280, %rsp
-	leaq	5088(%rsp), %rbx
+	subq	$6328, %rsp
+	leaq	5136(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -1619,14 +1628,14 @@ wheel_on_a_rail:
 	movl	$0, %esi
 	movq	%rax, %rdi
 	call	contact_of
-	movq	%rax, 5072(%rsp)
+	movq	%rax, 5120(%rsp)
 	movl	$1, %esi
 	movq	%rbx, %rdi
 	call	contact_of
-	movq	%rax, 5080(%rsp)
-	leaq	5040(%rsp), %rcx
-	leaq	5000(%rsp), %r9
-	leaq	5008(%rsp), %r8
+	movq	%rax, 5128(%rsp)
+	leaq	5088(%rsp), %rcx
+	leaq	5048(%rsp), %r9
+	leaq	5056(%rsp), %r8
 	movl	$1, %edx
 	movl	$1, %esi
 	movq	%rbx, %rdi
@@ -1634,35 +1643,35 @@ wheel_on_a_rail:
 	movl	%eax, %edi
 	leaq	.LC78(%rip), %rsi
 	call	done
-	movq	5048(%rsp), %rax
+	movq	5096(%rsp), %rax
 	shrq	$2, %rax
-	movq	5008(%rsp), %rdx
+	movq	5056(%rsp), %rdx
 	leaq	(%rdx,%rax,8), %rsi
 	movl	$1, %edx
 	leaq	.LC79(%rip), %rdi
 	call	show
-	leaq	5072(%rsp), %r12
-	leaq	5088(%rsp), %rax
+	leaq	5120(%rsp), %r12
+	leaq	5136(%rsp), %rax
 	movq	%rax, (%rsp)
 .L62:
 	movq	(%r12), %rbx
-	leaq	1120(%rsp), %r13
+	leaq	1152(%rsp), %r13
 	movq	%r13, %rdi
 	call	rolling
 	movl	$0, %eax
 	movq	$0, 788(%rsp)
-	movq	$0, 944(%rsp)
+	movq	$0, 960(%rsp)
 	leaq	792(%rsp), %rdi
-	movl	$20, %ecx
+	movl	$22, %ecx
 	rep stosq
-	movl	$168, 784(%rsp)
-	leaq	2304(%rsp), %rdi
+	movl	$184, 784(%rsp)
+	leaq	2336(%rsp), %rdi
 	movl	$225, %ecx
 	rep stosq
-	movl	$1800, 2304(%rsp)
-	movl	$1, 1124(%rsp)
+	movl	$1800, 2336(%rsp)
+	movl	$1, 1156(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 1792(%rsp)
+	movq	%rax, 1824(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
 	leaq	784(%rsp), %rbp
@@ -1683,10 +1692,10 @@ wheel_on_a_rail:
 	movq	%rbx, %rdi
 	call	show_regions
 	movq	.LC81(%rip), %rax
-	movq	%rax, 1152(%rsp)
+	movq	%rax, 1184(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	2304(%rsp), %rcx
+	leaq	2336(%rsp), %rcx
 	movq	%rbp, %rdx
 	movq	%r13, %rsi
 	movq	%rbx, %rdi
@@ -1698,7 +1707,7 @@ wheel_on_a_rail:
 	movq	%r15, %rsi
 	movq	%r14, %rdi
 	call	show
-	leaq	2312(%rsp), %rsi
+	leaq	2344(%rsp), %rsi
 	movl	$224, %edx
 	leaq	.LC83(%rip), %rdi
 	call	show
@@ -1713,13 +1722,13 @@ wheel_on_a_rail:
 	movq	%rax, 768(%rsp)
 	movq	.LC85(%rip), %rax
 	movq	%rax, 776(%rsp)
-	movl	$2, 1688(%rsp)
+	movl	$2, 1720(%rsp)
 	leaq	752(%rsp), %rax
-	movq	%rax, 1672(%rsp)
+	movq	%rax, 1704(%rsp)
 	leaq	768(%rsp), %rax
-	movq	%rax, 1680(%rsp)
-	movl	$1, 1692(%rsp)
-	movl	$2, 1560(%rsp)
+	movq	%rax, 1712(%rsp)
+	movl	$1, 1724(%rsp)
+	movl	$2, 1592(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
 	movq	%rbp, %rdx
@@ -1733,9 +1742,9 @@ wheel_on_a_rail:
 	movq	%r15, %rsi
 	movq	%r14, %rdi
 	call	show
-	movl	$1, 1564(%rsp)
+	movl	$1, 1596(%rsp)
 	movq	.LC86(%rip), %rax
-	movq	%rax, 1624(%rsp)
+	movq	%rax, 1656(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
 	movq	%rbp, %rdx
@@ -1753,42 +1762,42 @@ wheel_on_a_rail:
 	movq	(%rsp), %rax
 	cmpq	%rax, %r12
 	jne	.L62
-	movl	$42, %ecx
+	movl	$46, %ecx
 	movl	$0, %eax
 	movq	%rbp, %rdi
 	rep stosq
 	leaq	16(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	2304(%rsp), %rdi
+	leaq	2336(%rsp), %rdi
 	movl	$89, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC87(%rip), %r12
-	movq	%r12, 2344(%rsp)
-	movq	$0x000000000, 2336(%rsp)
-	movl	$1, 2312(%rsp)
-	movl	$168, 784(%rsp)
+	movq	%r12, 2376(%rsp)
+	movq	$0x000000000, 2368(%rsp)
+	movl	$1, 2344(%rsp)
+	movl	$184, 784(%rsp)
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	3016(%rsp), %rdi
+	leaq	3048(%rsp), %rdi
 	movl	$89, %ecx
 	movq	%rbx, %rsi
 	rep movsq
-	movq	%r12, 3056(%rsp)
+	movq	%r12, 3088(%rsp)
 	movq	.LC57(%rip), %rax
-	movq	%rax, 3048(%rsp)
-	movl	$1, 3024(%rsp)
-	movl	$168, 952(%rsp)
+	movq	%rax, 3080(%rsp)
+	movl	$1, 3056(%rsp)
+	movl	$184, 968(%rsp)
 	movb	$0, text(%rip)
-	movq	5072(%rsp), %rax
+	movq	5120(%rsp), %rax
 	movq	%rax, spoken(%rip)
-	leaq	2304(%rsp), %rdx
-	leaq	5072(%rsp), %rdi
+	leaq	2336(%rsp), %rdx
+	leaq	5120(%rsp), %rdi
 	subq	$8, %rsp
 	leaq	776(%rsp), %rax
 	pushq	%rax
-	movl	$168, %r9d
+	movl	$184, %r9d
 	movq	%rbp, %r8
 	movl	$712, %ecx
 	movl	$2, %esi
@@ -1798,12 +1807,34 @@ wheel_on_a_rail:
 	call	done
 	movq	%r15, %rsi
 	movl	$19, %edx
-	leaq	.LC89(%rip), %rbx
-	movq	%rbx, %rdi
+	leaq	.LC89(%rip), %rbp
+	movq	%rbp, %rdi
 	call	show
-	leaq	984(%rsp), %rsi
+	leaq	1000(%rsp), %rbx
 	movl	$19, %edx
-	movq	%rbx, %rdi
+	movq	%rbx, %rsi
+	movq	%rbp, %rdi
+	call	show
+	movb	$0, text(%rip)
+	movq	5144(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	call	wrc_contact_mark@PLT
+	movl	%eax, %edi
+	leaq	.LC90(%rip), %rsi
+	call	done
+	movl	$2, 3072(%rsp)
+	movb	$0, text(%rip)
+	movq	5144(%rsp), %rdi
+	movq	%rdi, spoken(%rip)
+	leaq	984(%rsp), %rdx
+	leaq	3064(%rsp), %rsi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	leaq	.LC91(%rip), %rsi
+	call	done
+	movl	$21, %edx
+	movq	%rbx, %rsi
+	leaq	.LC92(%rip), %rdi
 	call	show
 	movq	%r13, %rdi
 	call	standard
@@ -1814,13 +1845,13 @@ wheel_on_a_rail:
 	movq	%rax, %rdi
 	call	wrc_contact_state_size@PLT
 	movl	%eax, %edi
-	leaq	.LC90(%rip), %rsi
+	leaq	.LC93(%rip), %rsi
 	call	done
 	leaq	768(%rsp), %rsi
 	movq	%rbx, %rdi
 	call	wrc_contact_portable_size@PLT
 	movl	%eax, %edi
-	leaq	.LC91(%rip), %rsi
+	leaq	.LC94(%rip), %rsi
 	call	done
 	movq	%rbx, %rdi
 	call	wrc_model_destroy@PLT
@@ -1832,48 +1863,48 @@ wheel_on_a_rail:
 	call	malloc@PLT
 	movq	%rax, %r12
 	movb	$0, text(%rip)
-	movq	5088(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	%rbx, %rdx
 	movq	%rbp, %rsi
 	call	wrc_contact_save@PLT
 	movl	%eax, %edi
-	leaq	.LC92(%rip), %rsi
+	leaq	.LC95(%rip), %rsi
 	call	done
 	movb	$0, text(%rip)
-	movq	5088(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	768(%rsp), %rdx
 	movq	%r12, %rsi
 	call	wrc_contact_save_portable@PLT
 	movl	%eax, %edi
-	leaq	.LC93(%rip), %rsi
+	leaq	.LC96(%rip), %rsi
 	call	done
 	addq	$16, %rsp
 	movl	$0, %ebx
 	leaq	784(%rsp), %r15
-	leaq	.LC95(%rip), %r14
-	leaq	.LC96(%rip), %r13
+	leaq	.LC98(%rip), %r14
+	leaq	.LC99(%rip), %r13
 	jmp	.L67
 .L73:
 	movb	$0, text(%rip)
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	744(%rsp), %rdx
 	movq	%rbp, %rsi
 	call	wrc_contact_restore@PLT
 	movl	%eax, %edi
-	leaq	.LC97(%rip), %rsi
+	leaq	.LC100(%rip), %rsi
 	call	done
 .L64:
 	addl	$1, %ebx
 .L67:
-	movq	.LC94(%rip), %rax
-	movq	%rax, 2344(%rsp)
+	movq	.LC97(%rip), %rax
+	movq	%rax, 2376(%rsp)
 	movb	$0, text(%rip)
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
-	leaq	2304(%rsp), %rsi
+	leaq	2336(%rsp), %rsi
 	movq	%r15, %rdx
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
@@ -1894,50 +1925,50 @@ wheel_on_a_rail:
 	call	free@PLT
 	movq	%rbp, %rdi
 	call	free@PLT
-	leaq	4288(%rsp), %rbx
+	leaq	4336(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
 	movq	.LC87(%rip), %rax
-	movq	%rax, 4328(%rsp)
-	leaq	5088(%rsp), %rdi
+	movq	%rax, 4376(%rsp)
+	leaq	5136(%rsp), %rdi
 	movq	%rbx, %rsi
 	call	in_own_memory
 	movl	$900, %edi
 	call	wrc_get_api@PLT
 	movq	%rax, %r8
-	movq	$0, 4116(%rsp)
-	movq	$0, 4272(%rsp)
-	leaq	4120(%rsp), %rdi
-	movl	$20, %ecx
+	movq	$0, 4148(%rsp)
+	movq	$0, 4320(%rsp)
+	leaq	4152(%rsp), %rdi
+	movl	$22, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$168, 4112(%rsp)
-	movl	$1, 4292(%rsp)
-	movq	.LC99(%rip), %rax
-	movq	%rax, 4960(%rsp)
-	leaq	4112(%rsp), %rdx
+	movl	$184, 4144(%rsp)
+	movl	$1, 4340(%rsp)
+	movq	.LC102(%rip), %rax
+	movq	%rax, 5008(%rsp)
+	leaq	4144(%rsp), %rdx
 	movq	%rbx, %rsi
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	call	*224(%r8)
 	cmpl	$-4, %eax
 	jne	.L75
 	movl	$400, %edx
 	leaq	text(%rip), %rbx
 	movq	%rbx, %rsi
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %edi
-	leaq	.LC100(%rip), %rsi
+	leaq	.LC103(%rip), %rsi
 	call	done
 	movq	%rbx, %rdi
 	call	puts@PLT
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	5080(%rsp), %rdi
+	movq	5128(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
 	movq	8(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$6280, %rsp
+	addq	$6328, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -1947,13 +1978,13 @@ wheel_on_a_rail:
 	ret
 .L74:
 	movb	$0, text(%rip)
-	movq	5072(%rsp), %rdi
+	movq	5120(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	752(%rsp), %rdx
 	movq	%r12, %rsi
 	call	wrc_contact_restore_portable@PLT
 	movl	%eax, %edi
-	leaq	.LC98(%rip), %rsi
+	leaq	.LC101(%rip), %rsi
 	call	done
 	jmp	.L64
 .L75:
@@ -1971,11 +2002,11 @@ other_rails:
 	leaq	8096(%rsp), %rdi
 	call	rolling
 	movl	$1, 8100(%rsp)
-	movq	.LC103(%rip), %rax
+	movq	.LC106(%rip), %rax
 	movq	%rax, 8768(%rsp)
-	movq	.LC104(%rip), %rax
+	movq	.LC107(%rip), %rax
 	movq	%rax, 8080(%rsp)
-	movq	.LC105(%rip), %rax
+	movq	.LC108(%rip), %rax
 	movq	%rax, 8088(%rsp)
 	leaq	7568(%rsp), %rdx
 	movl	$63, %ecx
@@ -2005,10 +2036,10 @@ other_rails:
 	leaq	7568(%rsp), %rax
 	movq	%rax, 9992(%rsp)
 	movl	$0, %eax
-	movsd	.LC106(%rip), %xmm5
-	movsd	.LC107(%rip), %xmm4
-	movsd	.LC108(%rip), %xmm3
-	movsd	.LC109(%rip), %xmm2
+	movsd	.LC109(%rip), %xmm5
+	movsd	.LC110(%rip), %xmm4
+	movsd	.LC111(%rip), %xmm3
+	movsd	.LC112(%rip), %xmm2
 .L78:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
@@ -2038,7 +2069,7 @@ other_rails:
 	movq	%rax, 9760(%rsp)
 	leaq	7024(%rsp), %rax
 	movq	%rax, 9776(%rsp)
-	movq	.LC110(%rip), %rax
+	movq	.LC113(%rip), %rax
 	movq	%rax, 8784(%rsp)
 	movq	.LC85(%rip), %rax
 	movq	%rax, 8792(%rsp)
@@ -2062,15 +2093,15 @@ other_rails:
 	movl	$0, %eax
 	pxor	%xmm11, %xmm11
 	movsd	.LC75(%rip), %xmm5
-	movsd	.LC111(%rip), %xmm4
-	movsd	.LC112(%rip), %xmm3
-	movsd	.LC113(%rip), %xmm2
-	movsd	.LC101(%rip), %xmm12
-	movsd	.LC104(%rip), %xmm6
+	movsd	.LC114(%rip), %xmm4
+	movsd	.LC115(%rip), %xmm3
+	movsd	.LC116(%rip), %xmm2
+	movsd	.LC104(%rip), %xmm12
+	movsd	.LC107(%rip), %xmm6
 	movsd	.LC57(%rip), %xmm8
-	movsd	.LC102(%rip), %xmm10
-	movsd	.LC114(%rip), %xmm9
-	movsd	.LC105(%rip), %xmm7
+	movsd	.LC105(%rip), %xmm10
+	movsd	.LC117(%rip), %xmm9
+	movsd	.LC108(%rip), %xmm7
 	jmp	.L83
 .L94:
 	pxor	%xmm1, %xmm1
@@ -2129,9 +2160,9 @@ other_rails:
 	movaps	%xmm7, 1296(%rsp)
 	movdqa	9968(%rsp), %xmm7
 	movaps	%xmm7, 1312(%rsp)
-	movq	.LC115(%rip), %rax
+	movq	.LC118(%rip), %rax
 	movq	%rax, 1184(%rsp)
-	movq	.LC104(%rip), %rax
+	movq	.LC107(%rip), %rax
 	movq	%rax, 1192(%rsp)
 	movl	$1, 1200(%rsp)
 	movl	$356, 1204(%rsp)
@@ -2166,7 +2197,7 @@ other_rails:
 	movq	%rbx, %rsi
 	rep movsq
 	movq	$0x000000000, 8160(%rsp)
-	movq	.LC116(%rip), %rax
+	movq	.LC119(%rip), %rax
 	movq	%rax, 8136(%rsp)
 	movq	.LC41(%rip), %rax
 	movq	%rax, 8800(%rsp)
@@ -2181,174 +2212,174 @@ other_rails:
 	.size	other_rails, .-other_rails
 	.section	.rodata.str1.8
 	.align 8
-.LC118:
+.LC121:
 	.string	"wrc_contact_wrench(wheel, &down, &wrench)"
 	.align 8
-.LC119:
+.LC122:
 	.string	"wrc_planar_step(planar, &step, NULL)"
 	.align 8
-.LC121:
+.LC124:
 	.string	"wrc_contact_wear(contact, 0, &laws, &wear)"
 	.section	.rodata.str1.1
-.LC122:
+.LC125:
 	.string	"wear.worn_area_rate"
 	.section	.rodata.str1.8
 	.align 8
-.LC124:
+.LC127:
 	.string	"wrc_contact_temperature(contact, 0, &bulk, &temperature)"
 	.section	.rodata.str1.1
-.LC125:
+.LC128:
 	.string	"temperature.at_entry"
 	.section	.rodata.str1.8
 	.align 8
-.LC126:
+.LC129:
 	.string	"wrc_contact_stresses(contact, 0, WRC_BODY_RAIL, depths, 3, levels, &stresses)"
 	.align 8
-.LC130:
+.LC133:
 	.string	"wrc_contact_accumulate(contact, &accumulation, &bins[i], i == 0 ? &bins[2] : NULL, &totals)"
 	.section	.rodata.str1.1
-.LC131:
+.LC134:
 	.string	"totals.sum[0]"
 	.section	.rodata.str1.8
 	.align 8
-.LC132:
+.LC135:
 	.string	"wrc_damage_merge(&bins[0], &bins[1])"
 	.align 8
-.LC133:
+.LC136:
 	.string	"wrc_damage_values(&bins[0], quantity, values)"
 	.section	.rodata.str1.1
-.LC134:
+.LC137:
 	.string	"values"
 	.section	.rodata.str1.8
 	.align 8
-.LC135:
+.LC138:
 	.string	"wrc_damage_values(&bins[2], quantity, values)"
 	.align 8
-.LC136:
+.LC139:
 	.string	"largest in a bin %.17g %.17g, overflow %d\n"
 	.align 8
-.LC138:
+.LC141:
 	.string	"wrc_whole_life_damage(&fatigue, 40.0, &life)"
 	.section	.rodata.str1.1
-.LC139:
+.LC142:
 	.string	"life"
 	.section	.rodata.str1.8
 	.align 8
-.LC143:
+.LC146:
 	.string	"wrc_linear_coefficients(1.5, 0.3, 0.27, &coefficients)"
 	.section	.rodata.str1.1
-.LC144:
+.LC147:
 	.string	"coefficients.c11"
 	.section	.rodata.str1.8
 	.align 8
-.LC145:
+.LC148:
 	.string	"wrc_shakedown_limit(0.2, &limit)"
 	.section	.rodata.str1.1
-.LC146:
+.LC149:
 	.string	"limit"
 	.section	.rodata.str1.8
 	.align 8
-.LC147:
+.LC150:
 	.string	"wrc_shakedown_limit_point(0.2, &limit)"
 	.align 8
-.LC150:
+.LC153:
 	.string	"wrc_flash_temperature(16, 0.5e-3, density, speed, &wheel, &rail, rise)"
 	.section	.rodata.str1.1
-.LC151:
+.LC154:
 	.string	"rise"
 	.section	.rodata.str1.8
 	.align 8
-.LC155:
+.LC158:
 	.string	"wrc_exact_gap(contact, &grid, gap)"
 	.section	.rodata.str1.1
-.LC156:
+.LC159:
 	.string	"gap"
 	.section	.rodata.str1.8
 	.align 8
-.LC157:
+.LC160:
 	.string	"wrc_exact_normal(&press, &pressed, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC158:
+.LC161:
 	.string	"pressed.approach"
-.LC159:
+.LC162:
 	.string	"pressure"
 	.section	.rodata.str1.8
 	.align 8
-.LC160:
+.LC163:
 	.string	"wrc_exact_rolling(&roll, &rolled, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC161:
+.LC164:
 	.string	"rolled.fx"
-.LC162:
+.LC165:
 	.string	"traction_x"
-.LC163:
+.LC166:
 	.string	"slip_y"
 	.section	.rodata.str1.8
 	.align 8
-.LC164:
+.LC167:
 	.string	"wrc_exact_transient_create(&grid, &wheel, &rail, &bodies, text, sizeof text)"
 	.align 8
-.LC165:
+.LC168:
 	.string	"wrc_exact_transient_step(bodies, &roll, &rolled, text, sizeof text)"
 	.align 8
-.LC166:
+.LC169:
 	.string	"wrc_exact_stress(&loads, points, 2, tensors, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC167:
+.LC170:
 	.string	"tensors"
 	.section	.rodata.str1.8
 	.align 8
-.LC168:
+.LC171:
 	.string	"wrc_exact_largest_stresses(&loads, depths, 2, levels, &stresses, hear, &calls, text, sizeof text)"
 	.align 8
-.LC169:
+.LC172:
 	.string	"wrc_exact_check(planar, &options, &result)"
 	.section	.rodata.str1.1
-.LC170:
+.LC173:
 	.string	"result.fx"
 	.section	.rodata.str1.8
 	.align 8
-.LC172:
+.LC175:
 	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
 	.align 8
-.LC173:
+.LC176:
 	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC174:
+.LC177:
 	.string	"radius_difference"
-.LC175:
+.LC178:
 	.string	"y_wheel"
 	.section	.rodata.str1.8
 	.align 8
-.LC177:
+.LC180:
 	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC178:
+.LC181:
 	.string	"conicity"
-.LC179:
+.LC182:
 	.string	"wavelength"
 	.section	.rodata.str1.8
 	.align 8
-.LC183:
+.LC186:
 	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
 	.section	.rodata.str1.1
-.LC184:
+.LC187:
 	.string	"z[points / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC187:
+.LC190:
 	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC188:
+.LC191:
 	.string	"worn.passages"
-.LC189:
+.LC192:
 	.string	"worn_z[worn.count / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC191:
+.LC194:
 	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC192:
+.LC195:
 	.string	"flange.height"
 	.text
 	.type	experimental, @function
@@ -2359,12 +2390,12 @@ experimental:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$6872, %rsp
+	subq	$6888, %rsp
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	cmpl	$303, (%rax)
 	jbe	.L117
-	leaq	5680(%rsp), %rbx
+	leaq	5696(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -2379,21 +2410,21 @@ experimental:
 	movq	%rbx, %rdi
 	call	contact_of
 	movq	%rax, %r14
-	leaq	4960(%rsp), %rbx
+	leaq	4976(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
 	movl	$0, %r13d
 	movq	$0, 4788(%rsp)
-	movq	$0, 4944(%rsp)
+	movq	$0, 4960(%rsp)
 	leaq	4792(%rsp), %rdi
-	movl	$20, %ecx
+	movl	$22, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$168, 4784(%rsp)
+	movl	$184, 4784(%rsp)
 	leaq	4320(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_planar_input_default
-	movq	.LC117(%rip), %rax
+	movq	.LC120(%rip), %rax
 	movq	%rax, 4328(%rsp)
 	movq	.LC46(%rip), %rax
 	movq	%rax, 4392(%rsp)
@@ -2412,7 +2443,7 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
-	leaq	.LC118(%rip), %rsi
+	leaq	.LC121(%rip), %rsi
 	call	done
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
@@ -2421,12 +2452,12 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
 	movl	%eax, %edi
-	leaq	.LC119(%rip), %rsi
+	leaq	.LC122(%rip), %rsi
 	call	done
 	leaq	1312(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_wear_laws_default
-	movq	.LC120(%rip), %rax
+	movq	.LC123(%rip), %rax
 	movq	%rax, 1408(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
@@ -2437,11 +2468,11 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC121(%rip), %rsi
+	leaq	.LC124(%rip), %rsi
 	call	done
 	movl	$4, %edx
 	movq	%rbx, %rsi
-	leaq	.LC122(%rip), %rdi
+	leaq	.LC125(%rip), %rdi
 	call	show
 	leaq	2416(%rsp), %rbp
 	pxor	%xmm6, %xmm6
@@ -2453,7 +2484,7 @@ experimental:
 	movaps	%xmm7, 576(%rsp)
 	movdqa	2432(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movq	.LC123(%rip), %rax
+	movq	.LC126(%rip), %rax
 	movq	%rax, 576(%rsp)
 	pxor	%xmm6, %xmm6
 	movups	%xmm6, 692(%rsp)
@@ -2470,16 +2501,16 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_temperature@PLT
 	movl	%eax, %edi
-	leaq	.LC124(%rip), %rsi
+	leaq	.LC127(%rip), %rsi
 	call	done
 	leaq	696(%rsp), %rsi
 	movl	$8, %edx
-	leaq	.LC125(%rip), %rdi
+	leaq	.LC128(%rip), %rdi
 	call	show
 	movq	%r15, 464(%rsp)
 	movq	.LC38(%rip), %rax
 	movq	%rax, 472(%rsp)
-	movq	.LC117(%rip), %rax
+	movq	.LC120(%rip), %rax
 	movq	%rax, 480(%rsp)
 	movl	$73, %ecx
 	movq	%rbp, %rdi
@@ -2499,7 +2530,7 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_stresses@PLT
 	movl	%eax, %edi
-	leaq	.LC126(%rip), %rsi
+	leaq	.LC129(%rip), %rsi
 	call	done
 	movq	%r13, %rdi
 	call	show_peaks
@@ -2528,7 +2559,7 @@ experimental:
 	movq	%rax, 624(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
-	movq	.LC127(%rip), %rax
+	movq	.LC130(%rip), %rax
 	movq	%rax, 600(%rsp)
 	leaq	bin.12(%rip), %rbp
 	movl	$38376, %edx
@@ -2556,7 +2587,7 @@ experimental:
 	movsd	2456(%rsp), %xmm0
 	movsd	%xmm0, 40(%rbx)
 	movl	$40, 4(%rbx)
-	movq	.LC128(%rip), %rax
+	movq	.LC131(%rip), %rax
 	movq	%rax, 8(%rbx)
 	movq	.LC38(%rip), %rax
 	movq	%rax, 16(%rbx)
@@ -2570,7 +2601,7 @@ experimental:
 	movups	%xmm0, 692(%rsp)
 	movl	$0, 708(%rsp)
 	movl	$40, 688(%rsp)
-	movq	.LC129(%rip), %rax
+	movq	.LC132(%rip), %rax
 	movq	%rax, 696(%rsp)
 	leaq	1696(%rsp), %rax
 	movq	%rax, 712(%rsp)
@@ -2588,11 +2619,11 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_accumulate@PLT
 	movl	%eax, %edi
-	leaq	.LC130(%rip), %rsi
+	leaq	.LC133(%rip), %rsi
 	call	done
 	movl	$18, %edx
 	movq	%rbx, %rsi
-	leaq	.LC131(%rip), %rdi
+	leaq	.LC134(%rip), %rdi
 	call	show
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
@@ -2604,22 +2635,22 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_accumulate@PLT
 	movl	%eax, %edi
-	leaq	.LC130(%rip), %rsi
+	leaq	.LC133(%rip), %rsi
 	call	done
 	movl	$18, %edx
 	movq	%rbx, %rsi
-	leaq	.LC131(%rip), %rdi
+	leaq	.LC134(%rip), %rdi
 	call	show
 	movq	%rbp, %rsi
 	movq	%r15, %rdi
 	call	wrc_damage_merge@PLT
 	movl	%eax, %edi
-	leaq	.LC132(%rip), %rsi
+	leaq	.LC135(%rip), %rsi
 	call	done
 	movl	$0, %ebx
 	leaq	2416(%rsp), %rbp
-	leaq	.LC133(%rip), %r15
-	leaq	.LC134(%rip), %r13
+	leaq	.LC136(%rip), %r15
+	leaq	.LC137(%rip), %r13
 .L101:
 	leaq	960(%rsp), %rdi
 	movq	%rbp, %rdx
@@ -2637,7 +2668,7 @@ experimental:
 	movl	%ebx, %esi
 	call	wrc_damage_values@PLT
 	movl	%eax, %edi
-	leaq	.LC135(%rip), %rsi
+	leaq	.LC138(%rip), %rsi
 	call	done
 	movl	$41, %edx
 	movq	%rbp, %rsi
@@ -2649,44 +2680,44 @@ experimental:
 	movl	12752+bin.12(%rip), %esi
 	movsd	6504+bin.12(%rip), %xmm1
 	movsd	6496+bin.12(%rip), %xmm0
-	leaq	.LC136(%rip), %rdi
+	leaq	.LC139(%rip), %rdi
 	movl	$2, %eax
 	call	printf@PLT
 	leaq	464(%rsp), %rbx
 	leaq	576(%rsp), %rdi
 	movq	%rbx, %rsi
-	movsd	.LC137(%rip), %xmm0
+	movsd	.LC140(%rip), %xmm0
 	call	wrc_whole_life_damage@PLT
 	movl	%eax, %edi
-	leaq	.LC138(%rip), %rsi
+	leaq	.LC141(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
-	leaq	.LC139(%rip), %rdi
+	leaq	.LC142(%rip), %rdi
 	call	show
 	leaq	960(%rsp), %rbp
 	movq	%rbp, %rdi
-	movsd	.LC140(%rip), %xmm2
-	movsd	.LC141(%rip), %xmm1
-	movsd	.LC142(%rip), %xmm0
+	movsd	.LC143(%rip), %xmm2
+	movsd	.LC144(%rip), %xmm1
+	movsd	.LC145(%rip), %xmm0
 	call	wrc_linear_coefficients@PLT
 	movl	%eax, %edi
-	leaq	.LC143(%rip), %rsi
+	leaq	.LC146(%rip), %rsi
 	call	done
 	movl	$7, %edx
 	movq	%rbp, %rsi
-	leaq	.LC144(%rip), %rdi
+	leaq	.LC147(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	movq	.LC68(%rip), %rax
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit@PLT
 	movl	%eax, %edi
-	leaq	.LC145(%rip), %rsi
+	leaq	.LC148(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
-	leaq	.LC146(%rip), %rbp
+	leaq	.LC149(%rip), %rbp
 	movq	%rbp, %rdi
 	call	show
 	movq	%rbx, %rdi
@@ -2694,14 +2725,14 @@ experimental:
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit_point@PLT
 	movl	%eax, %edi
-	leaq	.LC147(%rip), %rsi
+	leaq	.LC150(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
 	movq	%rbp, %rdi
 	call	show
 	movl	$0, %eax
-	movsd	.LC148(%rip), %xmm2
+	movsd	.LC151(%rip), %xmm2
 	movl	$16, %ecx
 .L102:
 	pxor	%xmm0, %xmm0
@@ -2741,7 +2772,7 @@ experimental:
 	movq	%rbx, 728(%rsp)
 	movq	%rax, 736(%rsp)
 	movq	%rdx, 744(%rsp)
-	movq	.LC149(%rip), %rax
+	movq	.LC152(%rip), %rax
 	movq	%rax, 696(%rsp)
 	leaq	1696(%rsp), %rbx
 	leaq	688(%rsp), %rbp
@@ -2754,11 +2785,11 @@ experimental:
 	movl	$16, %edi
 	call	wrc_flash_temperature@PLT
 	movl	%eax, %edi
-	leaq	.LC150(%rip), %rsi
+	leaq	.LC153(%rip), %rsi
 	call	done
 	movl	$16, %edx
 	movq	%rbx, %rsi
-	leaq	.LC151(%rip), %rdi
+	leaq	.LC154(%rip), %rdi
 	call	show
 	movl	$0, 20(%rsp)
 	pxor	%xmm4, %xmm4
@@ -2766,12 +2797,12 @@ experimental:
 	movups	%xmm4, 1752(%rsp)
 	movl	$12, 1696(%rsp)
 	movl	$14, 1700(%rsp)
-	movsd	.LC152(%rip), %xmm0
+	movsd	.LC155(%rip), %xmm0
 	movsd	%xmm0, 1704(%rsp)
 	movsd	%xmm0, 1712(%rsp)
-	movq	.LC153(%rip), %rax
+	movq	.LC156(%rip), %rax
 	movq	%rax, 1720(%rsp)
-	movq	.LC154(%rip), %rax
+	movq	.LC157(%rip), %rax
 	movq	%rax, 1728(%rsp)
 	movdqa	1696(%rsp), %xmm7
 	movaps	%xmm7, 288(%rsp)
@@ -2794,11 +2825,11 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_exact_gap@PLT
 	movl	%eax, %edi
-	leaq	.LC155(%rip), %rsi
+	leaq	.LC158(%rip), %rsi
 	call	done
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC156(%rip), %rdi
+	leaq	.LC159(%rip), %rdi
 	call	show
 	movl	$33, %ecx
 	movq	%rbx, %rdi
@@ -2842,15 +2873,15 @@ experimental:
 	movq	%rbp, %rdi
 	call	wrc_exact_normal@PLT
 	movl	%eax, %edi
-	leaq	.LC157(%rip), %rsi
+	leaq	.LC160(%rip), %rsi
 	call	done
 	leaq	112(%rsp), %rsi
 	movl	$5, %edx
-	leaq	.LC158(%rip), %rdi
+	leaq	.LC161(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC159(%rip), %rdi
+	leaq	.LC162(%rip), %rdi
 	call	show
 	movl	$43, %ecx
 	movq	%rbx, %rdi
@@ -2899,19 +2930,19 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_exact_rolling@PLT
 	movl	%eax, %edi
-	leaq	.LC160(%rip), %rsi
+	leaq	.LC163(%rip), %rsi
 	call	done
 	leaq	480(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC161(%rip), %rdi
+	leaq	.LC164(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%rbp, %rsi
-	leaq	.LC162(%rip), %rdi
+	leaq	.LC165(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%rbx, %rsi
-	leaq	.LC163(%rip), %rdi
+	leaq	.LC166(%rip), %rdi
 	call	show
 	movq	$0, 24(%rsp)
 	movdqu	984(%rsp), %xmm7
@@ -2938,12 +2969,12 @@ experimental:
 	movq	8(%rsp), %rdi
 	call	wrc_exact_transient_create@PLT
 	movl	%eax, %edi
-	leaq	.LC164(%rip), %rsi
+	leaq	.LC167(%rip), %rsi
 	call	done
 	movl	$2, %ebx
 	leaq	464(%rsp), %r13
 	movq	%r15, %rbp
-	leaq	.LC165(%rip), %r15
+	leaq	.LC168(%rip), %r15
 .L103:
 	leaq	960(%rsp), %rsi
 	movl	$400, %r8d
@@ -2956,7 +2987,7 @@ experimental:
 	call	done
 	leaq	480(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC161(%rip), %rdi
+	leaq	.LC164(%rip), %rdi
 	call	show
 	subl	$1, %ebx
 	jne	.L103
@@ -3012,11 +3043,11 @@ experimental:
 	movq	%r13, %rdi
 	call	wrc_exact_stress@PLT
 	movl	%eax, %edi
-	leaq	.LC166(%rip), %rsi
+	leaq	.LC169(%rip), %rsi
 	call	done
 	movl	$12, %edx
 	movq	%rbp, %rsi
-	leaq	.LC167(%rip), %rdi
+	leaq	.LC170(%rip), %rdi
 	call	show
 	movl	$73, %ecx
 	movq	%rbx, %rdi
@@ -3039,7 +3070,7 @@ experimental:
 	call	wrc_exact_largest_stresses@PLT
 	movl	%eax, %edi
 	addq	$32, %rsp
-	leaq	.LC168(%rip), %rsi
+	leaq	.LC171(%rip), %rsi
 	call	done
 	movq	%rbp, %rdi
 	call	show_peaks
@@ -3058,7 +3089,7 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
 	movl	%eax, %edi
-	leaq	.LC119(%rip), %rsi
+	leaq	.LC122(%rip), %rsi
 	call	done
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 1700(%rsp)
@@ -3085,11 +3116,11 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_exact_check@PLT
 	movl	%eax, %edi
-	leaq	.LC169(%rip), %rsi
+	leaq	.LC172(%rip), %rsi
 	call	done
 	leaq	968(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC170(%rip), %rdi
+	leaq	.LC173(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	call	rolling
@@ -3106,18 +3137,18 @@ experimental:
 	movdqa	1344(%rsp), %xmm3
 	movaps	%xmm3, 720(%rsp)
 	movq	$0, 1316(%rsp)
-	movq	$0, 1472(%rsp)
+	movq	$0, 1488(%rsp)
 	leaq	1320(%rsp), %rdi
 	subq	%rdi, %r13
-	leal	164(%r13), %ecx
+	leal	180(%r13), %ecx
 	shrl	$3, %ecx
 	movl	%ecx, %ecx
 	movq	%r15, %rax
 	rep stosq
-	movl	$168, 1312(%rsp)
-	movq	.LC116(%rip), %rax
+	movl	$184, 1312(%rsp)
+	movq	.LC119(%rip), %rax
 	movq	%rax, 1736(%rsp)
-	movsd	.LC171(%rip), %xmm0
+	movsd	.LC174(%rip), %xmm0
 	movsd	%xmm0, 712(%rsp)
 	movsd	%xmm0, 704(%rsp)
 	movb	$0, text(%rip)
@@ -3128,7 +3159,7 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_exact_wrench@PLT
 	movl	%eax, %edi
-	leaq	.LC172(%rip), %rsi
+	leaq	.LC175(%rip), %rsi
 	call	done
 	leaq	1328(%rsp), %rsi
 	movl	$19, %edx
@@ -3171,19 +3202,19 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_profile_wheelset_geometry@PLT
 	movl	%eax, %edi
-	leaq	.LC173(%rip), %rsi
+	leaq	.LC176(%rip), %rsi
 	call	done
 	movl	$9, %edx
 	movq	%rbx, %rsi
-	leaq	.LC174(%rip), %rdi
+	leaq	.LC177(%rip), %rdi
 	call	show
 	movl	$9, %edx
 	movq	%r13, %rsi
-	leaq	.LC175(%rip), %rdi
+	leaq	.LC178(%rip), %rdi
 	call	show
 	movq	.LC57(%rip), %rax
 	movq	%rax, 96(%rsp)
-	movq	.LC176(%rip), %rax
+	movq	.LC179(%rip), %rax
 	movq	%rax, 104(%rsp)
 	leaq	1312(%rsp), %rdi
 	pxor	%xmm7, %xmm7
@@ -3219,20 +3250,20 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_equivalent_conicity@PLT
 	movl	%eax, %edi
-	leaq	.LC177(%rip), %rsi
+	leaq	.LC180(%rip), %rsi
 	call	done
 	movl	$2, %edx
 	movq	%rbp, %rsi
-	leaq	.LC178(%rip), %rdi
+	leaq	.LC181(%rip), %rdi
 	call	show
 	movl	$2, %edx
 	movq	%rbx, %rsi
-	leaq	.LC179(%rip), %rdi
+	leaq	.LC182(%rip), %rdi
 	call	show
 	movl	$0, %eax
 	leaq	arc.5(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
-	movsd	.LC180(%rip), %xmm1
+	movsd	.LC183(%rip), %xmm1
 .L105:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
@@ -3260,11 +3291,11 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_model_arc_places@PLT
 	movl	%eax, %edi
-	leaq	.LC183(%rip), %rsi
+	leaq	.LC186(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	leaq	960+z.2(%rip), %rsi
-	leaq	.LC184(%rip), %rdi
+	leaq	.LC187(%rip), %rdi
 	call	show
 	leaq	1312(%rsp), %r15
 	movq	$0, 1316(%rsp)
@@ -3292,9 +3323,9 @@ experimental:
 	movl	$200, 972(%rsp)
 	leaq	depth.4(%rip), %rax
 	movq	%rax, 992(%rsp)
-	movq	.LC185(%rip), %rax
+	movq	.LC188(%rip), %rax
 	movq	%rax, 1000(%rsp)
-	movq	.LC186(%rip), %rax
+	movq	.LC189(%rip), %rax
 	movq	%rax, 1016(%rsp)
 	pxor	%xmm0, %xmm0
 	movups	%xmm0, 1320(%rsp)
@@ -3312,34 +3343,34 @@ experimental:
 	movq	%r15, %rsi
 	call	wrc_profile_remove_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC187(%rip), %rsi
+	leaq	.LC190(%rip), %rsi
 	call	done
 	leaq	1344(%rsp), %rsi
 	movl	$3, %edx
-	leaq	.LC188(%rip), %rdi
+	leaq	.LC191(%rip), %rdi
 	call	show
 	movl	1320(%rsp), %eax
 	shrl	%eax
 	movl	%eax, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
-	leaq	.LC189(%rip), %rdi
+	leaq	.LC192(%rip), %rdi
 	call	show
 	leaq	288(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r13, %rcx
-	movsd	.LC190(%rip), %xmm0
+	movsd	.LC193(%rip), %xmm0
 	movq	%rbp, %rdx
 	movq	%rbx, %rsi
 	movl	$240, %edi
 	call	wrc_flange_dimensions@PLT
 	movl	%eax, %edi
-	leaq	.LC191(%rip), %rsi
+	leaq	.LC194(%rip), %rsi
 	call	done
 	movl	$3, %edx
 	movq	%r13, %rsi
-	leaq	.LC192(%rip), %rdi
+	leaq	.LC195(%rip), %rdi
 	call	show
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
@@ -3347,7 +3378,7 @@ experimental:
 	call	wrc_contact_destroy@PLT
 	movq	(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$6872, %rsp
+	addq	$6888, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -3362,24 +3393,24 @@ experimental:
 	leal	1(%rax), %esi
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
-	mulsd	.LC181(%rip), %xmm0
+	mulsd	.LC184(%rip), %xmm0
 	movl	$39, %ecx
 	subl	%eax, %ecx
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%ecx, %xmm1
 	mulsd	%xmm1, %xmm0
-	divsd	.LC182(%rip), %xmm0
+	divsd	.LC185(%rip), %xmm0
 	movsd	%xmm0, (%rdx)
 	movl	%esi, %eax
 	addq	$8, %rdx
 	jmp	.L109
 	.size	experimental, .-experimental
 	.section	.rodata.str1.1
-.LC193:
+.LC196:
 	.string	"%s; %s\n"
-.LC194:
+.LC197:
 	.string	"%d %d\n"
-.LC195:
+.LC198:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -3412,7 +3443,7 @@ main:
 	call	wrc_status_name@PLT
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
-	leaq	.LC193(%rip), %rdi
+	leaq	.LC196(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -3425,7 +3456,7 @@ main:
 	setne	%sil
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
-	leaq	.LC194(%rip), %rdi
+	leaq	.LC197(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
@@ -3433,7 +3464,7 @@ main:
 	call	posed
 	call	given
 	movl	blocks(%rip), %esi
-	leaq	.LC195(%rip), %rdi
+	leaq	.LC198(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
@@ -3612,167 +3643,167 @@ main:
 	.long	810889825
 	.long	1060350250
 	.align 8
-.LC94:
+.LC97:
 	.long	-1917273401
 	.long	1060564998
 	.align 8
-.LC99:
+.LC102:
 	.long	0
 	.long	1079246848
 	.align 8
-.LC101:
+.LC104:
 	.long	0
 	.long	-1074790400
 	.align 8
-.LC102:
+.LC105:
 	.long	0
 	.long	1076035584
 	.align 8
-.LC103:
+.LC106:
 	.long	0
 	.long	1089541888
 	.align 8
-.LC104:
+.LC107:
 	.long	1202590843
 	.long	-1080788255
 	.align 8
-.LC105:
+.LC108:
 	.long	1202590843
 	.long	1066695393
 	.align 8
-.LC106:
+.LC109:
 	.long	1413754136
 	.long	1075388923
 	.align 8
-.LC107:
+.LC110:
 	.long	0
 	.long	1067450368
 	.align 8
-.LC108:
+.LC111:
 	.long	-1998362383
 	.long	1055193269
 	.align 8
-.LC109:
+.LC112:
 	.long	0
 	.long	1064304640
 	.align 8
-.LC110:
+.LC113:
 	.long	858993459
 	.long	1073427251
 	.align 8
-.LC111:
+.LC114:
 	.long	-343597384
 	.long	1067366481
 	.align 8
-.LC112:
+.LC115:
 	.long	-350469331
 	.long	1057634018
 	.align 8
-.LC113:
+.LC116:
 	.long	-1717986918
 	.long	-1080452711
 	.align 8
-.LC114:
+.LC117:
 	.long	0
 	.long	1086492160
 	.align 8
-.LC115:
+.LC118:
 	.long	-1456852907
 	.long	-1078669293
 	.align 8
-.LC116:
+.LC119:
 	.long	-350469331
 	.long	1059731170
 	.align 8
-.LC117:
+.LC120:
 	.long	-755914244
 	.long	1064329805
 	.align 8
-.LC120:
+.LC123:
 	.long	-2147483648
 	.long	1105517715
 	.align 8
-.LC123:
+.LC126:
 	.long	0
 	.long	1078853632
 	.align 8
-.LC127:
+.LC130:
 	.long	0
 	.long	1076625408
 	.align 8
-.LC128:
+.LC131:
 	.long	1202590843
 	.long	-1079739679
 	.align 8
-.LC129:
+.LC132:
 	.long	0
 	.long	1071644672
 	.align 8
-.LC137:
+.LC140:
 	.long	0
 	.long	1078198272
 	.align 8
-.LC140:
+.LC143:
 	.long	343597384
 	.long	1070679982
 	.align 8
-.LC141:
+.LC144:
 	.long	858993459
 	.long	1070805811
 	.align 8
-.LC142:
+.LC145:
 	.long	0
 	.long	1073217536
 	.align 8
-.LC148:
+.LC151:
 	.long	0
 	.long	1100470148
 	.align 8
-.LC149:
+.LC152:
 	.long	0
 	.long	1086224384
 	.align 8
-.LC152:
+.LC155:
 	.long	-350469331
 	.long	1062876898
 	.align 8
-.LC153:
+.LC156:
 	.long	27487791
 	.long	-1081997892
 	.align 8
-.LC154:
+.LC157:
 	.long	1594291861
 	.long	-1081783144
 	.align 8
-.LC171:
+.LC174:
 	.long	-1133871366
 	.long	1062769524
 	.align 8
-.LC176:
+.LC179:
 	.long	1202590843
 	.long	1063549665
 	.align 8
-.LC180:
+.LC183:
 	.long	-652835029
 	.long	1068758990
 	.align 8
-.LC181:
+.LC184:
 	.long	-500134854
 	.long	1044740494
 	.align 8
-.LC182:
+.LC185:
 	.long	0
 	.long	1081671680
 	.align 8
-.LC185:
+.LC188:
 	.long	-1717986918
 	.long	-1078355559
 	.align 8
-.LC186:
+.LC189:
 	.long	0
 	.long	1084178432
 	.align 8
-.LC190:
+.LC193:
 	.long	515396076
 	.long	1068624773
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
