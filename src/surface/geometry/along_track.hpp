@@ -320,7 +320,7 @@ inline double look_along(const PlacedRail& placed, const VaryingRail& rail, std:
            o.ny * (place_of(rail, place, strip, 0) - placed.y[strip]) -
            o.nz * (place_of(rail, place, strip, 1) - placed.z[strip]);
   };
-  // of places on the face the best, and those beside it
+  // the best of the places on the face, and those beside it
   double depth[track_places];
   std::int32_t best = -1;
   for (std::int32_t k = 0; k < track_places; ++k) {

@@ -112,7 +112,7 @@ inline double place_of(const VaryingRail& rail, const PlaceWeights& place, std::
 struct PlacedRail : RailStrips {
   double distance = 0.0;                ///< within the sections [m]
   SectionBlend blend[most_rail_faces];  ///< blend of each face there
-  /// Of each face: how far it reaches along the track from there [m], at most farthest_along.
+  /// How far each face reaches along the track from there [m], at most farthest_along.
   double low[most_rail_faces], high[most_rail_faces];
   PlaceWeights place[most_rail_faces][track_places];
   const double* gain = nullptr;  ///< most that a strip's overlap grows along the track [m]
