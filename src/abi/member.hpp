@@ -95,6 +95,7 @@ constexpr std::size_t place_of(const char* name) {
 
 /// The member of that name, found by the compiler.
 #define MEMBER(Struct, name) \
-  (Description<Struct>::members[std::integral_constant<std::size_t, place_of<Struct>(name)>::value])
+  (wrc::abi::Description<    \
+      Struct>::members[std::integral_constant<std::size_t, wrc::abi::place_of<Struct>(name)>::value])
 
 }  // namespace wrc::abi

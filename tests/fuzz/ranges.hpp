@@ -9,7 +9,6 @@
 namespace hostile {
 
 using wrc::abi::Member;
-using wrc::abi::member;
 
 /// Anywhere in the range, evenly.
 inline double anywhere(Choices& choices, const Member& of) { return choices.between(of.low, of.high); }
