@@ -61,7 +61,7 @@ struct ModelOptions {
   ArraySizes sizes;
   std::int32_t surface_cells = 0;  ///< along each strip of a wheel on a rail
   surface::StripWidths strip_widths;
-  surface::PressureOptions pressure;  ///< of a wheel on a rail
+  surface::PressureOptions pressure;  ///< options of a wheel on a rail
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool non_steady = false;        ///< contacts remember their tractions

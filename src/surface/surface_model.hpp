@@ -51,7 +51,7 @@ struct SurfaceBodies {
   const theory::KalkerTable* ellipse = nullptr;  ///< at the material's Poisson ratio
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
-  StripWidths widths;  ///< of the rail's strips
+  StripWidths widths;  ///< widths of the rail's strips
   PressureOptions pressure;
 };
 
@@ -63,7 +63,7 @@ struct SurfaceModel : SurfaceGeometry {
   StripCoefficientTable coefficients;
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
-  PressureOptions pressure;           ///< of a solution to the end
+  PressureOptions pressure;           ///< options of a solution to the end
   std::int32_t most_overlapping = 0;  ///< overlapping_strips() of its widths
 };
 

@@ -68,7 +68,7 @@ RayBeside<Number> step_along(const Curve& wheel, const RelativePoseOf<Number>& p
   const OnProfile<Number> p = on_profile(piece, end.u);
   const Number radius = root(q[0] * q[0] + q[2] * q[2]), per_radius = Number(1.0) / radius;
   const Number sine = q[0] * per_radius, cosine = q[2] * per_radius;
-  // what is missing of both conditions, and the step of depth and length that takes it away
+  // residuals of both conditions, and the step of depth and length that removes them
   const Number beside = q[1] - p.y, below = radius - p.radius;
   const Number outwards = sine * ray[0] + cosine * ray[2];
   const Number per = Number(1.0) / (p.dy * outwards - p.dz * ray[1]);
@@ -145,8 +145,8 @@ struct StripOverX {
   const Curve& wheel;
   const RelativePoseOf<Number>& pose;
   std::int32_t strip;
-  Number distance;     ///< of the wheel's reference point [m]
-  SectionBlend blend;  ///< of the place looked at last
+  Number distance;     ///< place of the wheel's reference point [m]
+  SectionBlend blend;  ///< sections at the place looked at last
   Number ny, nz;       ///< direction of the rays, into the rail
 
   RayStart<Number> start(const Number& x) {
@@ -190,7 +190,7 @@ inline void find_largest(StripOverX<double>& strip, double low, double high, Lar
     const double x = found.x + smaller(larger(step, -longest), longest);
     const double to = smaller(larger(x, low), high) - found.x;
     found.x += to;
-    // both steps square what they leave
+    // both steps square the residual
     if (magnitude(to) < close && magnitude(moved) < close) break;
     strip.turn(o, from.x);
   }
@@ -391,7 +391,7 @@ void follow_wheel(const OutOfRound& wheel, const RelativePoseOf<Number>& pose, c
     return o.depth - round * off * (0.5 * off + here.slope) + outwards * (deviation - middle);
   };
   const Number half = half_contact(o.depth, round);
-  constexpr double least_of_round = 0.5;  // of the curvature that least_curvature_left is a part of
+  constexpr double least_of_round = 0.5;  // share of the curvature that least_curvature_left is a part of
   fit_parabola(o.depth, side(half), side(-half), half, least_of_round * round, o);
 }
 

@@ -106,7 +106,7 @@ struct OverlapScratch {
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips);
 
 /// All strips with depth > -margin of a round wheel and a rail that is the same all along, in the arrays of
-/// `memory`, whose grade is left alone. `gain`: what each strip's margin is wider by [m]; nullptr: nothing.
+/// `memory`, whose grade is left alone. `gain`: widens each strip's margin [m]; nullptr: by nothing.
 Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                        const RelativePose& pose, double margin, const double* gain,
                        const OverlapScratch& scratch, const Overlaps& memory) noexcept;

@@ -92,7 +92,7 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
 /// Arrays of the strips of a rail.
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz, *angle;
-  double* gain;  ///< of a rail that varies (PlacedRail)
+  double* gain;  ///< for rails that vary (PlacedRail)
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 

@@ -85,7 +85,7 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept {
   // The search, of a round wheel on a rail that is the same all along, is wider by the wheel's largest reach
-  // and by what each strip may gain along the track.
+  // and the overlap that each strip may gain along the track.
   const bool varying = varies(surfaces);
   const double more = varying ? surfaces.out_of_round.largest : 0.0;
   Overlaps o = find_overlaps(*surfaces.kernels, strips_before(surfaces, pose, rail), surfaces.wheel, pose,

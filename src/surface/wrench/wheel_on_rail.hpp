@@ -84,7 +84,7 @@ struct Wrench {
   std::int32_t regions = 0;
   std::int32_t iterations = 0;  ///< number in the normal problem, all solves of the call
   double work = 0.0;            ///< the normal problem's, all solves of the call (PressureOptions::max_work)
-  double residual = 0.0;        ///< of the normal problem at this height (PressureResult)
+  double residual = 0.0;        ///< residual of the normal problem at this height (PressureResult)
   SurfaceRegion region[most_surface_regions];
 };
 
