@@ -61,7 +61,7 @@ mkdir -p out
 "$build/examples_c/creep_curves" out | tee out/creep_curves.txt
 (need_packages python3 python3-matplotlib) || true
 if /usr/bin/python3 -c 'import matplotlib' 2>build/matplotlib.log; then
-  WRC_LIBRARY=$PWD/$build/libwrc.so PYTHONPATH=$PWD/bindings/python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m wrc.paper out |
+  WRC_LIBRARY=$(cd "$build" && pwd)/libwrc.so PYTHONPATH=$PWD/bindings/python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m wrc.paper out |
     tee out/paper.txt
   /usr/bin/python3 examples_c/draw_creep_curves.py out
 else

@@ -287,7 +287,7 @@ static double exact_gap[MOST_CELLS], exact_pressure[MOST_CELLS], traction_x[MOST
 /* Gives the largest local fatigue index. */
 static double write_exact_fields(const wrc_grid* grid, double yield, const char* directory, const char* part,
                                  const char* case_name) {
-  double largest_index = -INFINITY;
+  double largest_index = -1e300;
   FILE* cells = open_csv(directory, part, case_name, "exact", "cells");
   FILE* strips = open_csv(directory, part, case_name, "exact", "strips");
   fprintf(cells,

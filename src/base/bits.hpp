@@ -5,15 +5,17 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/in_loop.hpp"
+
 namespace wrc {
 
-inline std::uint64_t bits_of(double number) noexcept {
+WRC_IN_LOOP std::uint64_t bits_of(double number) noexcept {
   std::uint64_t bits;
   std::memcpy(&bits, &number, sizeof bits);
   return bits;
 }
 
-inline double number_of(std::uint64_t bits) noexcept {
+WRC_IN_LOOP double number_of(std::uint64_t bits) noexcept {
   double number;
   std::memcpy(&number, &bits, sizeof number);
   return number;

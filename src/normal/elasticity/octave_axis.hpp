@@ -18,7 +18,7 @@ struct OctaveAxis {
   int octaves;
   int bits_per_octave;  ///< 2^bits intervals in each octave
 
-  constexpr int intervals() const { return octaves << bits_per_octave; }
+  WRC_IN_LOOP constexpr int intervals() const { return octaves << bits_per_octave; }
 
   /// Node i = 0 .. intervals(), and its bits.
   constexpr double node(int i) const {
@@ -26,7 +26,7 @@ struct OctaveAxis {
     return power_of_two(lowest_exponent + (i >> bits_per_octave)) *
            (1.0 + within * power_of_two(-bits_per_octave));
   }
-  constexpr std::uint64_t node_bits(int i) const {
+  WRC_IN_LOOP constexpr std::uint64_t node_bits(int i) const {
     const auto octave = static_cast<std::int64_t>(i >> bits_per_octave);
     const auto within = static_cast<std::int64_t>(i & ((1 << bits_per_octave) - 1));
     return static_cast<std::uint64_t>((exponent_bias + lowest_exponent + octave) << mantissa_bits |
@@ -66,7 +66,7 @@ struct LogAxis {
   int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
   int octaves;
 
-  constexpr int intervals() const { return octaves * per_octave; }
+  WRC_IN_LOOP constexpr int intervals() const { return octaves * per_octave; }
 
   /// The least number of the axis, and one that lies on it and near its end.
   constexpr double low() const { return power_of_two(lowest_exponent); }
