@@ -9,8 +9,7 @@
 
 #include "kinds.hpp"
 #include "library.hpp"
-#include "test_config.hpp"
-#include "wrc/wrc_offline.h"
+#include "transient_cells.hpp"
 
 namespace compare {
 namespace {
@@ -62,80 +61,53 @@ class Bodies {
   virtual Force go(const Sequence& sequence, const Row& row) = 0;
 };
 
-/// wrc_exact_transient_step() on cells a / n by b / n, borders on the origin.
+/// The exact solver on cells a / n by b / n, borders on the origin.
 class ExactOnCells {
  public:
-  ExactOnCells(const Sequence& q, std::uint32_t n) {
-    // 9 % about the ellipse hold that of 30 % more load
-    const std::uint32_t half = q.of_halfspace ? n + n / 8 : n;
-    grid_.nx = grid_.ny = 2 * half;
-    grid_.dx = q.a / n;
-    grid_.dy = q.b / n;
-    grid_.x0 = -(half - 0.5) * grid_.dx;
-    grid_.y0 = -(half - 0.5) * grid_.dy;
-    if (wrc_exact_transient_create(&grid_, &q.material, &q.material, &transient_, text_, sizeof text_) < 0)
-      throw std::runtime_error(text_);
-    pressure_.resize(std::size_t{grid_.nx} * grid_.ny);
-  }
-  ExactOnCells(const ExactOnCells&) = delete;
-  ExactOnCells& operator=(const ExactOnCells&) = delete;
-  ~ExactOnCells() { wrc_exact_transient_destroy(transient_); }
+  ExactOnCells(const Sequence& q, std::uint32_t n) : cells_(grid_of(q, n), q.material, q.friction) {}
 
   Force go(const Sequence& q, const Row& row) {
-    const int steps = row.direction == 0 ? 1 : static_cast<int>(std::lround(row.rolled / grid_.dx));
+    const double cell = cells_.grid().dx;
+    const int steps = row.direction == 0 ? 1 : static_cast<int>(std::lround(row.rolled / cell));
     if (steps == 0) throw std::runtime_error("a row rolls less than a cell");
-    wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-    problem.collocation = WRC_COLLOCATION_REFERENCE;
-    problem.wheel_material = problem.rail_material = q.material;
-    problem.grid = grid_;
-    problem.pressure = pressure_.data();
-    problem.coefficient = q.friction;
-    problem.creepage.speed = row.direction;
-    problem.creepage.longitudinal = row.shift_x / (steps * grid_.dx);
-    problem.creepage.lateral = row.shift_y / (steps * grid_.dx);
-    problem.creepage.spin = row.turn / (steps * grid_.dx);
-    wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
+    wrc_creepage creepage = wrc_creepage_default();
+    creepage.speed = row.direction;
+    creepage.longitudinal = row.shift_x / (steps * cell);
+    creepage.lateral = row.shift_y / (steps * cell);
+    creepage.spin = row.turn / (steps * cell);
+    wrc_exact_rolling_solution solution{};
     for (int step = 1; step <= steps; ++step) {
       press(q, row.load_before + (row.load - row.load_before) * step / steps);
-      if (wrc_exact_transient_step(transient_, &problem, &solution, text_, sizeof text_) < 0)
-        throw std::runtime_error(text_);
+      solution = cells_.step(creepage);
     }
     return {solution.fx, solution.fy, solution.mz};
   }
 
  private:
+  static wrc_grid grid_of(const Sequence& q, std::uint32_t n) {
+    // 9 % about the ellipse hold that of 30 % more load
+    const std::uint32_t half = q.of_halfspace ? n + n / 8 : n;
+    wrc_grid grid = sized<wrc_grid>();
+    grid.nx = grid.ny = 2 * half;
+    grid.dx = q.a / n;
+    grid.dy = q.b / n;
+    grid.x0 = -(half - 0.5) * grid.dx;
+    grid.y0 = -(half - 0.5) * grid.dy;
+    return grid;
+  }
+
   void press(const Sequence& q, double load) {
     if (load == pressed_) return;
     pressed_ = load;
-    const auto cells = [&](auto value) {
-      for (std::uint32_t j = 0, k = 0; j < grid_.ny; ++j)
-        for (std::uint32_t i = 0; i < grid_.nx; ++i, ++k)
-          pressure_[k] = value(grid_.x0 + i * grid_.dx, grid_.y0 + j * grid_.dy);
-    };
-    if (!q.of_halfspace) {
-      const double peak = 1.5 * load / (pi * q.a * q.b);
-      cells([&](double x, double y) {
-        return peak * std::sqrt(std::fmax(0.0, 1.0 - x * x / (q.a * q.a) - y * y / (q.b * q.b)));
-      });
-      return;
-    }
-    cells([&](double x, double y) { return q.gap_x * x * x + q.gap_y * y * y; });
-    const std::vector<double> gap = pressure_;
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
-    problem.normal_force = load;
-    problem.wheel_material = problem.rail_material = q.material;
-    problem.grid = grid_;
-    problem.gap = gap.data();
-    wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
-    solution.pressure = pressure_.data();
-    if (wrc_exact_normal(&problem, &solution, text_, sizeof text_) < 0) throw std::runtime_error(text_);
+    if (q.of_halfspace) return cells_.press_gap(q.gap_x, q.gap_y, load);
+    const double peak = 1.5 * load / (pi * q.a * q.b);
+    cells_.press([&](double x, double y) {
+      return peak * std::sqrt(std::fmax(0.0, 1.0 - x * x / (q.a * q.a) - y * y / (q.b * q.b)));
+    });
   }
 
-  wrc_grid grid_ = sized<wrc_grid>();
-  wrc_exact_transient* transient_ = nullptr;
-  std::vector<double> pressure_;
-  double pressed_ = 0.0;  ///< load of pressure_ [N]
-  char text_[256] = "";
+  TransientCells cells_;
+  double pressed_ = 0.0;  ///< load that presses [N]
 };
 
 /// The exact solver on the cells of the reference and on cells twice as large: the error of first order
@@ -156,7 +128,7 @@ class Exact : public Bodies {
 /// wrc_planar_tangential() of a model with config.planar.non_steady: a step for every row.
 class Strip : public Bodies {
  public:
-  explicit Strip(const Sequence& q) : solver_(config(q)) {}
+  explicit Strip(const Sequence& q) : solver_(non_steady_config(q.material)) {}
 
   Force go(const Sequence& q, const Row& row) override {
     // under Hertz's pressure the ellipse grows with the load
@@ -182,12 +154,6 @@ class Strip : public Bodies {
   }
 
  private:
-  static wrc_config config(const Sequence& q) {
-    wrc_config config = test_config();
-    config.wheel_material = config.rail_material = q.material;
-    config.planar.non_steady = 1;
-    return config;
-  }
   Solver solver_;
 };
 

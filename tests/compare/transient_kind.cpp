@@ -9,8 +9,7 @@
 
 #include "kinds.hpp"
 #include "library.hpp"
-#include "test_config.hpp"
-#include "wrc/wrc_offline.h"
+#include "transient_cells.hpp"
 
 namespace compare {
 namespace {
@@ -89,88 +88,56 @@ class Roller {
   virtual Force roll(const Sequence& sequence, double s) = 0;
 };
 
-/// wrc_exact_transient_step() on the reference's own cells: a step long, b / 28 wide, borders on the origin.
+/// The exact solver on the reference's own cells: a step long, b / 28 wide, borders on the origin.
 class Exact : public Roller {
  public:
-  explicit Exact(const Sequence& q) {
-    grid_.dx = q.step;
-    grid_.dy = q.shape.b / 28.0;
-    const double margin = std::cbrt(1.0 + std::fabs(q.load_amplitude));
-    const auto cells = [](double length, double cell) {
-      return static_cast<std::uint32_t>(std::ceil(length / cell - 1e-3)) + 1;
-    };
-    const std::uint32_t ahead = cells(margin * q.shape.a, grid_.dx);
-    const std::uint32_t right = cells(margin * q.shape.b * (1.0 - q.shape.psi), grid_.dy);
-    const std::uint32_t left = cells(margin * q.shape.b * (1.0 + q.shape.psi), grid_.dy);
-    grid_.nx = 2 * ahead;
-    grid_.ny = left + right;
-    grid_.x0 = -(ahead - 0.5) * grid_.dx;
-    grid_.y0 = -(right - 0.5) * grid_.dy;
-    if (wrc_exact_transient_create(&grid_, &q.material, &q.material, &transient_, text_, sizeof text_) < 0)
-      throw std::runtime_error(text_);
-    pressure_.resize(std::size_t{grid_.nx} * grid_.ny);
+  explicit Exact(const Sequence& q) : cells_(grid_of(q), q.material, q.friction) {
     if (q.load_amplitude == 0.0) press(q, 0.0);
   }
-  Exact(const Exact&) = delete;
-  Exact& operator=(const Exact&) = delete;
-  ~Exact() override { wrc_exact_transient_destroy(transient_); }
 
   Force roll(const Sequence& q, double s) override {
     if (q.load_amplitude != 0.0) press(q, s);
-    wrc_exact_rolling_problem problem = wrc_exact_rolling_problem_default();
-    problem.collocation = WRC_COLLOCATION_REFERENCE;
-    problem.wheel_material = problem.rail_material = q.material;
-    problem.grid = grid_;
-    problem.pressure = pressure_.data();
-    problem.coefficient = q.friction;
-    problem.creepage = q.creepage(s - 0.5 * q.step);
-    wrc_exact_rolling_solution solution = sized<wrc_exact_rolling_solution>();
-    if (wrc_exact_transient_step(transient_, &problem, &solution, text_, sizeof text_) < 0)
-      throw std::runtime_error(text_);
+    const wrc_exact_rolling_solution solution = cells_.step(q.creepage(s - 0.5 * q.step));
     return {solution.fx, solution.fy};
   }
 
  private:
+  static wrc_grid grid_of(const Sequence& q) {
+    wrc_grid grid = sized<wrc_grid>();
+    grid.dx = q.step;
+    grid.dy = q.shape.b / 28.0;
+    const double margin = std::cbrt(1.0 + std::fabs(q.load_amplitude));
+    const auto cells = [](double length, double cell) {
+      return static_cast<std::uint32_t>(std::ceil(length / cell - 1e-3)) + 1;
+    };
+    const std::uint32_t ahead = cells(margin * q.shape.a, grid.dx);
+    const std::uint32_t right = cells(margin * q.shape.b * (1.0 - q.shape.psi), grid.dy);
+    const std::uint32_t left = cells(margin * q.shape.b * (1.0 + q.shape.psi), grid.dy);
+    grid.nx = 2 * ahead;
+    grid.ny = left + right;
+    grid.x0 = -(ahead - 0.5) * grid.dx;
+    grid.y0 = -(right - 0.5) * grid.dy;
+    return grid;
+  }
+
   /// The pressure at the load at `s`.
   void press(const Sequence& q, double s) {
-    if (!q.ellipse) {
-      const double peak = 1.5 * q.load(s) / (pi * q.shape.a * q.shape.b);
-      for_each([&](double x, double y) {
-        const double eta = y / (q.shape.b * (1.0 + (y > 0.0 ? q.shape.psi : -q.shape.psi)));
-        const double xi = x / q.shape.a;
-        return peak * std::sqrt(std::fmax(0.0, 1.0 - xi * xi - eta * eta));
-      });
-      return;
-    }
-    for_each([&](double x, double y) { return q.gap_x * x * x + q.gap_y * y * y; });
-    const std::vector<double> gap = pressure_;
-    wrc_exact_normal_problem problem = wrc_exact_normal_problem_default();
-    problem.normal_force = q.load(s);
-    problem.wheel_material = problem.rail_material = q.material;
-    problem.grid = grid_;
-    problem.gap = gap.data();
-    wrc_exact_normal_solution solution = sized<wrc_exact_normal_solution>();
-    solution.pressure = pressure_.data();
-    if (wrc_exact_normal(&problem, &solution, text_, sizeof text_) < 0) throw std::runtime_error(text_);
+    if (q.ellipse) return cells_.press_gap(q.gap_x, q.gap_y, q.load(s));
+    const double peak = 1.5 * q.load(s) / (pi * q.shape.a * q.shape.b);
+    cells_.press([&](double x, double y) {
+      const double eta = y / (q.shape.b * (1.0 + (y > 0.0 ? q.shape.psi : -q.shape.psi)));
+      const double xi = x / q.shape.a;
+      return peak * std::sqrt(std::fmax(0.0, 1.0 - xi * xi - eta * eta));
+    });
   }
 
-  template <class Value>
-  void for_each(Value value) {
-    for (std::uint32_t j = 0, k = 0; j < grid_.ny; ++j)
-      for (std::uint32_t i = 0; i < grid_.nx; ++i, ++k)
-        pressure_[k] = value(grid_.x0 + i * grid_.dx, grid_.y0 + j * grid_.dy);
-  }
-
-  wrc_grid grid_ = sized<wrc_grid>();
-  wrc_exact_transient* transient_ = nullptr;
-  std::vector<double> pressure_;
-  char text_[256] = "";
+  TransientCells cells_;
 };
 
 /// wrc_planar_tangential() of a model with config.planar.non_steady.
 class Strip : public Roller {
  public:
-  explicit Strip(const Sequence& q) : solver_(config(q)) {}
+  explicit Strip(const Sequence& q) : solver_(non_steady_config(q.material)) {}
 
   Force roll(const Sequence& q, double s) override {
     const wrc_ellipse patch = q.patch(s);
@@ -185,12 +152,6 @@ class Strip : public Roller {
   }
 
  private:
-  static wrc_config config(const Sequence& q) {
-    wrc_config config = test_config();
-    config.wheel_material = config.rail_material = q.material;
-    config.planar.non_steady = 1;
-    return config;
-  }
   Solver solver_;
 };
 
