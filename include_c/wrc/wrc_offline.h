@@ -264,8 +264,8 @@ WRC_API int32_t wrc_exact_largest_stresses(const wrc_exact_loads* loads, const d
 
 /** @name Non-steady rolling
  *
- * In each step the bodies roll on by r = 1 cells, back by one (r = -1), or rest (r = 0), under pressure, friction and creepages of
- * that step. Displacements of before stay with them: s(x) = w + (u(x) - u_before(x + r dx)) / dx (Kalker 1990; CONTACT's T = 2 with
+ * In each step the bodies roll on by r = 1 cells, back by one (r = -1), or rest (r = 0). Pressure, friction and creepages are those
+ * of the step. Displacements of before stay with them: s(x) = w + (u(x) - u_before(x + r dx)) / dx (Kalker 1990; CONTACT's T = 2 with
  * dq = dx, at rest its T = 1). Creepages times grid.dx are the rigid displacement of the wheel over the rail in the step, rolling
  * either way or at rest. Conditions that stay the same end in wrc_exact_rolling(), or in its mirror image. Loads and shifts at rest
  * are those of Cattaneo and Mindlin.

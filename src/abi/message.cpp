@@ -29,7 +29,8 @@ struct Decimal {
       for (; scaled / power >= 10.0; ++exponent) power *= 10.0;
     else
       for (; scaled * power < 1.0; --exponent) power *= 10.0;
-    auto rounded = static_cast<std::int32_t>((scaled >= 1.0 ? scaled / power : scaled * power) * 1e5 + 0.5);
+    auto rounded =
+        static_cast<std::int32_t>(std::floor((scaled >= 1.0 ? scaled / power : scaled * power) * 1e5 + 0.5));
     if (rounded == 1000000) {
       rounded = 100000;
       ++exponent;

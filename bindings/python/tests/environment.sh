@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the Python tests need from PyPI, in build/venv: numpy, matplotlib, pytest, scikit-build-core, scipy, dask, pyarrow,
-# Exudyn, pandas, mypy, basedpyright; for checks of the house codespell, conan, py-rattler-build; 800 MB. WRC_HOST_PYTHON names
+# Exudyn, pandas with its types, mypy, basedpyright; for checks of the house codespell, conan, py-rattler-build; 800 MB. WRC_HOST_PYTHON names
 # another Python that has them.
 #   environment.sh install                    makes it where something is missing; not with WRC_NO_INSTALL=1
 #   environment.sh test LIBRARY FOLDER [...]  builds the wheel of that libwrc.so, installs it in an empty virtual environment
@@ -11,7 +11,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 venv=$here/../../../build/venv
 python=${WRC_HOST_PYTHON:-$venv/bin/python}
-needed="numpy matplotlib pytest scikit_build_core scipy dask distributed pyarrow exudyn pandas mypy basedpyright"
+needed="numpy matplotlib pytest scikit_build_core scipy dask distributed pyarrow exudyn pandas pandas-stubs mypy basedpyright"
 there() { [ -x "$(command -v "$python")" ] && "$python" -c "import importlib.util as u, sys; sys.exit(any(u.find_spec(n) is None for n in sys.argv[1:]))" $needed 2>/dev/null; }
 
 # The wheel in an environment of its own: third-party packages come from build/venv, wrc from the wheel alone.
@@ -39,7 +39,7 @@ case ${1:-} in
     fi
     echo "Installing Python packages from PyPI into build/venv (WRC_NO_INSTALL=1 prevents it)"
     if ! { python3 -m venv "$venv" && "$venv/bin/python" -m pip install -q --disable-pip-version-check numpy matplotlib pytest \
-             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6 pandas mypy basedpyright codespell conan \
+             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6 pandas pandas-stubs mypy basedpyright codespell conan \
              py-rattler-build; }; then
       echo "Python packages could not be installed from PyPI: the tests of the Python package are skipped."
     fi

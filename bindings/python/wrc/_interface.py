@@ -3442,7 +3442,7 @@ class ContactCalls(_l.Handle):
     def planar_roll(self, distance: float) -> None:
         """Tells a contact of a model with config.planar.non_steady how far it has rolled since its last
             tangential stage. Distances add up. The next Contact.planar_tangential() takes them: every
-            particle brings along its traction, pressure is that of the end, and creepages times the distance
+            particle brings along its traction, and pressure is that of the end. Creepages times the distance
             are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
             rolling. With speed 0 the wheel rests, and the displacement is a shift. Over four lengths of the
             patch rolling is steady. A contact begins without tractions, also after the bodies have been

@@ -375,7 +375,7 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   placed.high[f] = last < rail.end ? smaller(last - placed.distance, farthest_along) : farthest_along;
   for (std::int32_t k = 0; k < track_places; ++k) {
     PlaceWeights& place = placed.place[f][k];
-    place.x = place_apart * (k - track_places / 2);
+    place.x = place_apart * (k - places_to_a_side);
     const SectionBlend b = blend_at(rail, face, placed.distance + place.x, 0);
     place.left = b.left;
     place.right = b.right;

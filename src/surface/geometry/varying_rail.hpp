@@ -87,9 +87,9 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
 
 /// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first,
 /// and how far apart they are: to 60 mm either side [m].
-inline constexpr std::int32_t track_places = 13;
+inline constexpr std::int32_t places_to_a_side = 6, track_places = 2 * places_to_a_side + 1;
 inline constexpr double place_apart = 10e-3;
-inline constexpr double farthest_along = place_apart * (track_places / 2);
+inline constexpr double farthest_along = place_apart * places_to_a_side;
 
 /// A place along the track: weights of values and slopes of two sections there (SectionBlend).
 struct PlaceWeights {
