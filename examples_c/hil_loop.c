@@ -1,7 +1,7 @@
 /* hil_loop.c - hardware in the loop: a vehicle of eight wheels on rough track, a step every half millisecond.
  *
- *   hil_loop [SECONDS [PRESET [FILE.csv]]]     2 seconds; PRESET is a name of wrc_config_use(), "-" none; the file gets one
- *                                              row per cycle, for draw_hil_loop.py
+ *   hil_loop [SECONDS [PRESET [FILE.csv]]]     2 seconds; PRESET is a name of wrc_config_use() ["real time"]; the
+ *                                              file gets one row per cycle, for draw_hil_loop.py
  *
  * Before the loop: model and contacts are made, the height at which the wheelsets stand is found, memory is
  * locked, the threads ask for a real-time priority. In the loop: sleep until an absolute time; the wrench of
@@ -68,7 +68,7 @@ static int make_vehicle(wrc_model** model, const char* preset) {
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 1.0 / 40.0;
   char why[512] = "";
-  int good = preset == NULL || wrc_config_use(&config, preset, why, sizeof why) >= 0;
+  int good = wrc_config_use(&config, preset, why, sizeof why) >= 0;
   good = good && wrc_model_create(&config, NULL, model, why, sizeof why) >= 0;
   wrc_wheel_input input = wrc_wheel_input_default();
   input.wheel.velocity[0] = speed;
@@ -78,7 +78,7 @@ static int make_vehicle(wrc_model** model, const char* preset) {
     for (int side = 0; side < wheels && good; ++side)
       good = wrc_contact_create(*model, side, NULL, &set->contact[side], why, sizeof why) >= 0;
     set->input = input;
-    set->input.start = WRC_START_WARM; /* for a fixed step that takes every result */
+    set->input.start = WRC_START_MARK; /* from the step before */
     set->x = i / sets * -15.0 + (i % sets == 0 ? half_base : -half_base);
   }
   if (!good) {
@@ -128,6 +128,7 @@ static void move_wheelset(bogie* under, wheelset* set, double x, double step, do
     wrc_wrench wrench = {.struct_size = sizeof wrench};
     lay_track(x + set->x, side, &set->input.rail);
     const int32_t status = wrc_contact_wrench(set->contact[side], &set->input, &wrench);
+    wrc_contact_mark(set->contact[side]); /* a fixed step takes every result */
     under->failed += status < 0;
     under->flagged += status > WRC_FLAG_NO_CONTACT;
     under->regions += wrench.region_count;
@@ -352,7 +353,7 @@ int main(int argc, char** argv) {
   cycle* const cycles = calloc((size_t)count, sizeof *cycles);
   double* const room = calloc((size_t)count, sizeof *room);
   if (cycles == NULL || room == NULL) stop("out of memory");
-  if (!make_vehicle(&model, argc > 2 && strcmp(argv[2], "-") != 0 ? argv[2] : NULL)) stop("no vehicle");
+  if (!make_vehicle(&model, argc > 2 ? argv[2] : "real time")) stop("no vehicle");
   ask_for_real_time(); /* the second thread inherits it */
   if (sem_init(&second.told, 0, 0) != 0 || pthread_create(&second.thread, NULL, run_second, NULL) != 0)
     stop("no second thread");

@@ -67,9 +67,9 @@ class Case {
       s.nz[i] = 1.0;
     }
   }
-  std::int32_t start(const surface::PressureOptions& options) {
+  std::int32_t start(std::int32_t most = surface::usual_iterations) {
     load();
-    return surface::start_from_overlaps(problem(), overlaps_, options, w);
+    return surface::start_from_overlaps(problem(), overlaps_, options.max_work, w, most);
   }
   surface::PressureProblem problem() const {
     return {kernels_for(best_instruction_set()),
@@ -78,6 +78,7 @@ class Case {
   }
 
   surface::PressureScratch w;
+  surface::PressureOptions options;
   const patch::Material steel = {82e9, 0.28};
 
  private:
@@ -94,12 +95,6 @@ double load_of(const surface::StripSet& s) {
   return load;
 }
 
-surface::PressureOptions at_most(std::int32_t iterations) {
-  surface::PressureOptions options;
-  options.max_iterations = iterations;
-  return options;
-}
-
 void print_iteration(const char* stage, std::int32_t k, const surface::StripSet& s,
                      const surface::PressureScratch& w, double end) {
   double longest = 0.0, aside = 0.0;
@@ -114,23 +109,23 @@ void print_iteration(const char* stage, std::int32_t k, const surface::StripSet&
 void trace(double A, double B, double degrees, double approach) {
   Case c(A, B, degrees, approach);
   const surface::PressureProblem problem = c.problem();
-  c.start({});
-  const surface::PressureResult result =
-      surface::iterate(problem, c.w.fine, surface::PressureOptions{}.tolerance, surface::any_change, {}, c.w);
+  c.start();
+  surface::IterationLimits limits{c.options.tolerance, surface::any_change, c.options.max_work};
+  const surface::PressureResult result = surface::iterate(problem, c.w.fine, limits, c.w);
   const double end = load_of(c.w.fine);
   const normal::HertzEllipse hertz = normal::hertz_ellipse(A, B, approach, c.steel.normal_compliance());
   std::printf("Hertz: %.3f N, half axes %.4f and %.4f mm\n\n", hertz.normal_force, 1e3 * hertz.a,
               1e3 * hertz.b);
   std::printf("stage   k  active  moved/area       load N  from the end  longest l  largest shift (mm)\n");
   for (std::int32_t k = 1;; ++k) {
-    const bool ended = c.start(at_most(k)) < k;
+    const bool ended = c.start(k) < k;
     if (ended) break;
     print_iteration("half", k, c.w.coarse, c.w, end);
   }
   for (std::int32_t k = 1; k <= result.iterations; ++k) {
-    c.start({});
-    surface::iterate(problem, c.w.fine, surface::PressureOptions{}.tolerance, surface::any_change, at_most(k),
-                     c.w);
+    c.start();
+    limits.most = k;
+    surface::iterate(problem, c.w.fine, limits, c.w);
     print_iteration("full", k, c.w.fine, c.w, end);
   }
   std::printf("\n   s mm     d um     W mm     c mm     l mm   lambda MPa/mm   q N/mm   peak MPa\n");
@@ -150,9 +145,8 @@ void print_map(double A, double B) {
   Case c(A, B, 0.0, 60e-6);
   const surface::PressureProblem problem = c.problem();
   surface::StripSet& s = c.w.fine;
-  c.start({});
-  surface::PressureOptions exact;
-  surface::iterate(problem, s, 1e-11, surface::any_change, exact, c.w);
+  c.start();
+  surface::iterate(problem, s, {1e-11, surface::any_change, c.options.max_work}, c.w);
   const auto n = static_cast<std::size_t>(s.count);
   const std::vector<double> solution(s.L, s.L + n);
   const auto strips = std::count_if(solution.begin(), solution.end(), [](double L) { return L > 0.0; });

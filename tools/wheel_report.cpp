@@ -59,7 +59,7 @@ double at_share(std::vector<double> all, double share) {
 
 class Random {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit Random(unsigned long seed) : engine_(seed) {}
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
@@ -87,69 +87,150 @@ bool finite(const wrc_wrench& wrench) {
   return std::isfinite(sum);
 }
 
-int poses(Pairs& pairs, long count, unsigned seed) {
-  constexpr long heights = 10;  ///< to a pose
-  Random random(seed);
-  std::map<std::string, long> statuses;
-  std::vector<double> sweeps[2];
-  long in_contact = 0, not_finite = 0, without_height = 0, most_regions = 0;
-  double sum = 0.0;
-  for (long done = 0; done < count; done += heights) {
-    PairOptions options;
-    const auto& profiles = pairs_of_profiles[random.below(std::size(pairs_of_profiles))];
-    options.wheel = profiles.wheel;
-    options.rail = profiles.rail;
-    options.side = random.one_in(2) ? WRC_SIDE_LEFT : WRC_SIDE_RIGHT;
-    wrc_contact* const contact = pairs.of(options).contact();
-    wrc_wheel_input input = wrc_wheel_input_default();
-    input.wheel.y = random.between(-15e-3, 15e-3);
-    input.wheel.roll = random.between(-40e-3, 40e-3);
-    input.wheel.yaw = random.between(-40e-3, 40e-3);
-    const double deepest = height_for(contact, input, 150e3);
-    if (deepest == 0.0) {
-      ++without_height;
-      continue;
-    }
-    for (long k = 0; k < heights; ++k) {
-      const double speed = random.between(1.0, 100.0), slip = std::pow(10.0, random.between(-4.0, -2.0));
-      input.wheel.z = deepest + random.between(-0.6e-3, 0.0);
-      input.wheel.velocity[0] = speed;
-      input.wheel.velocity[1] = random.between(-slip, slip) * speed;
-      input.wheel.angular_axes = WRC_AXES_TRACK;
-      input.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random.between(-slip, slip));
-      input.friction.coefficient = random.between(0.1, 0.6);
-      input.start = random.one_in(2) ? WRC_START_COLD : WRC_START_WARM;
-      wrc_wrench wrench = sized<wrc_wrench>();
-      const int32_t status = wrc_contact_wrench(contact, &input, &wrench);
-      ++statuses[wrc_status_name(status)];
-      not_finite += finite(wrench) ? 0 : 1;
-      most_regions = std::max<long>(most_regions, wrench.region_count);
-      sum += wrench.force[0] + wrench.force[1] + wrench.force[2];
-      if (wrench.normal_force > 0.0) {
-        ++in_contact;
-        sweeps[input.start].push_back(wrench.iterations);
-      }
-    }
-    if (done / heights % 1000 == 0) std::fprintf(stderr, "\r%ld of %ld", done, count);
-  }
-  std::fprintf(stderr, "\r%40s\r", "");
-  std::printf(
-      "%ld calls, %ld in contact, %ld not finite, at most %ld regions; %ld poses carry 150 kN nowhere\n",
-      count - heights * without_height, in_contact, not_finite, most_regions, without_height);
-  for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
-  for (const int32_t start : {WRC_START_WARM, WRC_START_COLD})
-    std::printf("sweeps, %-22s 50 %% %g  99 %% %g  99.9 %% %g  most %g\n",
-                start == WRC_START_COLD ? "anew" : "from another pose's", at_share(sweeps[start], 0.5),
-                at_share(sweeps[start], 0.99), at_share(sweeps[start], 0.999), at_share(sweeps[start], 1.0));
-  std::printf("sum of forces %.9e N\n", sum);
-  return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
-}
-
 /// Time of the processor [us].
 double microseconds_of(auto&& work) {
   const double begin = processor_time();
   work();
   return processor_time() - begin;
+}
+
+/// Ten heights at one random pose, drawn from the group's own numbers: a group is repeated by itself.
+class PoseGroup {
+ public:
+  static constexpr long heights = 10;
+
+  PoseGroup(Pairs& pairs, unsigned long seed, long group)
+      : random_(seed + (static_cast<unsigned long>(group) << 20)) {
+    PairOptions options;
+    const auto& profiles = pairs_of_profiles[random_.below(std::size(pairs_of_profiles))];
+    options.wheel = profiles.wheel;
+    options.rail = profiles.rail;
+    options.side = random_.one_in(2) ? WRC_SIDE_LEFT : WRC_SIDE_RIGHT;
+    contact_ = pairs.of(options).contact();
+    input_.wheel.y = random_.between(-15e-3, 15e-3);
+    input_.wheel.roll = random_.between(-40e-3, 40e-3);
+    input_.wheel.yaw = random_.between(-40e-3, 40e-3);
+    deepest_ = height_for(contact_, input_, 150e3);
+    overloaded_ = group % 10 == 9;
+  }
+
+  wrc_contact* contact() const { return contact_; }
+  bool carries() const { return deepest_ != 0.0; }
+
+  /// The input of the k-th call, called in order: the first is anew, half of the others from the one before.
+  const wrc_wheel_input& next(long k) {
+    const double speed = random_.between(1.0, 100.0), slip = std::pow(10.0, random_.between(-4.0, -2.0));
+    input_.wheel.z = deepest_ + (overloaded_ ? random_.between(0.0, 1.5e-3) : random_.between(-0.6e-3, 0.0));
+    input_.wheel.velocity[0] = speed;
+    input_.wheel.velocity[1] = random_.between(-slip, slip) * speed;
+    input_.wheel.angular_axes = WRC_AXES_TRACK;
+    input_.wheel.angular_velocity[1] = -speed / 0.46 * (1.0 + random_.between(-slip, slip));
+    input_.friction.coefficient = random_.between(0.1, 0.6);
+    const bool warm = random_.one_in(2);
+    input_.start = k > 0 && warm ? WRC_START_WARM : WRC_START_COLD;
+    return input_;
+  }
+
+ private:
+  Random random_;
+  wrc_contact* contact_ = nullptr;
+  wrc_wheel_input input_ = wrc_wheel_input_default();
+  double deepest_ = 0.0;     ///< height that carries 150 kN [m]
+  bool overloaded_ = false;  ///< heights are below that
+};
+
+/// Calls of one class of poses: by normal force and start.
+struct PoseClass {
+  std::vector<double> iterations, work, time;
+  long capped = 0, slowest = 0;  ///< number flagged; group of the most work
+
+  void take(const wrc_wrench& wrench, double took, bool cap, long group) {
+    if (work.empty() || wrench.work > most_) {
+      most_ = wrench.work;
+      slowest = group;
+    }
+    iterations.push_back(wrench.iterations);
+    work.push_back(wrench.work);
+    time.push_back(took);
+    capped += cap ? 1 : 0;
+  }
+
+ private:
+  double most_ = 0.0;
+};
+
+constexpr double class_borders[] = {5e3, 20e3, 50e3, 150e3, 1e6};  // normal force [N]
+constexpr std::size_t load_classes = std::size(class_borders) + 1;
+
+/// Says what a capped call was.
+void print_call(const char* what, long group, long k, const wrc_wheel_input& input,
+                const wrc_wrench& wrench) {
+  std::printf(
+      "  %s: group %ld, call %ld, %s: y %.3f mm, roll %.2f, yaw %.2f mrad, %.1f kN, %d iterations, work "
+      "%.0f, residual %.1e\n",
+      what, group, k, input.start == WRC_START_COLD ? "anew" : "from the one before", 1e3 * input.wheel.y,
+      1e3 * input.wheel.roll, 1e3 * input.wheel.yaw, 1e-3 * wrench.normal_force, wrench.iterations,
+      wrench.work, wrench.residual);
+}
+
+int poses(Pairs& pairs, long count, unsigned seed, long only) {
+  std::map<std::string, long> statuses;
+  PoseClass classes[2][load_classes];
+  long in_contact = 0, not_finite = 0, without_height = 0, most_regions = 0, calls = 0;
+  double sum = 0.0;
+  const long first = only < 0 ? 0 : only, last = only < 0 ? count / PoseGroup::heights : only + 1;
+  for (long group = first; group < last; ++group) {
+    PoseGroup poses(pairs, seed, group);
+    if (!poses.carries()) {
+      ++without_height;
+      continue;
+    }
+    for (long k = 0; k < PoseGroup::heights; ++k, ++calls) {
+      const wrc_wheel_input& input = poses.next(k);
+      wrc_wrench wrench = sized<wrc_wrench>();
+      int32_t status = 0;
+      const double took =
+          microseconds_of([&] { status = wrc_contact_wrench(poses.contact(), &input, &wrench); });
+      ++statuses[wrc_status_name(status)];
+      const bool capped = status == WRC_FLAG_ITERATION_CAP;
+      if (capped || only >= 0) print_call(capped ? "capped" : "call", group, k, input, wrench);
+      not_finite += finite(wrench) ? 0 : 1;
+      most_regions = std::max<long>(most_regions, wrench.region_count);
+      sum += wrench.force[0] + wrench.force[1] + wrench.force[2];
+      if (!(wrench.normal_force > 0.0)) continue;
+      ++in_contact;
+      const auto load =
+          std::lower_bound(std::begin(class_borders), std::end(class_borders), wrench.normal_force) -
+          std::begin(class_borders);
+      classes[input.start == WRC_START_COLD ? 0 : 1][load].take(wrench, took, capped, group);
+    }
+    if (group % 1000 == 0) std::fprintf(stderr, "\r%ld of %ld", group, last);
+  }
+  std::fprintf(stderr, "\r%40s\r", "");
+  std::printf(
+      "%ld calls, %ld in contact, %ld not finite, at most %ld regions; %ld poses carry 150 kN nowhere\n",
+      calls, in_contact, not_finite, most_regions, without_height);
+  for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
+  double slowest = 0.0;
+  for (const int warm : {0, 1})
+    for (std::size_t load = 0; load < load_classes; ++load) {
+      const PoseClass& c = classes[warm][load];
+      if (c.work.empty()) continue;
+      const double median = at_share(c.work, 0.5), most = at_share(c.work, 1.0);
+      std::printf(
+          "%-10s %s %6.0f kN: %7zu calls, %ld capped; iterations 50 %% %g  99.9 %% %g  most %g; work 50 %% "
+          "%.0f  99.9 %% %.1f  "
+          "most %.1f of it (group %ld); 50 %% %.1f us  99.9 %% %.1f of it\n",
+          warm ? "from last" : "anew", load < std::size(class_borders) ? "to" : "above",
+          1e-3 * class_borders[std::min(load, std::size(class_borders) - 1)], c.work.size(), c.capped,
+          at_share(c.iterations, 0.5), at_share(c.iterations, 0.999), at_share(c.iterations, 1.0), median,
+          at_share(c.work, 0.999) / median, most / median, c.slowest, at_share(c.time, 0.5),
+          at_share(c.time, 0.999) / at_share(c.time, 0.5));
+      slowest = std::max(slowest, most / median);
+    }
+  std::printf("most work of a call %.1f of the median of its class\n", slowest);
+  std::printf("sum of forces %.9e N\n", sum);
+  return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
 
 /// Sweeps and times of a way to call.
@@ -542,7 +623,8 @@ int main(int argc, char** argv) {
     Pairs pairs(file, setting);
     if (what == "poses")
       return poses(pairs, argc > 2 ? std::atol(argv[2]) : 20000,
-                   argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
+                   argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U,
+                   argc > 4 ? std::atol(argv[4]) : -1);
     if (what == "lines") return lines(pairs);
     if (what == "branches" && argc > 5)
       return branches(pairs, 1e-3 * std::atof(argv[2]), 1e-3 * std::atof(argv[3]), 1e3 * std::atof(argv[4]),

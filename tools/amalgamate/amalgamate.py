@@ -28,7 +28,7 @@ HEAD = """\
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
 #error "excess precision changes results: compile wrc for SSE2, for example with -msse2 -mfpmath=sse"
 #endif
-// Products and sums are not fused, whatever the flags.
+// Products and sums are not fused, whatever the flags; but for -ffp-contract=fast of clang, which disregards this.
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)

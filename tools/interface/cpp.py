@@ -1,6 +1,7 @@
 """The library's own tables: what each member of each struct may be, the init functions."""
 import dataclasses
 import os
+import re
 
 import grammar
 import growth
@@ -58,6 +59,12 @@ def description(struct, told, interface, described):
     lines += ["  };", "};", f"static_assert(!pointers_of_64_bits || sizeof({struct}) == {interface.structs[struct].size}, "
               '"run tools/interface/describe.py");', ""]
     return lines
+
+
+def lowest(one, told):
+    """The lower end of a range; of a member that holds the size of a struct, that struct's first size."""
+    struct = re.match(r"sizeof\((\w+)\)", told.sentence)
+    return f"first_size<{struct.group(1)}>({one.low})" if struct else one.low
 
 
 def default(told, interface):
@@ -122,7 +129,7 @@ def row(struct, path, told, rows, interface, described):
     beside = [each for other, each in rows if other.rpartition(".")[0] == here]
     if told.ranges:
         one = told.ranges[0]
-        fields += [("low", one.low), ("high", highest(one, described))]
+        fields += [("low", lowest(one, told)), ("high", highest(one, described))]
         if one.or_zero:
             fields.append(("or_zero", "true"))
     unit = "" if told.unit == "-" else told.unit

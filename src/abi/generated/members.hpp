@@ -659,7 +659,7 @@ struct Description<wrc_config> {
       {.name = "check_rail.profile.reserved", .offset = offsetof(wrc_config, check_rail.profile.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "check_rail.reserved", .offset = offsetof(wrc_config, check_rail.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "rail_section_count", .offset = offsetof(wrc_config, rail_section_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
-      {.name = "rail_section_size", .offset = offsetof(wrc_config, rail_section_size), .type = Type::uint32, .rule = Rule::range, .low = 168, .high = 4096, .or_zero = true, .too_small = "say sizeof(wrc_rail_section)", .too_large = "say sizeof(wrc_rail_section)"},
+      {.name = "rail_section_size", .offset = offsetof(wrc_config, rail_section_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_rail_section>(168), .high = 4096, .or_zero = true, .too_small = "say sizeof(wrc_rail_section)", .too_large = "say sizeof(wrc_rail_section)"},
       {.name = "rail_sections", .offset = offsetof(wrc_config, rail_sections), .type = Type::pointer, .rule = Rule::none, .required = true, .asked = offsetof(wrc_config, rail_section_count), .state = State::not_zero, .counted_by = offsetof(wrc_config, rail_section_count)},
   };
 };
@@ -1735,7 +1735,7 @@ struct Description<wrc_damage_bins> {
       {.name = "first", .offset = offsetof(wrc_damage_bins, first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "width", .offset = offsetof(wrc_damage_bins, width), .type = Type::real, .rule = Rule::range, .low = 1e-5, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "row_count", .offset = offsetof(wrc_damage_bins, row_count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1000000},
-      {.name = "bin_size", .offset = offsetof(wrc_damage_bins, bin_size), .type = Type::uint32, .rule = Rule::range, .low = 312, .high = 4096, .too_small = "say sizeof(wrc_damage_bin)", .too_large = "say sizeof(wrc_damage_bin)", .not_set = "was it set? its default is 0"},
+      {.name = "bin_size", .offset = offsetof(wrc_damage_bins, bin_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_damage_bin>(312), .high = 4096, .too_small = "say sizeof(wrc_damage_bin)", .too_large = "say sizeof(wrc_damage_bin)", .not_set = "was it set? its default is 0"},
       {.name = "row_first", .offset = offsetof(wrc_damage_bins, row_first), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
       {.name = "row_length", .offset = offsetof(wrc_damage_bins, row_length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .or_zero = true, .unit = "m", .negative = "rows follow the track"},
       {.name = "bins", .offset = offsetof(wrc_damage_bins, bins), .type = Type::pointer, .rule = Rule::none},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/number.hpp"
+
 namespace wrc::surface {
 namespace {
 
@@ -148,9 +150,16 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
     double u = 0.0;
     for (std::int32_t a = 0; a < n; ++a) u += row[a] * w.solution[a];
     // The margin of rounding keeps a strip that just touches from entering and leaving in turn.
-    if (u < overlap_at_centre(s, i) * (1.0 - 1e-12)) {
-      w.in_contact[i] = 1;
-      any = true;
+    const double overlap = overlap_at_centre(s, i);
+    if (!(u < overlap * (1.0 - 1e-12))) continue;
+    w.in_contact[i] = 1;
+    any = true;
+    // It begins with the length that the cold start gives to the overlap that is left: growing from L = 0
+    // takes as many iterations as a solve.
+    const double L = (overlap - u) / s.curvature[i];
+    if (L > w.half_length[i] * w.half_length[i]) {
+      s.L[i] = L;
+      w.half_length[i] = root(L);
     }
   }
   return any;

@@ -25,10 +25,12 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 constexpr std::int32_t early_iterations = 6;  ///< in which L changes at most by these factors
 constexpr double early_shrinking = 0.1, early_growth = 10.0;
 
-/// Iterations end without a solution after `assured_iterations`, when those before have taken `usual_work`,
-/// which 40 of them on 40 strips do; narrow patches take more.
-constexpr std::int32_t assured_iterations = 40;
-constexpr double usual_work = 128000.0;
+/// Iterations that find no solution by then are late. A strip's move that changes its sign from one to the
+/// next is no longer enforced: the length asked for lies between.
+constexpr std::int32_t late_iterations = 20;
+/// From here on `unaccelerated` iterations alternate with accelerated ones: where two solutions have just
+/// vanished the residual has a minimum, to which the acceleration returns and past which the map leads.
+constexpr std::int32_t alternating_iterations = 40, unaccelerated = 24, accelerated = 10;
 
 constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
 /// Power of L that q follows over the last step, found on random poses: halves that step's error of q.
@@ -192,10 +194,13 @@ void extrapolate_loads(const StripSet& s, std::int32_t iteration, std::int32_t u
 }
 
 /// Safeguard: the accelerated length `next` of a strip with length `old` and residual f, all squared, kept
-/// near that of the plain map, old + f.
-double limited(double next, double old, double f, bool early) {
+/// near that of the plain map, old + f. `before`: the residual of the iteration before.
+double limited(double next, double old, double f, double before, std::int32_t iteration) {
   const double plain = old + f;
   if (!(plain > 0.0)) return 0.0;
+  // The map overshoots: what it asks for lies between both.
+  if (iteration > late_iterations && f * before < 0.0 && magnitude(f) > settled * old)
+    return smaller(larger(next, smaller(old, plain)), larger(old, plain));
   // At most twice or half of the plain one: without, strips that enter hold up the rest.
   next = smaller(larger(next, 0.5 * plain), 2.0 * plain);
   // Strips that move much go the map's way, between the plain step and farthest_step times that.
@@ -205,7 +210,7 @@ double limited(double next, double old, double f, bool early) {
         f > 0.0 ? smaller(larger(next, plain), far) : larger(smaller(larger(next, far), plain), 0.5 * plain);
   }
   // The first iterations may be far off: no strip grows or shrinks by more than ten times.
-  if (old > 0.0 && next > 0.0 && early)
+  if (old > 0.0 && next > 0.0 && iteration < early_iterations)
     next = smaller(larger(next, early_shrinking * old), early_growth * old);
   return next;
 }
@@ -214,9 +219,16 @@ double limited(double next, double old, double f, bool early) {
 void take_step(const StripSet& s, std::int32_t iteration, PressureScratch& w) {
   const double* const shift = w.next + s.count;
   for (std::int32_t i = 0; i < s.count; ++i) {
-    s.L[i] = limited(w.next[i], s.L[i], w.residual[i], iteration < early_iterations);
+    s.L[i] = limited(w.next[i], s.L[i], w.residual[i], w.residual_before[i], iteration);
+    w.residual_before[i] = w.residual[i];
     if (s.skewed) s.shift[i] = smaller(larger(shift[i], -longest_shift), longest_shift);
   }
+}
+
+/// Is the iteration one of those that only follow the map?
+bool is_unaccelerated(std::int32_t iteration) {
+  return iteration >= alternating_iterations &&
+         (iteration - alternating_iterations) % (unaccelerated + accelerated) < unaccelerated;
 }
 
 /// Clears strips that are not in contact, and finds lambda of the others at their last length.
@@ -280,19 +292,16 @@ void evaluate(const PressureProblem& problem, const StripSet& s, bool everywhere
   }
 }
 
-PressureResult iterate(const PressureProblem& problem, StripSet& s, double tolerance, double farthest,
-                       const PressureOptions& options, PressureScratch& w) {
+PressureResult iterate(const PressureProblem& problem, StripSet& s, const IterationLimits& limits,
+                       PressureScratch& w) {
   PressureResult result;
   begin_iterations(s, w);
-  w.max_work = options.max_work;
+  w.max_work = limits.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0;
-  const double before = w.work;
   // An iteration takes the loads and the edges of the strips in contact.
   const auto affordable = [&](std::int32_t k) {
-    const double next = 2.0 * w.active.count * w.active.count;
-    return k == 0 || (k < options.max_iterations && w.work + next <= options.max_work &&
-                      (k < assured_iterations || w.work - before < usual_work));
+    return k == 0 || (k < limits.most && w.work + 2.0 * w.active.count * w.active.count <= limits.max_work);
   };
   std::int32_t k = 0;
   for (; affordable(k); ++k) {
@@ -301,12 +310,12 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, double toler
     evaluate(problem, s, k == 0, w);
     if (w.active.count == 0) break;
     const auto [moved, area] = w.change;
-    result.converged = moved <= tolerance * area && !activate(problem, s, true, w);
-    if (k == 0 && moved > farthest * area) return result;
+    result.converged = moved <= limits.tolerance * area && !activate(problem, s, true, w);
+    if (k == 0 && moved > limits.farthest * area) return result;
 
     // Acceleration from scratch where it does not pay twice in a row, as while strips enter.
     slow = moved > hardly_less * moved_before ? slow + 1 : 0;
-    if (slow == 2) remembered = slow = 0;
+    if (slow == 2 || is_unaccelerated(k)) remembered = slow = 0;
     moved_before = moved;
 
     // Preconditioned and accelerated step. Beside lengths squared [m^4], shifts squared weigh by the mean L.

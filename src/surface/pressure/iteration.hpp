@@ -9,11 +9,20 @@ namespace wrc::surface {
 
 inline constexpr double any_change = 1e300;  ///< for `farthest`
 
-/// Iterates from the lengths and shifts in `s` until one moves less than the part `tolerance` of the area;
-/// the solution stands in `s`. Gives up after the first iteration where that moves more than the part
-/// `farthest`.
-PressureResult iterate(const PressureProblem& problem, StripSet& s, double tolerance, double farthest,
-                       const PressureOptions& options, PressureScratch& w);
+inline constexpr std::int32_t usual_iterations = 40;  ///< that nearly every solve ends in
+
+/// Where iterations end.
+struct IterationLimits {
+  double tolerance;  ///< part of the area that the last one moves
+  double farthest;   ///< part that the first one may move; beyond it is the last, without a solution
+  double max_work;   ///< that w.work may reach (PressureOptions)
+  std::int32_t most = usual_iterations;
+};
+
+/// Iterates from the lengths and shifts in `s`; the solution stands in `s`, or the iterate that the map moves
+/// least.
+PressureResult iterate(const PressureProblem& problem, StripSet& s, const IterationLimits& limits,
+                       PressureScratch& w);
 
 /// Evaluates the fixed-point map at the lengths and shifts in `s`: w.residual and w.change; `everywhere` as
 /// in solve_contact(). No strip is active after it where none overlaps.

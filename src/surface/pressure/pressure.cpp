@@ -1,5 +1,8 @@
 #include "surface/pressure/pressure.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "surface/pressure/iteration.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 #include "surface/pressure/start.hpp"
@@ -10,6 +13,13 @@ namespace {
 /// Part of the area that the first iteration from an earlier solution may move; beyond, the solve starts from
 /// the overlaps.
 constexpr double farthest_start = 0.3;
+
+/// Ways to a solution that is not found from the overlaps: by that at overlaps so many times as deep, which
+/// is found roughly first. Beside a pose with two solutions, or where two have just vanished, most of these
+/// ways lead past the place that holds up the first.
+constexpr double detours[] = {1.0, 0.8, 1.2, 0.6, 1.5};
+constexpr double found_roughly = 1e-3;                               ///< tolerance at those overlaps
+constexpr std::int32_t most_iterations[] = {usual_iterations, 160};  ///< of all ways, then of all once more
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
 bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StartFrom from,
@@ -54,6 +64,56 @@ void store(const Overlaps& o, const StripSet& s, PressureStart& start, const Str
   }
 }
 
+/// Keeps the outcome of an attempt that failed, if it is better than those before.
+void keep_best(const StripSet& s, double moved, PressureScratch& w) {
+  if (!(moved < w.best.moved)) return;
+  w.best.moved = moved;
+  std::copy_n(s.L, s.count, w.best.x);
+  std::copy_n(s.shift, s.count, w.best.x + s.count);
+  std::copy_n(s.q, s.count, w.best.q);
+}
+
+/// Takes the best of the attempts that failed.
+void return_to_best(const StripSet& s, const PressureScratch& w) {
+  std::copy_n(w.best.x, s.count, s.L);
+  std::copy_n(w.best.x + s.count, s.count, s.shift);
+  std::copy_n(w.best.q, s.count, s.q);
+  for (std::int32_t i = 0; i < s.count; ++i)
+    if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
+}
+
+/// Solves from the overlaps, in one way after the other until one finds the solution.
+PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlaps& o,
+                                   const PressureOptions& options, PressureScratch& w) {
+  constexpr std::size_t ways = std::size(detours), attempts = ways * std::size(most_iterations);
+  StripSet& s = w.fine;
+  PressureResult result;
+  std::int32_t spent = 0;
+  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+    const double by = detours[attempt % ways];
+    for (std::int32_t i = 0; i < s.count; ++i) s.depth[i] *= by;
+    spent += start_from_overlaps(problem, o, options.max_work, w);
+    if (by != 1.0) {
+      // The solution at those overlaps; lengths L in proportion to them begin here.
+      spent += iterate(problem, s, {found_roughly, any_change, options.max_work}, w).iterations;
+      for (std::int32_t i = 0; i < s.count; ++i) {
+        s.depth[i] = o.depth[i];
+        s.L[i] /= by;
+      }
+    }
+    result = iterate(problem, s,
+                     {options.tolerance, any_change, options.max_work, most_iterations[attempt / ways]}, w);
+    result.iterations = spent += result.iterations;
+    if (result.converged) return result;
+    keep_best(s, result.residual, w);
+    // Another attempt takes several iterations.
+    if (w.work + 8.0 * w.active.count * w.active.count > options.max_work) break;
+  }
+  return_to_best(s, w);
+  result.residual = w.best.moved;
+  return result;
+}
+
 }  // namespace
 
 std::int64_t pressure_doubles(std::int32_t most) {
@@ -79,14 +139,15 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   }
   // From an earlier solution, if there is one that is near enough and leads to the end.
   if (started && from == StartFrom::solution) started = follow_overlaps(w);
+  w.best.moved = any_change;
   if (started) {
-    result = iterate(problem, s, options.tolerance, farthest_start, options, w);
+    result = iterate(problem, s, {options.tolerance, farthest_start, options.max_work}, w);
     started = result.converged || w.work >= options.max_work;
   }
   // Else from the overlaps, which is the only way of a call without a past.
   if (!started) {
-    const std::int32_t spent = result.iterations + start_from_overlaps(problem, o, options, w);
-    result = iterate(problem, s, options.tolerance, any_change, options, w);
+    const std::int32_t spent = result.iterations;
+    result = solve_from_overlaps(problem, o, options, w);
     result.iterations += spent;
   }
   result.work = w.work;

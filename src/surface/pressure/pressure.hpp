@@ -72,7 +72,6 @@ struct PressureOptions {
   /// Work that a solve may take: pairs of strips of which one displaces the other, each time it does. The
   /// iteration that would exceed it is not begun, but for the first.
   double max_work = 2e7;
-  std::int32_t max_iterations = 160;
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.

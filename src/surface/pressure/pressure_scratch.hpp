@@ -81,11 +81,12 @@ struct PressureScratch {
   std::int32_t* outside;  ///< strips asked whether they enter
   double *outside_place, *outside_x;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
-  double* inverse_reach;  ///< each strip: one over shift_reach() [1/m]
-  double* residual;
+  double* inverse_reach;                     ///< each strip: one over shift_reach() [1/m]
+  double *residual, *residual_before;        ///< of L and shifts; of L, in the iteration before
   Change change;                             ///< in the last iteration
   double *rim_weight, *upper, *smooth_part;  ///< for precondition()
   Iterate iterate[history + 1];
+  Iterate best;                               ///< what the map moves least of all attempts that failed
   double products[history + 1][history + 1];  ///< scalar products of the iterates' steps
   double shares[history];                     ///< shares g of earlier iterates in `next`
   double* next;                               ///< accelerated iterate

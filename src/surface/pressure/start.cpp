@@ -60,8 +60,8 @@ void interpolate_pairs(PressureScratch& w) {
 
 }  // namespace
 
-std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o,
-                                 const PressureOptions& options, PressureScratch& w) {
+std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
+                                 PressureScratch& w, std::int32_t most) {
   // Half of the overlap's own squared half length, 2 d / kappa: Hertz's a^2 = R d between spheres.
   const StripSet& s = w.fine;
   for (std::int32_t i = 0; i < s.count; ++i) {
@@ -71,9 +71,8 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
   if (s.count < 2 * fewest_pairs) return 0;
   pair_up(o, w);
   // An iteration over all strips must be left.
-  PressureOptions on_pairs = options;
-  on_pairs.max_work -= 2.0 * s.count * s.count;
-  const std::int32_t spent = iterate(problem, w.coarse, coarse_tolerance, any_change, on_pairs, w).iterations;
+  const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * s.count * s.count, most};
+  const std::int32_t spent = iterate(problem, w.coarse, on_pairs, w).iterations;
   interpolate_pairs(w);
   return spent;
 }

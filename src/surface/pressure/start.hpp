@@ -6,9 +6,9 @@
 namespace wrc::surface {
 
 /// Start from the overlaps w.fine has, into its L and shift: of a solution on pairs of strips, which is half
-/// the resolution and a quarter of the work per iteration. Returns the iterations spent.
-std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps,
-                                 const PressureOptions& options, PressureScratch& w);
+/// the resolution and a quarter of the work per iteration. Returns the iterations spent, at most `most`.
+std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps, double max_work,
+                                 PressureScratch& w, std::int32_t most = usual_iterations);
 
 /// Moves the lengths of an earlier solution in w.fine as its overlaps have moved from w.depth_before. Returns
 /// whether they moved so little that this is a start.
