@@ -19,7 +19,7 @@ constexpr double farthest_start = 0.3;
 /// ways lead past the place that holds up the first.
 constexpr double detours[] = {1.0, 0.8, 1.2, 0.6, 1.5};
 constexpr double found_roughly = 1e-3;                               ///< tolerance at those overlaps
-constexpr std::int32_t most_iterations[] = {usual_iterations, 160};  ///< of all ways, then of all once more
+constexpr std::int32_t most_iterations[] = {usual_iterations, 160};  ///< in all ways, then in all once more
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
 bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StartFrom from,

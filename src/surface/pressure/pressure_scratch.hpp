@@ -82,7 +82,7 @@ struct PressureScratch {
   double *outside_place, *outside_x;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
   double* inverse_reach;                     ///< each strip: one over shift_reach() [1/m]
-  double *residual, *residual_before;        ///< of L and shifts; of L, in the iteration before
+  double *residual, *residual_before;        ///< L and shifts; L in the iteration before
   Change change;                             ///< in the last iteration
   double *rim_weight, *upper, *smooth_part;  ///< for precondition()
   Iterate iterate[history + 1];
