@@ -7,7 +7,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 python=${PYTHON:-python3}
-options=()
+options=(--config-settings=cmake.define.WRC_PYTHON_QUICK=OFF)
 [ $# -lt 2 ] || options+=(--config-settings="cmake.define.WRC_PYTHON_LIBRARY=$(realpath "$2")")
 if "$python" -c 'import scikit_build_core' 2>/dev/null; then options+=(--no-build-isolation); fi
 # the same bytes from the same sources

@@ -95,9 +95,9 @@ Fault read_methods(const wrc_config& config, contact::ModelOptions& options) {
                                 ? best
                                 : static_cast<InstructionSet>(config.instruction_set - 1);
   if (options.instruction_set <= best) return {};
-  return Fault::unsupported(
-      "config.instruction_set", {config.instruction_set, ""},
-      "this processor lacks that instruction set; WRC_INSTRUCTIONS_BEST takes what it has");
+  return Fault::unsupported("config.instruction_set", {config.instruction_set, ""},
+                            "this processor or this build lacks that instruction set; WRC_INSTRUCTIONS_BEST "
+                            "takes the widest there is");
 }
 
 /// Options of the configuration that some methods read and others do not.

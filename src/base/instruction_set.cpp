@@ -27,11 +27,14 @@ InstructionSet best_instruction_set() {
   if (!__get_cpuid(1, &a, &b, &c, &d) || (c & osxsave) == 0 || (c & avx) == 0)
     return InstructionSet::baseline;
   const unsigned saved = saved_registers();
-  constexpr unsigned ymm = 0x06, zmm = 0xe6;
-  constexpr unsigned avx2 = 1u << 5, avx512 = 1u << 16 | 1u << 17 | 1u << 31;  // F, DQ, VL
+  [[maybe_unused]] constexpr unsigned zmm = 0xe6, avx512 = 1u << 16 | 1u << 17 | 1u << 31;  // F, DQ, VL
+  constexpr unsigned ymm = 0x06, avx2 = 1u << 5;
   if (!__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & avx2) == 0 || (saved & ymm) != ymm)
     return InstructionSet::baseline;
-  return (b & avx512) == avx512 && (saved & zmm) == zmm ? InstructionSet::avx512 : InstructionSet::avx2;
+#if !defined(WRC_WITHOUT_AVX512)
+  if ((b & avx512) == avx512 && (saved & zmm) == zmm) return InstructionSet::avx512;
+#endif
+  return InstructionSet::avx2;
 }
 
 #else

@@ -10,7 +10,8 @@ enum class InstructionSet {
   avx512,    ///< x86-64 with AVX-512 F, DQ, VL
 };
 
-/// The widest this processor and its operating system have. Asks the processor anew each time; at init.
+/// The widest that is compiled and that this processor and its operating system have. Asks the processor anew
+/// each time; at init.
 InstructionSet best_instruction_set();
 
 }  // namespace wrc

@@ -18,12 +18,16 @@ WRC_KERNELS_OF(baseline)
 // WRC_BASELINE_ALONE: all sources are one unit, compiled for one set (tools/amalgamate).
 #if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
 WRC_KERNELS_OF(avx2)
+#if !defined(WRC_WITHOUT_AVX512)
 WRC_KERNELS_OF(avx512)
+#endif
 #endif
 
 const Kernels& kernels_for(InstructionSet set) {
 #if defined(__x86_64__) && !defined(WRC_BASELINE_ALONE)
+#if !defined(WRC_WITHOUT_AVX512)
   if (set == InstructionSet::avx512) return simd::avx512::kernels;
+#endif
   if (set == InstructionSet::avx2) return simd::avx2::kernels;
 #endif
   static_cast<void>(set);
