@@ -1,4 +1,5 @@
 """Pictures: that each is drawn, of what it says."""
+import pathlib
 import subprocess
 import sys
 
@@ -6,6 +7,7 @@ import numpy as np
 import pytest
 import wrc
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 DATA = dict(load={"normal_force": 80e3}, creepage={"longitudinal": 1e-3, "spin": 0.3}, friction={"coefficient": 0.35})
 
 
@@ -88,3 +90,44 @@ def test_an_animation(tmp_path):
     from PIL import Image
     with Image.open(tmp_path / "scan.gif") as picture:
         assert picture.n_frames == 3
+
+
+def test_smoothing_draws_differences():
+    nominal = wrc.Model(wheel="S1002", rail="60E1")
+    y, z, _ = nominal.profile("WHEEL")
+    lower = wrc.Model(wheel=wrc.Profile(y=y - 0.75, z=z + 20e-6 * np.cos(100 * (y - 0.75))), rail="60E1")
+    axes = wrc.plot.figure().subplots()
+    wrc.plot.smoothing({"nominal": nominal, "waves": lower}, axes=axes)
+    at, height = axes.lines[0].get_xydata().T
+    assert np.abs(height - 20 * np.cos(0.1 * (at - 750))).max() < 1e-6
+    with pytest.raises(ValueError, match="two or more"):
+        wrc.plot.smoothing({"nominal": nominal})
+
+
+def test_non_steady_rolling():
+    contact = wrc.Model(wheel="S1002", rail="60E1", planar={"non_steady": 1}).contact()
+    contact.planar_geometry(wrc.PlanarPose())
+    contact.planar_normal(wrc.PlanarLoad(normal_force=80e3))
+    axes = wrc.plot.figure().subplots()
+    wrc.plot.non_steady(contact, [wrc.Creepage(longitudinal=1e-3)] * 60, 0.5e-3, axes=axes)
+    distance, force = axes.lines[0].get_xydata().T
+    assert distance[-1] == pytest.approx(30.0) and np.all(np.diff(force) <= 1e-6) and force[-1] < 5 * force[0] < 0
+
+
+def test_signs(tmp_path):
+    figure = wrc.plot.signs(path=tmp_path / "signs.png")
+    longitudinal, lateral, _ = (each.get_title() for each in figure.axes[:3])
+    assert "Fx -" in longitudinal and "Fy -" in lateral
+    slide, traction = (each for each in figure.axes[0].collections)
+    assert np.all(slide.V > 0) and np.all(traction.V < 0)
+
+
+def test_a_wheelset_through_a_curve(tmp_path):
+    sys.path.insert(0, str(ROOT / "bindings/python/examples/curve"))
+    import curve
+    states = curve.main(tmp_path / "curve.gif", 6)
+    assert states[0][:2] == pytest.approx([0, 0], abs=2e-5)
+    assert -7e-3 < states[-1][0] < -4e-3 and states[-1][1] < -1e-3  # its left flange guides, its nose points out of the curve
+    from PIL import Image
+    with Image.open(tmp_path / "curve.gif") as picture:
+        assert picture.n_frames == 6

@@ -213,3 +213,38 @@ def test_a_cone_has_its_known_conicity(slope):
     geometry = wrc.Model(wheel=wrc.cone(slope), rail="60E1", track={"rail_inclination": 1 / 40}).wheelset_geometry(lateral)
     found = wrc.conicity(lateral, geometry["radius_difference"], [1e-3, 3e-3], radius=0.46)["conicity"]
     assert found == pytest.approx(slope * (0.75 + 0.3 * slope) / (0.75 - 0.46 * slope), rel=1e-3)
+
+
+def test_gensys_and_contact(tmp_path):
+    """A wheel with y towards the track's middle; points from the flange back on, as CONTACT lists a wheel."""
+    model = wrc.Model(wheel="S1002", rail="60E1")
+    y, z, _ = model.profile("WHEEL")
+    rows = list(zip(1e3 * (y - 0.75), 1e3 * z))
+    (tmp_path / "s1002.wheel").write_text("# S1002\n" + "\n".join(f" {-a:.5f} {b:.5f}   # a comment" for a, b in rows[::-1]))
+    (tmp_path / "s1002.txt").write_text("\n".join(f"{a:.5f} {b:.5f}" for a, b in rows[::-1]))
+    gensys, contact = wrc.read_profile(tmp_path / "s1002.wheel"), wrc.read_profile(tmp_path / "s1002.txt", "wheel")
+    assert np.allclose(gensys.y, contact.y) and np.allclose(gensys.z, contact.z) and np.allclose(gensys.y, y - 0.75, atol=1e-8)
+    leaning = [(a, 2e-2 * a * a + (0.01 * a if a > 0 else 0.0)) for a in np.linspace(-35, 35, 71)]
+    (tmp_path / "own.rail").write_text("\n".join(f"{a:.4f} {b:.5f}" for a, b in leaning))
+    rail = wrc.read_profile(tmp_path / "own.rail")
+    assert rail.body == "rail" and rail.z[0] > rail.z[-1] and any("GENSYS" in each for each in rail.notes)
+
+
+def test_shapes():
+    """Rail heads have the widths of their names 14 mm below the top; the arcs of 60E1 are the library's; the wheel is smooth to 1:15."""
+    for name, width in wrc.shapes.WIDTHS.items():
+        y, z = wrc.shapes._head(name)
+        side = len(y) // 2
+        assert 2 * np.interp(14.0, z[side:], y[side:]) == pytest.approx(width, abs=0.05)
+    head = wrc.Profile(y=1e-3 * (own := wrc.shapes._head("60E1"))[0], z=1e-3 * own[1])
+    at = dict(prescribed="VERTICAL_LOAD", vertical_load=80e3)
+    forces = [wrc.Model(wheel="S1002", rail=rail).contact().wrench(wrc.WheelInput(**at, wheel={"y": 3e-3})) for rail in ("60E1", head)]
+    assert forces[1].force == pytest.approx(forces[0].force, rel=1e-3, abs=20) and forces[1].z == pytest.approx(forces[0].z, abs=1e-6)
+    wheel = wrc.shape("GV 1/40").check()
+    inside = (wheel.y > -0.0345) & (wheel.y < 0.0345)
+    slopes = np.gradient(wheel.z, wheel.y)[inside]
+    assert np.abs(np.diff(np.arctan(slopes))).max() < np.radians(1.5) and slopes[-1] == pytest.approx(-1 / 40)
+    with pytest.raises(ValueError, match="60E2.*read_profile"):
+        wrc.shape("EPS")
+    with pytest.raises(ValueError, match="wrc.shape"):
+        wrc.Model(wheel="S1002", rail="60E2")

@@ -21,8 +21,9 @@ from ._interface import ABI_VERSION, EXPERIMENTAL_VERSION, _wrc_build_info, _wrc
 from ._library import Cancelled, Error
 from .contact import Batch, Contact, Model, force_table, methods, presets, sweep, use
 from .damage import Bins, flash_temperature, whole_life_damage
-from . import damage, exact, plot, profiles, raw, sections
+from . import damage, exact, plot, profiles, raw, sections, shapes
 from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
+from .shapes import shape
 from .sections import Face, MeasuredSection, RailFaces, SectionError, rail_faces, read_sections, write_sections
 from .tables import to_frame
 
@@ -45,4 +46,4 @@ def __getattr__(name: str) -> _Any:
 __all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
            "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "flange_dimensions",
            "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
-           "read_sections", "remove_wear", "sections", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]
+           "read_sections", "remove_wear", "sections", "shape", "shapes", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]

@@ -71,7 +71,8 @@ def _choice(kind: Any, value: Any) -> Any:
                 return member
         near, now = difflib.get_close_matches(wanted, names, 1), since(kind.__name__, wanted)
         raise ValueError(f"{value!r} is no {kind.__name__}: " + (now or (f"did you mean {near[0]!r}?" if near else
-                         f"choose {', '.join(repr(name) for name in names)}")))
+                         f"choose {', '.join(repr(name) for name in names)}")) +
+                         ("; wrc.shape() has other standard profiles" if kind.__name__ == "ProfileKind" else ""))
     try:
         return kind(value)
     except ValueError:

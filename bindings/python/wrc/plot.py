@@ -3,7 +3,7 @@ one panel draw on axes= of the caller's instead."""
 from __future__ import annotations
 
 import io
-from typing import Any, Dict, Iterable, List, Optional, Tuple
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -238,25 +238,150 @@ def wheel_on_rail(contact: Contact, input: Optional[i.WheelInput] = None, path: 
     return _done(made, path)
 
 
-def animation(contact: Contact, inputs: Iterable[i.WheelInput], path: Any, titles: Optional[Iterable[str]] = None, seconds: float = 0.1) -> Any:
-    """wheel_on_rail() of each input in turn, as a moving picture (.gif). titles: of the frames; seconds: of a frame."""
+def animation(contacts: Union[Contact, Sequence[Contact]], inputs: Iterable[i.WheelInput], path: Any, titles: Optional[Iterable[str]] = None,
+              seconds: float = 0.1) -> Any:
+    """wheel_on_rail() of each input in turn, as a moving picture (.gif). contacts: one, or several of one wheelset side by side,
+    left to right; titles: of the frames; seconds: of a frame."""
     from matplotlib.animation import PillowWriter
 
-    made = figure(figsize=(8, 4.5))
-    panel = made.subplots()
-    made.set_layout_engine("none")  # frames have one size
+    shown = [contacts] if isinstance(contacts, Contact) else list(contacts)
+    made = figure(figsize=(8, 4.5) if len(shown) == 1 else (5.2 * len(shown), 3.4))
+    panels = made.subplots(1, len(shown), squeeze=False)[0]
+    made.set_layout_engine(None)  # frames have one size
+    made.subplots_adjust(left=0.08, right=0.98, bottom=0.2, top=0.86)
     writer = PillowWriter(fps=1.0 / seconds)  # type: ignore[arg-type]
-    limits: Any = None
+    limits: Dict[int, Any] = {}
     with writer.saving(made, str(path), 80):
         for each, title in zip(inputs, titles if titles is not None else iter(str, None)):
-            panel.clear()
-            wheel_on_rail(contact, each, axes=panel)
-            limits = limits or (panel.get_xlim(), panel.get_ylim())
-            panel.set(xlim=limits[0], ylim=limits[1])
-            if title:
-                panel.set_title(title)
+            for place, (one, panel) in enumerate(zip(shown, panels)):
+                panel.clear()
+                wheel_on_rail(one, each, axes=panel)
+                panel.title.set_fontsize(9)
+                limits.setdefault(place, (panel.get_xlim(), panel.get_ylim()))
+                panel.set(xlim=limits[place][0], ylim=limits[place][1])
+                if len(shown) > 1:  # one legend below all
+                    panel.get_legend().remove()
+                elif title:
+                    panel.set_title(title)
+            if len(shown) > 1:
+                for each in made.legends:
+                    each.remove()
+                known = {name.partition(",")[0]: handle for handle, name in zip(*panels[0].get_legend_handles_labels())}
+                made.legend(known.values(), known, loc="lower center", ncols=3, fontsize=8)
+                made.suptitle(title or "", fontsize=10)
             writer.grab_frame()
     return made
+
+
+def signs(model: Optional[Model] = None, path: Any = None) -> Any:
+    """Signs of creepage, spin and yaw, seen from above: on a contact plane the sliding of the wheel's particles over the rail and
+    the traction on the wheel; a wheelset turned by a positive yaw and the forces on it. All arrows are computed.
+
+    model: None: S1002 on 60E1, canted 1:40
+    """
+    model = Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}) if model is None else model
+    made = figure(figsize=(10, 7.4))
+    panels = made.subplots(2, 2).ravel()
+    plane = model.contact()
+    given = (("longitudinal", 1e-3, "> 0: the wheel slides forward"), ("lateral", 1e-3, "> 0: it slides to the right"),
+             ("spin", 0.5, "> 0: it turns from x to y"))
+    for panel, (name, value, meaning) in zip(panels, given):
+        creepage = i.Creepage()
+        setattr(creepage, name, value)
+        forces = plane.planar_step(i.PlanarInput(load={"normal_force": 80e3}, creepage=creepage, friction={"coefficient": 0.35})).forces
+        fields = plane.fields(0)
+        panel.fill(*_edge(fields), color="#eeeeee", edgecolor="black", linewidth=1)
+        across, x, _ = _whole(fields, fields["PRESSURE"])
+        every = tuple(slice(1 + (size - 2) // (2 * wanted), -1, max(1, (size - 2) // wanted)) for size, wanted in zip(across.shape, (6, 3)))
+        y, ahead = 1e-3 * across[every], 1e-3 * x[every]
+        slide = [creepage.lateral + creepage.spin * ahead, creepage.longitudinal - creepage.spin * y]
+        traction = [_whole(fields, fields["TRACTION_" + each])[2][every] for each in "YX"]
+        for arrows, colour in ((slide, COLOURS[0]), (traction, COLOURS[1])):
+            largest = np.max(np.hypot(*arrows))
+            panel.quiver(1e3 * y, 1e3 * ahead, *arrows, color=colour, angles="xy", scale_units="xy", scale=largest / 2.1, width=0.008)
+        panel.set(title=f"{name} {meaning}\nFx {forces.fx / 1e3:.1f} kN, Fy {forces.fy / 1e3:.1f} kN, Mz {forces.mz:.0f} N m", aspect="equal")
+        panel.set(xlabel="y, to the right [mm]", ylabel="x, rolling direction [mm]")
+        panel.title.set_fontsize(10)
+        panel.margins(0.1)
+    _turned_wheelset(model, panels[3])
+    panels[0].plot([], [], color=COLOURS[0], linewidth=2, label="sliding of the wheel over the rail")
+    panels[0].plot([], [], color=COLOURS[1], linewidth=2, label="traction, force on the wheel")
+    made.legend(loc="outside lower center", ncols=2, fontsize=9)
+    return _done(made, path)
+
+
+def _turned_wheelset(model: Model, panel: Any) -> None:
+    """A wheelset from above under a yaw of 3 mrad, drawn as 9 degrees, with the creep forces on its wheels."""
+    drawn, radius = np.radians(9.0), model.config.wheelset.wheel_radius
+    half = model.config.wheelset.tape_circle_distance / 2
+    ahead, right = np.array([np.sin(drawn), np.cos(drawn)]), np.array([np.cos(drawn), -np.sin(drawn)])  # in (y, x) of the picture
+    panel.plot(*np.array([-half * right, half * right]).T, color="#555555", linewidth=3)
+    for side in (1, -1):
+        panel.axvline(side * half, color="#bbbbbb", linewidth=4, zorder=0)
+        corners = [side * half * right + a * radius * ahead + b * 0.06 * right for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1))]
+        panel.fill(*np.array(corners).T, facecolor="white", edgecolor="#555555", linewidth=1.5)
+        wrench = model.contact("RIGHT" if side > 0 else "LEFT").wrench(i.WheelInput(
+            prescribed="VERTICAL_LOAD", vertical_load=80e3, wheel={"yaw": 3e-3, "velocity": (20, 0, 0), "pitch_rate": -20 / radius}))
+        at, arrow = side * half * right, wrench.force[1] / 1e3
+        panel.annotate("", xytext=at, xy=at + [0.02 * arrow, 0.0], arrowprops={"arrowstyle": "-|>", "color": COLOURS[1], "linewidth": 2})
+        panel.text(*(at + [0.0, -radius - 0.16]), f"Fy {arrow:.1f} kN", ha="center", fontsize=9, color=COLOURS[1])
+    panel.annotate("", xytext=(0.0, 0.0), xy=(0.0, 0.72), arrowprops={"arrowstyle": "->", "color": "black", "linestyle": "--"})
+    panel.annotate("", xytext=(0.0, 0.0), xy=0.72 * ahead, arrowprops={"arrowstyle": "->", "color": COLOURS[2]})
+    panel.text(0.04, 0.78, "yaw > 0: the nose\nturns to the right", fontsize=9, color=COLOURS[2])
+    panel.set(title="a wheelset from above, yaw 3 mrad at 20 m/s\n(turned 9 degrees in the picture)", xlim=(-1.7, 1.7), ylim=(-0.85, 1.05),
+              aspect="equal", xlabel="y, to the right [m]", ylabel="x, forward [m]")
+    panel.title.set_fontsize(10)
+
+
+def smoothing(models: Dict[str, Model], body: i.BodyLike = "WHEEL", axes: Any = None, path: Any = None) -> Any:
+    """Heights of the profiles of several models less those of the first [um], over the width of the narrowest: smoothing, wear,
+    measured against nominal. models: by the name in the legend; right side."""
+    made, panel = _panel(axes, (9, 4))
+    which = i.Body.of(body)
+    outlines = {name: each.profile(which) for name, each in models.items()}
+    if len(outlines) < 2:
+        raise ValueError("smoothing() draws the difference of models: pass two or more")
+    low, high = max(each[0].min() for each in outlines.values()), min(each[0].max() for each in outlines.values())
+    (first, (y, z, _)), *others = outlines.items()
+    for (name, (other_y, other_z, _)), colour in zip(others, COLOURS * (1 + len(others) // len(COLOURS))):
+        inside = (other_y >= low) & (other_y <= high)
+        panel.plot(1e3 * other_y[inside], 1e6 * (other_z - np.interp(other_y, y, z))[inside], color=colour, linewidth=1, label=name)
+    panel.axhline(0.0, color="black", linewidth=0.8, label=first)
+    panel.invert_yaxis()
+    panel.set(xlabel="y, from the middle of wheelset and track [mm]", ylabel=f"height over {first}, z down [µm]")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)
+
+
+def non_steady(contact: Contact, creepages: Iterable[i.Creepage], step: float, friction: Optional[i.Friction] = None, axes: Any = None,
+               path: Any = None) -> Any:
+    """Creep forces over the distance rolled while the creepage changes: Fx and Fy of each step.
+
+    contact: of a model with planar={"non_steady": 1}, its planar_normal() done
+    creepages: one for each step
+    step: that is rolled before each [m]
+    """
+    made, panel = _panel(axes, (8, 4))
+    law = i.Friction() if friction is None else friction
+    forces, told = [], []
+    for each in creepages:
+        contact.planar_roll(step)
+        found = contact.planar_tangential(each, law)
+        forces.append((found.fx, found.fy))
+        told.append((each.longitudinal, each.lateral))
+    distance = 1e3 * step * np.arange(1, len(forces) + 1)
+    beside = panel.twinx()
+    for column, (force, creepage, colour) in enumerate((("Fx", "longitudinal", COLOURS[0]), ("Fy", "lateral", COLOURS[1]))):
+        changes = bool(np.any(np.array(told)[:, column]))
+        if changes:
+            beside.plot(distance, 1e3 * np.array(told)[:, column], color=colour, linestyle=":", linewidth=1, drawstyle="steps-mid")
+        panel.plot(distance, 1e-3 * np.array(forces)[:, column], color=colour, label=force + (f"; dotted: {creepage} creepage" if changes else ""))
+    panel.set(xlabel="distance rolled [mm]", ylabel="force on the wheel [kN]")
+    beside.set_ylabel("creepage [per mille]")
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8)
+    return _done(made, path)
 
 
 def _pressure_lines(contact: Contact, panel: Any, y: np.ndarray, z: np.ndarray) -> None:

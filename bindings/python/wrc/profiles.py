@@ -1,4 +1,4 @@
-"""Profile files: Simpack .prw and .prr, MiniProf .whl and .ban, and plain columns y, z. Conicity, wear, flange dimensions.
+"""Profile files: Simpack .prw and .prr, MiniProf .whl and .ban, GENSYS .wheel and .rail, plain columns y, z (CONTACT's). Conicity, wear, flange dimensions.
 
 read_profile() gives points in the library's convention [m]: y strictly increasing, z down; of a wheel y = 0 at the running
 circle, where z = 0, and the flange at y < 0; of a rail z = 0 at the top and the gauge side at y < 0. What it had to do to a
@@ -22,7 +22,7 @@ _SENTENCE = 1024  # bytes
 _POINTS = 20000  # of a profile at most
 UNITS = {"mm": 1e-3, "m": 1.0, "cm": 1e-2, "um": 1e-6, "in": 25.4e-3}
 NARROWEST, WIDEST = 0.020, 0.500  # m: what the library takes for a profile
-BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail"}
+BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail", ".wheel": "wheel", ".rail": "rail"}
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$")
 _SIMPACK_NUMBERS = ("approx.smooth", "point.dist.min", "shift.y", "shift.z", "rotate", "bound.y.min", "bound.y.max", "bound.z.min",
                     "bound.z.max", "mirror.y", "mirror.z", "inversion", "units.len.f", "units.ang.f")
@@ -93,7 +93,8 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[Literal["w
                  unit: Optional[Literal["mm", "m", "cm", "um", "in"]] = None,
                  mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, running_circle: float = 0.0,
                  keep_origin: bool = False, smoothing: float = 0.0, columns: Optional[Tuple[int, int]] = None) -> ProfileFile:
-    """Reads a profile. The file's ending says what it is: .prw .prr Simpack, .whl .ban MiniProf, any other plain columns. A point
+    """Reads a profile. The file's ending says what it is: .prw .prr Simpack, .whl .ban MiniProf, .wheel .rail GENSYS, any other plain
+    columns, as CONTACT has them. A point
     that leaves its neighbours and a hole between points are told by a wrc.ProfileWarning, and stay.
 
     body: "wheel" or "rail"; must be given where the ending does not say it
@@ -122,6 +123,9 @@ def read_profile(path: Union[str, "os.PathLike[str]"], body: Optional[Literal["w
         points, lines, header, said = _columns(path, rows, ending in (".whl", ".ban"), columns, notes)
     if len(points) < 4:
         raise ProfileError(path, len(rows) or None, f"{len(points)} points; a profile has at least 4")
+    if ending == ".rail" and mirror_y is None:  # GENSYS: y towards the middle of the track
+        mirror_y = True
+        notes.append("GENSYS: y is taken to point to the middle of the track, as it does for wheels")
     y, z = _in_metres(path, points, unit, said, notes)
     if body == "wheel" and running_circle:
         y = y - running_circle
