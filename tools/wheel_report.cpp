@@ -94,6 +94,17 @@ double microseconds_of(auto&& work) {
   return processor_time() - begin;
 }
 
+/// Strips in contact of the last solution.
+double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
+  double strips = 0.0;
+  for (int32_t i = 0; i < wrench.region_count; ++i) {
+    wrc_region region = sized<wrc_region>();
+    wrc_contact_region(contact, i, &region);
+    strips += region.strip_count;
+  }
+  return strips;
+}
+
 /// Ten heights at one random pose, drawn from the group's own numbers: a group is repeated by itself.
 class PoseGroup {
  public:
@@ -159,6 +170,30 @@ struct PoseClass {
   double most_ = 0.0;
 };
 
+/// Work of calls by the number of strips in contact, within a fifth, and start: the classes that the most
+/// work is compared in.
+using WorkByStrips = std::map<std::pair<int32_t, long>, std::vector<double>>;
+
+/// Says by how much the most work exceeds the median of its class, and how many calls exceed it four times.
+void print_most_work(const WorkByStrips& classes) {
+  constexpr std::size_t enough = 200;  ///< calls of a class
+  double worst = 0.0;
+  long beyond = 0, calls = 0, strips = 0;
+  for (const auto& [key, work] : classes) {
+    if (work.size() < enough) continue;
+    const double median = at_share(work, 0.5), most = at_share(work, 1.0) / median;
+    calls += static_cast<long>(work.size());
+    beyond += std::count_if(work.begin(), work.end(), [&](double each) { return each > 4.0 * median; });
+    if (most <= worst) continue;
+    worst = most;
+    strips = std::lround(std::pow(1.2, key.second));
+  }
+  std::printf(
+      "by strips in contact: most work %.1f of the median of its class (%ld strips); %ld of %ld calls beyond "
+      "4\n",
+      worst, strips, beyond, calls);
+}
+
 constexpr double class_borders[] = {5e3, 20e3, 50e3, 150e3, 1e6};  // normal force [N]
 constexpr std::size_t load_classes = std::size(class_borders) + 1;
 
@@ -176,6 +211,7 @@ void print_call(const char* what, long group, long k, const wrc_wheel_input& inp
 int poses(Pairs& pairs, long count, unsigned seed, long only) {
   std::map<std::string, long> statuses;
   PoseClass classes[2][load_classes];
+  WorkByStrips by_strips;
   long in_contact = 0, not_finite = 0, without_height = 0, most_regions = 0, calls = 0;
   double sum = 0.0;
   const long first = only < 0 ? 0 : only, last = only < 0 ? count / PoseGroup::heights : only + 1;
@@ -203,6 +239,8 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
           std::lower_bound(std::begin(class_borders), std::end(class_borders), wrench.normal_force) -
           std::begin(class_borders);
       classes[input.start == WRC_START_COLD ? 0 : 1][load].take(wrench, took, capped, group);
+      const double strips = strips_in_contact(poses.contact(), wrench);
+      by_strips[{input.start, std::lround(std::log(strips) / std::log(1.2))}].push_back(wrench.work);
     }
     if (group % 1000 == 0) std::fprintf(stderr, "\r%ld of %ld", group, last);
   }
@@ -211,7 +249,6 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
       "%ld calls, %ld in contact, %ld not finite, at most %ld regions; %ld poses carry 150 kN nowhere\n",
       calls, in_contact, not_finite, most_regions, without_height);
   for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
-  double slowest = 0.0;
   for (const int warm : {0, 1})
     for (std::size_t load = 0; load < load_classes; ++load) {
       const PoseClass& c = classes[warm][load];
@@ -226,9 +263,8 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
           at_share(c.iterations, 0.5), at_share(c.iterations, 0.999), at_share(c.iterations, 1.0), median,
           at_share(c.work, 0.999) / median, most / median, c.slowest, at_share(c.time, 0.5),
           at_share(c.time, 0.999) / at_share(c.time, 0.5));
-      slowest = std::max(slowest, most / median);
     }
-  std::printf("most work of a call %.1f of the median of its class\n", slowest);
+  print_most_work(by_strips);
   std::printf("sum of forces %.9e N\n", sum);
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
@@ -470,17 +506,6 @@ struct Run {
 
 /// Klingel's motion on the tread, and a wheelset that touches with its flange.
 constexpr Run straight{"straight", 1e-3, 9.0, 20.0, 0.0}, weaving{"weaving", 5.8e-3, 12.0, 40.0, 1.0};
-
-/// Strips in contact of the last solution.
-double strips_in_contact(wrc_contact* contact, const wrc_wrench& wrench) {
-  double strips = 0.0;
-  for (int32_t i = 0; i < wrench.region_count; ++i) {
-    wrc_region region = sized<wrc_region>();
-    wrc_contact_region(contact, i, &region);
-    strips += region.strip_count;
-  }
-  return strips;
-}
 
 /// Contacts of one model, as a vehicle has them.
 class Contacts {

@@ -12,7 +12,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_config_check_rail(5)
   integer(c_size_t), bind(C) :: layout_wrc_config_normal(5)
   integer(c_size_t), bind(C) :: layout_wrc_config_tangential(7)
-  integer(c_size_t), bind(C) :: layout_wrc_config_surface(8)
+  integer(c_size_t), bind(C) :: layout_wrc_config_surface(9)
   integer(c_size_t), bind(C) :: layout_wrc_config_planar(11)
   integer(c_size_t), bind(C) :: layout_wrc_config(21)
   integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
@@ -313,8 +313,10 @@ contains
       distance(c_loc(a), c_loc(a%tolerance)), layout_wrc_config_surface(6))
     call same('wrc_config_surface', 'max_work', &
       distance(c_loc(a), c_loc(a%max_work)), layout_wrc_config_surface(7))
+    call same('wrc_config_surface', 'max_iterations', &
+      distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_config_surface(8))
     call same('wrc_config_surface', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_surface(8))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_config_surface(9))
   end subroutine
   subroutine test_wrc_config_planar()
     type(wrc_config_planar), target :: a

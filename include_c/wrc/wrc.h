@@ -428,7 +428,9 @@ typedef struct wrc_config_surface {
   double max_work;     /**< work that a call may take, all heights of a prescribed load included, 1e3..1e9; of
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
                             takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
-  double reserved[10]; /**< 0 */
+  double max_iterations; /**< work that the normal problem at one height may take, in iterations over all strips that overlap
+                            there, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The end is that of max_work [1e6] */
+  double reserved[9];    /**< 0 */
 } wrc_config_surface;
 
 /** Options of the stages of wrc_planar.h, and of their normal methods where wrc_contact_wrench() applies them. The ellipse of any
@@ -763,7 +765,7 @@ WRC_DEFAULT_SIZED(wrc_wheel_input)
  *    flexibility of config.tangential and config.planar.regularisation. "modified FASTSIM" is FASTSIM-EQ.L until
  *    friction.slope_fall > 0. "KBTNH-type table" needs config.tangential.force_table.
  *  - A resolution of wrc_contact_wrench(), of WRC_RESOLUTION_LIST: "default", "real time" or "reference": tread_width,
- *    corner_width, tolerance, max_work of config.surface.
+ *    corner_width, tolerance, max_work, max_iterations of config.surface.
  * @param[in,out] config of wrc_config_default()
  * @param name one of both lists
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted

@@ -88,11 +88,11 @@ enum wrc_flexibility {
   X(fastrip_modified, "modified FaStrip", FASTRIP, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)            \
   X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
 
-/** Resolutions of wrc_contact_wrench() by name: X(identifier, "name", tread_width [m], corner_width [m], tolerance, max_work), those
- * of config.surface. docs/realtime.md has their times and errors. */
+/** Resolutions of wrc_contact_wrench() by name: X(identifier, "name", tread_width [m], corner_width [m], tolerance, max_work,
+ * max_iterations), those of config.surface. docs/realtime.md has their times and errors. */
 #define WRC_RESOLUTION_LIST(X)                                     \
-  X(standard, "default", 0.5e-3, 0.25e-3, 1e-5, 2e7)               \
-  X(real_time, "real time", 1e-3, 0.25e-3, 3e-4, 1e6)              \
-  X(reference, "reference", 0.25e-3, 0.125e-3, 1e-9, 1e8)
+  X(standard, "default", 0.5e-3, 0.25e-3, 1e-5, 2e7, 1e6)          \
+  X(real_time, "real time", 1e-3, 0.25e-3, 3e-4, 1e6, 8)           \
+  X(reference, "reference", 0.25e-3, 0.125e-3, 1e-9, 1e8, 1e6)
 
 #endif /* WRC_METHODS_H */

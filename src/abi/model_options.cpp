@@ -111,6 +111,7 @@ constexpr struct {
     {contact::Option::warm_start, MEMBER(wrc_config, "planar.start")},
     {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.tolerance")},
     {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.max_work")},
+    {contact::Option::surface_iteration, MEMBER(wrc_config, "surface.max_iterations")},
     {contact::Option::patch_model, MEMBER(wrc_config, "tangential.patch_model")},
     {contact::Option::traction_bound, MEMBER(wrc_config, "tangential.bound")},
     {contact::Option::flexibility, MEMBER(wrc_config, "tangential.flexibility")},
@@ -161,6 +162,7 @@ Fault read_resolution(const wrc_config_surface& surface, contact::ModelOptions& 
   options.strip_widths.narrowest = surface.corner_width;
   options.pressure.tolerance = surface.tolerance;
   options.pressure.max_work = surface.max_work;
+  options.pressure.max_iterations = surface.max_iterations;
   return {};
 }
 

@@ -31,12 +31,11 @@ constexpr Preset presets[] = {
 
 struct Resolution {
   const char* name;
-  double tread_width, corner_width, tolerance, max_work;
+  double tread_width, corner_width, tolerance, max_work, max_iterations;
 };
 
 constexpr Resolution resolutions[] = {
-#define WRC_RESOLUTION(identifier, name, tread_width, corner_width, tolerance, max_work) \
-  {name, tread_width, corner_width, tolerance, max_work},
+#define WRC_RESOLUTION(identifier, name, ...) {name, __VA_ARGS__},
     WRC_RESOLUTION_LIST(WRC_RESOLUTION)
 #undef WRC_RESOLUTION
 };
@@ -80,6 +79,7 @@ Fault use(wrc_config* config, const char* name) {
     surface.corner_width = resolution->corner_width;
     surface.tolerance = resolution->tolerance;
     surface.max_work = resolution->max_work;
+    surface.max_iterations = resolution->max_iterations;
   }
   ours.struct_size = config->struct_size;
   std::memcpy(config, &ours, known);  // members of a newer header stay

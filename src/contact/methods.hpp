@@ -21,7 +21,7 @@ enum class Option {
   max_sweeps,
   load_tolerance,
   warm_start,
-  surface_iteration,  ///< config.surface.tolerance and .max_work
+  surface_iteration,  ///< config.surface.tolerance, .max_work, .max_iterations
   patch_model,
   traction_bound,
   flexibility,

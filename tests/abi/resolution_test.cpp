@@ -46,12 +46,13 @@ bool same_bits(const wrc_wrench& a, const wrc_wrench& b) { return std::memcmp(&a
 
 TEST_F(Resolution, SettingsHaveTheMembersOfTheirRow) {
   const wrc_config before = config;
-#define WRC_RESOLUTION(identifier, name, tread, corner, small, work) \
-  use(name);                                                         \
-  EXPECT_EQ(config.surface.tread_width, tread);                      \
-  EXPECT_EQ(config.surface.corner_width, corner);                    \
-  EXPECT_EQ(config.surface.tolerance, small);                        \
-  EXPECT_EQ(config.surface.max_work, work);
+#define WRC_RESOLUTION(identifier, name, tread, corner, small, work, iterations) \
+  use(name);                                                                     \
+  EXPECT_EQ(config.surface.tread_width, tread);                                  \
+  EXPECT_EQ(config.surface.corner_width, corner);                                \
+  EXPECT_EQ(config.surface.tolerance, small);                                    \
+  EXPECT_EQ(config.surface.max_work, work);                                      \
+  EXPECT_EQ(config.surface.max_iterations, iterations);
   WRC_RESOLUTION_LIST(WRC_RESOLUTION)
 #undef WRC_RESOLUTION
   use("default");
@@ -140,7 +141,23 @@ TEST_F(Resolution, WorkIsBoundedAndTheNextCallGoesOn) {
   EXPECT_NEAR(-wrench.force[2], 80e3, 40e3);
 }
 
-/// Poses of an integrator: trial states, a Jacobian by differences.
+/// A limit in iterations is by the strips that overlap: it cuts calls of small contacts and of large ones,
+/// which go on.
+TEST_F(Resolution, IterationsOfAHeightAreBounded) {
+  config.surface.tolerance = 1e-7;
+  create();
+  const wrc_wrench exact = solved();
+  config.surface.max_iterations = 2.0;
+  create();
+  input.start = WRC_START_WARM;
+  int32_t calls = 0;
+  for (; calls < 40 && step() == WRC_FLAG_ITERATION_CAP; ++calls) EXPECT_LT(wrench.work, 0.6 * exact.work);
+  EXPECT_GE(calls, 2);
+  EXPECT_LT(calls, 40);
+  EXPECT_NEAR(wrench.force[2], exact.force[2], 1e-7 * std::fabs(exact.force[2]));
+}
+
+// Poses of an integrator: trial states, a Jacobian by differences.
 TEST_F(Resolution, FromAMarkTheOrderOfCallsDoesNotCount) {
   use("real time");
   create();

@@ -60,7 +60,7 @@ if [ "$mode" = all ]; then
   # Fused products and vectors wherever the compiler likes.
   if grep -q fma /proc/cpuinfo 2>/dev/null; then
     build gcc_fused g++ -march=native -ffp-contract=fast -- native
-    ! command -v clang++ >/dev/null || build clang_fused clang++ -march=native -ffp-contract=fast-honor-pragmas -- native
+    ! command -v clang++ >/dev/null || build clang_fused clang++ -march=native -ffp-contract=on -- native
   fi
   # Other systems. zig is a clang with the libraries of all of them.
   zig=$root/build/venv/bin/python

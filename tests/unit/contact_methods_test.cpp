@@ -58,7 +58,7 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
                  {Option::max_sweeps, "`config.planar.max_sweeps`"},
                  {Option::load_tolerance, "`config.normal.load_tolerance`"},
                  {Option::warm_start, "`config.planar.start`"},
-                 {Option::surface_iteration, "`config.surface.tolerance`, `max_work`"},
+                 {Option::surface_iteration, "`config.surface.tolerance`, `max_work`, `max_iterations`"},
                  {Option::patch_model, "`config.tangential.patch_model`"},
                  {Option::traction_bound, "`config.tangential.bound`"},
                  {Option::flexibility, "`config.tangential.flexibility`"},

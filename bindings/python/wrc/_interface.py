@@ -892,6 +892,8 @@ class ConfigSurface(s.Struct):
           NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
           takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
           2e7)
+      max_iterations: work that the normal problem at one height may take, in iterations over all strips that
+          overlap there; of NormalMethod.STRIP_HALFSPACE. The end is that of max_work (2 .. 1e6; default 1e6)
     """
 
     _c_name_ = 'wrc_config_surface'
@@ -901,8 +903,9 @@ class ConfigSurface(s.Struct):
     corner_width: float
     tolerance: float
     max_work: float
+    max_iterations: float
     _units_ = {'tread_width': 'm', 'corner_width': 'm'}
-    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-05, 'max_work': 20000000.0}
+    _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-05, 'max_work': 20000000.0, 'max_iterations': 1000000.0}
     _fields_ = [
         ('cells', c.c_int32),
         ('_reserved0', c.c_uint32),
@@ -910,7 +913,8 @@ class ConfigSurface(s.Struct):
         ('corner_width', c.c_double),
         ('tolerance', c.c_double),
         ('max_work', c.c_double),
-        ('_reserved', c.c_double * 10),
+        ('max_iterations', c.c_double),
+        ('_reserved', c.c_double * 9),
     ]
 assert c.sizeof(ConfigSurface) == 120
 

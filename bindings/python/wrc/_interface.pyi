@@ -820,9 +820,13 @@ class ConfigSurface(s.Struct):
         takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
         2e7)
     """
-    def __init__(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ...) -> None:
+    max_iterations: float
+    """max_iterations: work that the normal problem at one height may take, in iterations over all strips that
+        overlap there; of NormalMethod.STRIP_HALFSPACE. The end is that of max_work (2 .. 1e6; default 1e6)
+    """
+    def __init__(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ...) -> ConfigSurface:  # type: ignore[override]
+    def set(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> ConfigSurface:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class ConfigSurfaceDict(TypedDict, total=False):
@@ -832,6 +836,7 @@ class ConfigSurfaceDict(TypedDict, total=False):
     corner_width: float
     tolerance: float
     max_work: float
+    max_iterations: float
 
 class ConfigPlanar(s.Struct):
     """Options of the stages of wrc_planar.h, and of their normal methods where Contact.wrench() applies them.

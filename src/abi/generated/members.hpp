@@ -506,6 +506,7 @@ struct Description<wrc_config_surface> {
     value.corner_width = 2.5e-4;
     value.tolerance = 1e-5;
     value.max_work = 2e7;
+    value.max_iterations = 1e6;
     return value;
   }();
   static constexpr Member members[] = {
@@ -515,7 +516,8 @@ struct Description<wrc_config_surface> {
       {.name = "corner_width", .offset = offsetof(wrc_config_surface, corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
       {.name = "tolerance", .offset = offsetof(wrc_config_surface, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
       {.name = "max_work", .offset = offsetof(wrc_config_surface, max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
-      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
+      {.name = "max_iterations", .offset = offsetof(wrc_config_surface, max_iterations), .type = Type::real, .rule = Rule::range, .low = 2, .high = 1e6},
+      {.name = "reserved", .offset = offsetof(wrc_config_surface, reserved), .type = Type::real, .elements = 9, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_config_surface) == 120, "run tools/interface/describe.py");
@@ -631,7 +633,8 @@ struct Description<wrc_config> {
       {.name = "surface.corner_width", .offset = offsetof(wrc_config, surface.corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
       {.name = "surface.tolerance", .offset = offsetof(wrc_config, surface.tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
       {.name = "surface.max_work", .offset = offsetof(wrc_config, surface.max_work), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e9},
-      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 10, .rule = Rule::zero},
+      {.name = "surface.max_iterations", .offset = offsetof(wrc_config, surface.max_iterations), .type = Type::real, .rule = Rule::range, .low = 2, .high = 1e6},
+      {.name = "surface.reserved", .offset = offsetof(wrc_config, surface.reserved), .type = Type::real, .elements = 9, .rule = Rule::zero},
       {.name = "planar.strips", .offset = offsetof(wrc_config, planar.strips), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more strips cost time in proportion"},
       {.name = "planar.cells", .offset = offsetof(wrc_config, planar.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512, .too_large = "more cells cost time in proportion"},
       {.name = "planar.gap_rows", .offset = offsetof(wrc_config, planar.gap_rows), .type = Type::int32, .rule = Rule::range, .low = 8, .high = 4096, .too_small = "the gap is interpolated between rows", .too_large = "the gap is interpolated between rows"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/number.hpp"
 #include "surface/pressure/iteration.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 #include "surface/pressure/start.hpp"
@@ -82,6 +83,21 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
     if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
 }
 
+/// The options with the work that a solve of these overlaps may take.
+PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) {
+  constexpr double fewest = 6.0;  // strips: small contacts may take more iterations than others
+  double overlapping = 0.0;
+  for (std::int32_t i = 0; i < o.count; ++i) overlapping += o.depth[i] > 0.0 ? 1.0 : 0.0;
+  overlapping = larger(overlapping, fewest);
+  options.max_work = smaller(options.max_work, options.max_iterations * 2.0 * overlapping * overlapping);
+  return options;
+}
+
+/// Is too little work left for another attempt, which takes several iterations?
+bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
+  return w.work + 8.0 * w.active.count * w.active.count > options.max_work;
+}
+
 /// Solves from the overlaps, in one way after the other until one finds the solution.
 PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlaps& o,
                                    const PressureOptions& options, PressureScratch& w) {
@@ -106,8 +122,7 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
     result.iterations = spent += result.iterations;
     if (result.converged) return result;
     keep_best(s, result.residual, w);
-    // Another attempt takes several iterations.
-    if (w.work + 8.0 * w.active.count * w.active.count > options.max_work) break;
+    if (is_used_up(options, w)) break;
   }
   return_to_best(s, w);
   result.residual = w.best.moved;
@@ -123,7 +138,7 @@ std::int64_t pressure_doubles(std::int32_t most) {
 }
 
 PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail, const Overlaps& o,
-                              const PressureOptions& options, double* workspace, PressureStart& start,
+                              const PressureOptions& given, double* workspace, PressureStart& start,
                               StartFrom from, const StripPressure& p) noexcept {
   Arena arena(workspace);
   PressureScratch w = cut_pressure_scratch(arena, o.capacity);
@@ -137,12 +152,14 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
     store(o, s, start, p);
     return result;
   }
+  const PressureOptions options = limited_by_overlaps(o, given);
   // From an earlier solution, if there is one that is near enough and leads to the end.
   if (started && from == StartFrom::solution) started = follow_overlaps(w);
   w.best.moved = any_change;
   if (started) {
     result = iterate(problem, s, {options.tolerance, farthest_start, options.max_work}, w);
-    started = result.converged || w.work >= options.max_work;
+    started = result.converged || is_used_up(options, w);
+    if (!result.converged && result.residual > 0.0) keep_best(s, result.residual, w);
   }
   // Else from the overlaps, which is the only way of a call without a past.
   if (!started) {

@@ -72,6 +72,7 @@ struct PressureOptions {
   /// Work that a solve may take: pairs of strips of which one displaces the other, each time it does. The
   /// iteration that would exceed it is not begun, but for the first.
   double max_work = 2e7;
+  double max_iterations = 1e6;  ///< the same in iterations over all strips that overlap
 };
 
 /// Arrays over the candidates (Overlaps), in the caller's memory.
