@@ -1,13 +1,13 @@
 /// wheel_report - how wrc_contact_wrench() fares on random poses, and what a call takes.
 ///
-///     wheel_report poses [COUNT [SEED]]   statuses, sweeps and numbers that are not finite
+///     wheel_report poses [COUNT [SEED]]   statuses, iterations and numbers that are not finite
 ///     wheel_report lines                  forces over the height, and over yaw at the flange, in steps of 10 nm and 1 urad;
 ///                                         flanges at random poses
 ///     wheel_report branches Y YAW LOW HIGH
-///                                         forces over the height between two vertical loads [mm, mrad, kN]: anew, from the last
+///                                         forces over the height between two vertical loads [mm, mrad, kN]: cold, from the last
 ///                                         solution downwards and upwards, and exact; for tools/draw_branches.py
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
-///     wheel_report times [STEPS]          from marked solutions and anew: one wheel, and eight of one model in a batch; at each
+///     wheel_report times [STEPS]          from marked solutions and cold: one wheel, and eight of one model in a batch; at each
 ///                                         resolution. The last line is a JSON object
 ///
 /// `--setting NAME` in front of all: a resolution of WRC_RESOLUTION_LIST, for all but times.
@@ -128,7 +128,7 @@ class PoseGroup {
   wrc_contact* contact() const { return contact_; }
   bool carries() const { return deepest_ != 0.0; }
 
-  /// The input of the k-th call, called in order: the first is anew, half of the others from the one before.
+  /// The input of the k-th call, called in order: the first is cold, half of the others from the one before.
   const wrc_wheel_input& next(long k) {
     const double speed = random_.between(1.0, 100.0), slip = std::pow(10.0, random_.between(-4.0, -2.0));
     input_.wheel.z = deepest_ + (overloaded_ ? random_.between(0.0, 1.5e-3) : random_.between(-0.6e-3, 0.0));
@@ -203,7 +203,7 @@ void print_call(const char* what, long group, long k, const wrc_wheel_input& inp
   std::printf(
       "  %s: group %ld, call %ld, %s: y %.3f mm, roll %.2f, yaw %.2f mrad, %.1f kN, %d iterations, work "
       "%.0f, residual %.1e\n",
-      what, group, k, input.start == WRC_START_COLD ? "anew" : "from the one before", 1e3 * input.wheel.y,
+      what, group, k, input.start == WRC_START_COLD ? "cold" : "from the one before", 1e3 * input.wheel.y,
       1e3 * input.wheel.roll, 1e3 * input.wheel.yaw, 1e-3 * wrench.normal_force, wrench.iterations,
       wrench.work, wrench.residual);
 }
@@ -258,7 +258,7 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
           "%-10s %s %6.0f kN: %7zu calls, %ld capped; iterations 50 %% %g  99.9 %% %g  most %g; work 50 %% "
           "%.0f  99.9 %% %.1f  "
           "most %.1f of it (group %ld); 50 %% %.1f us  99.9 %% %.1f of it\n",
-          warm ? "from last" : "anew", load < std::size(class_borders) ? "to" : "above",
+          warm ? "from last" : "cold", load < std::size(class_borders) ? "to" : "above",
           1e-3 * class_borders[std::min(load, std::size(class_borders) - 1)], c.work.size(), c.capped,
           at_share(c.iterations, 0.5), at_share(c.iterations, 0.999), at_share(c.iterations, 1.0), median,
           at_share(c.work, 0.999) / median, most / median, c.slowest, at_share(c.time, 0.5),
@@ -269,14 +269,14 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
   return not_finite == 0 && statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }
 
-/// Sweeps and times of a way to call.
+/// Iterations and times of a way to call.
 struct Taken {
-  std::vector<double> sweeps, time;
+  std::vector<double> iterations, time;
   int32_t take(wrc_contact* contact, const wrc_wheel_input& input, wrc_wrench& wrench) {
     int32_t status = 0;
     const double took = microseconds_of([&] { status = wrc_contact_wrench(contact, &input, &wrench); });
     time.push_back(took);
-    sweeps.push_back(wrench.iterations);
+    iterations.push_back(wrench.iterations);
     return status;
   }
 };
@@ -286,7 +286,7 @@ struct Taken {
 int loads(Pairs& pairs, long count, unsigned seed) {
   Random random(seed);
   enum { load_anew, height_anew, load_later, height_later, ways };
-  constexpr const char* names[ways] = {"load, anew", "height, anew", "load, 1 ms later",
+  constexpr const char* names[ways] = {"load, cold", "height, cold", "load, 1 ms later",
                                        "height, 1 ms later"};
   Taken taken[ways];
   std::map<std::string, long> statuses;
@@ -341,9 +341,9 @@ int loads(Pairs& pairs, long count, unsigned seed) {
   }
   for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
   for (int way = 0; way < ways; ++way)
-    std::printf("%-20s sweeps 50 %% %g  99 %% %g  most %g   50 %% %.1f us  99 %% %.1f us\n", names[way],
-                at_share(taken[way].sweeps, 0.5), at_share(taken[way].sweeps, 0.99),
-                at_share(taken[way].sweeps, 1.0), at_share(taken[way].time, 0.5),
+    std::printf("%-20s iterations 50 %% %g  99 %% %g  most %g   50 %% %.1f us  99 %% %.1f us\n", names[way],
+                at_share(taken[way].iterations, 0.5), at_share(taken[way].iterations, 0.99),
+                at_share(taken[way].iterations, 1.0), at_share(taken[way].time, 0.5),
                 at_share(taken[way].time, 0.99));
   std::printf("loads met to %.1e\n", off);
   return statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
@@ -468,7 +468,7 @@ int branches(Pairs& pairs, double y, double yaw, double low, double high) {
     std::fflush(stdout);
   };
   const auto in_real_time = [&](wrc_wrench* wrench) { return wrc_contact_wrench(contact, &input, wrench); };
-  for (int n = 0; n <= steps; ++n) row("anew", 1.0 * n / steps, in_real_time);
+  for (int n = 0; n <= steps; ++n) row("cold", 1.0 * n / steps, in_real_time);
   input.start = WRC_START_WARM;
   for (int n = 0; n <= steps; ++n) row("down", 1.0 * n / steps, in_real_time);
   for (int n = steps; n >= 0; --n) row("up", 1.0 * n / steps, in_real_time);
@@ -531,7 +531,7 @@ struct Start {
   const char* name;
   int32_t start;
 };
-constexpr Start starts[] = {{"marked", WRC_START_MARK}, {"anew", WRC_START_COLD}};
+constexpr Start starts[] = {{"marked", WRC_START_MARK}, {"cold", WRC_START_COLD}};
 
 /// Times of a case from a start: its name in the JSON object, and the numbers there [us].
 struct Timed {
@@ -543,7 +543,7 @@ struct Timed {
 Timed time_one(const Solver& solver, const Run& run, const Start& start, long steps) {
   wrc_contact* const scout = solver.contact();
   const Contacts one(solver, 1);
-  std::vector<double> time[2], strips[2], sweeps, all;
+  std::vector<double> time[2], strips[2], iterations, all;
   for (long step = 0; step < steps; ++step) {
     wrc_wheel_input input = run.at(scout, step);
     input.start = start.start;
@@ -557,15 +557,15 @@ Timed time_one(const Solver& solver, const Run& run, const Start& start, long st
     time[two].push_back(took);
     all.push_back(took);
     strips[two].push_back(strips_in_contact(one[0], wrench));
-    sweeps.push_back(wrench.iterations);
+    iterations.push_back(wrench.iterations);
   }
   for (const int two : {0, 1})
     if (!time[two].empty())
       std::printf("%-9s %-7s %-11s %6zu calls, %2g strips, 50 %% %6.1f us  99 %% %6.1f us\n", run.name,
                   start.name, two ? "two regions" : "one region", time[two].size(),
                   at_share(strips[two], 0.5), at_share(time[two], 0.5), at_share(time[two], 0.99));
-  std::printf("%-9s %-7s sweeps 50 %% %g  99 %% %g\n", run.name, start.name, at_share(sweeps, 0.5),
-              at_share(sweeps, 0.99));
+  std::printf("%-9s %-7s iterations 50 %% %g  99 %% %g\n", run.name, start.name, at_share(iterations, 0.5),
+              at_share(iterations, 0.99));
   return {std::string(run.name) + "_" + start.name, at_share(all, 0.5), at_share(all, 0.999)};
 }
 

@@ -29,7 +29,7 @@ TABS = [
     ("Embedding", "embedding.md"), ("Frames and signs", "frames.md"), ("Theory", "theory.md"),
     ("Accuracy", [("Results", "accuracy.md"), ("The source paper", "paper.md"), ("How the figures are made", "accuracy_method.md")]),
     ("Real time, speed", "realtime.md"),
-    ("Callers", [("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python reference", "python_api.md"), ("Python package", "in_bindings_python.md"),
+    ("Callers", [("Side by side", "languages.md"), ("C++", "in_bindings_cpp.md"), ("Python", "python.md"), ("Python reference", "python_api.md"), ("Python package", "in_bindings_python.md"),
                  ("Exudyn", "in_bindings_python_examples_exudyn.md"), ("scipy", "in_bindings_python_examples_scipy.md"),
                  ("Sweeps", "in_bindings_python_examples_sweep.md"),
                  ("Wear over a network", "in_bindings_python_examples_wear.md"), ("Fortran", "in_bindings_fortran.md"), ("FMI", "in_bindings_fmi.md"),
@@ -102,6 +102,36 @@ def formulas(text):
     return re.sub(r"^```math\n(.*?)^```\n", block, text, flags=re.M | re.S)
 
 
+GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "eps": "ε", "epsilon": "ε", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ",
+         "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω", "Sigma": "Σ", "Lambda": "Λ"}
+CODE = re.compile(r"(^```[\s\S]*?^```$|^ {4,}.*$|^#.*$|<[^>\n]*>|`[^`\n]*`|\]\([^)]*\)|\[[^\]\n]*\]\(|\b[a-z]+://\S+)", re.M)
+
+
+def letters(text):
+    """The page's text with quantities in prose as the formulas have them: Greek letters, indices, powers. Code, headings and links
+    stay."""
+    def symbols(part):
+        part = re.sub(r"\b(%s|[A-Za-z]{1,2}'?)_(\{\w+\}|[A-Za-z0-9]{1,6})\b" % "|".join(GREEK),
+                      lambda found: f"<em>{found[1]}</em><sub>{found[2].strip('{}')}</sub>", part)
+        part = re.sub(r"\b(height|curvature|centre|peak|width|length)_([a-z0-9])\b", r"<em>\1</em><sub>\2</sub>", part)
+        part = re.sub(r"\b([CLK])(11|22|23|33)\b", r"<em>\1</em><sub>\2</sub>", part)
+        part = re.sub(r"(?<=[\w)>])\^(-?\d+(?:[./]\d+)?|\([^()\s]+\)|[a-z])(?![\w^])", lambda found: f"<sup>{found[1].strip('()')}</sup>", part)
+        part = re.sub(r"\bsqrt(?=\()", "√", re.sub(r"\bInt(?= )", "∫", part))
+        return re.sub(r"(?<![\w./-])(%s)(?!\w|[./-]\w)" % "|".join(GREEK), lambda found: GREEK[found[1]], part)
+    return "".join(part if k % 2 else symbols(part) for k, part in enumerate(CODE.split(text)))
+
+
+def languages():
+    """The page that shows one task, a wheelset under yaw, in each language: the pieces of the manuals and the bindings."""
+    def first(path, language):
+        return re.search(rf"^```{language}\n(.*?)^```", (ROOT / path).read_text(), re.M | re.S)[1]
+    pieces = [("Python", "py", first("docs/python.md", "python")), ("C", "c", first("README.md", "c")),
+              ("C++", "cpp", (ROOT / "bindings/cpp/first_step.cpp").read_text()), ("Fortran", "f90", (ROOT / "bindings/fortran/main_case.f90").read_text())]
+    return ("# One wheelset, four languages {#page_languages}\n\nA wheelset stands on its rails under 80 kN on each wheel. Then it rolls at 20 m/s with "
+            "a yaw of 2 mrad, and the forces on both wheels are printed.\n\n" +
+            "".join(f"## {title}\n\n\\code{{.{ending}}}\n{code}\\endcode\n\n" for title, ending, code in pieces))
+
+
 def named(text, name):
     """The page with an identifier of its own, whatever the folder it was in; doxygen knows no code in headings."""
     text = re.sub(r"^#.*$", lambda found: found[0].replace("`", ""), text, flags=re.M)
@@ -135,7 +165,7 @@ def layout(names):
     def tab(title, name):
         return f'<tab type="user" title="{title}" url="@ref {identifier(name)}"/>'
     told = {"start.md"} | {name for _, entry in TABS for name in ([entry] if isinstance(entry, str) else [each for _, each in entry])}
-    assert told - {"python_api.md"} <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
+    assert told - {"python_api.md", "languages.md"} <= set(names.values()), f"tabs without a page: {told - set(names.values())}"
     rest = [(re.search("^# (.*)$", (ROOT / path).read_text(), re.M)[1], path, name) for path, name in sorted(names.items()) if name not in told]
     decisions = [(title, name) for title, path, name in rest if path.startswith("docs/decisions/")]
     others = [(title, name) for title, path, name in rest if not path.startswith("docs/decisions/")]
@@ -203,8 +233,9 @@ def main():
     shutil.rmtree(OUT, ignore_errors=True)
     WORK.mkdir(parents=True)
     for path, name in names.items():
-        (WORK / name).write_text(named(formulas(rewritten(path, names)), name))
+        (WORK / name).write_text(named(formulas(letters(rewritten(path, names))), name))
     (WORK / "python_api.md").write_text(named(python_api.page(), "python_api.md"))
+    (WORK / "languages.md").write_text(languages())
     layout(names)
     settings = (ROOT / "docs/Doxyfile").read_text() + f"""
 INPUT = {WORK} tools/site/examples.dox include_c
@@ -213,12 +244,15 @@ IMAGE_PATH = docs/pictures
 USE_MDFILE_AS_MAINPAGE = {WORK}/start.md
 STRIP_FROM_PATH = {WORK} .
 HTML_EXTRA_STYLESHEET = tools/site/site.css
+HTML_EXTRA_FILES = tools/site/site.js
 LAYOUT_FILE = {WORK}/layout.xml
 FILE_PATTERNS = *.h *.md *.dox
 """
     (WORK / "Doxyfile").write_text(settings)
     subprocess.run(["doxygen", WORK / "Doxyfile"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     (OUT / "tutorial.ipynb").write_text(notebook.notebook((ROOT / "docs/tutorial.md").read_text()))
+    for each in OUT.glob("*.html"):
+        each.write_text(each.read_text().replace("</head>", '<script src="site.js"></script></head>', 1))
     for each in WORK.glob("formula_*.svg"):
         shutil.copy(each, OUT)
     warnings = (ROOT / "build/doxygen-warnings.log").read_text().splitlines()

@@ -248,3 +248,13 @@ def test_shapes():
         wrc.shape("EPS")
     with pytest.raises(ValueError, match="wrc.shape"):
         wrc.Model(wheel="S1002", rail="60E2")
+
+
+def test_a_wheel_for_a_rail_and_units_that_fit(tmp_path):
+    y, z, _ = wrc.Model(wheel="S1002", rail="60E1").profile("WHEEL")
+    np.savetxt(tmp_path / "own.txt", 1e3 * np.c_[y - 0.75, z])
+    np.savetxt(tmp_path / "inches.txt", np.c_[y - 0.75, z] / 25.4e-3)
+    with pytest.raises(wrc.ProfileError, match="is it a wheel, read as a rail"):
+        wrc.read_profile(tmp_path / "own.txt", "rail")
+    with pytest.raises(wrc.ProfileError, match=r'"in" \(129 mm\)'):
+        wrc.read_profile(tmp_path / "inches.txt", "wheel")

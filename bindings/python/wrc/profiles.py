@@ -78,6 +78,8 @@ class ProfileFile:
         text = c.create_string_buffer(_SENTENCE)
         if i._wrc_config_check(config, text, _SENTENCE) < 0:
             sentence = text.value.decode(errors="replace")
+            if self.body == "rail" and "upside down" in sentence:
+                sentence += "; or is it a wheel, read as a rail?"
             at = re.search(r"\[(\d+)\]", sentence)
             line = int(self.lines[int(at.group(1))]) if at and self.lines is not None and int(at.group(1)) < len(self.lines) else None
             raise ProfileError(self.path, line, sentence)
@@ -312,7 +314,9 @@ def _in_metres(path: str, points: np.ndarray, unit: Optional[str], said: Any, no
         scale, why = (UNITS[said], "the format") if isinstance(said, str) else (said, "units.len.f")
     else:
         if not fitting:
-            raise ProfileError(path, None, f"is {width:g} wide, which is a profile neither in mm nor in m: pass unit=")
+            others = [name for name, scale in UNITS.items() if NARROWEST <= width * scale <= WIDEST]
+            raise ProfileError(path, None, f"is {width:g} wide, which is a profile neither in mm nor in m: pass unit=" +
+                               " or ".join(f'"{name}" ({1e3 * width * UNITS[name]:.0f} mm)' for name in others))
         scale, why = UNITS[fitting[0]], ""
         notes.append(f"taken as {fitting[0]}, which fits its width")
     if not NARROWEST <= width * scale <= WIDEST:
