@@ -60,7 +60,8 @@ static void remembered(void) {
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-  config.planar.non_steady = 1;
+  config.planar.non_steady = 1; /* of the stages */
+  config.surface.memory = 1;    /* of a wheel on a rail */
   wrc_model* model = NULL;
   wrc_contact* contact = NULL;
   wrc_planar_input input = wrc_planar_input_default();
@@ -73,7 +74,17 @@ static void remembered(void) {
     DO(wrc_planar_roll(contact, 1e-3)); /* a millimetre further each */
     DO(wrc_planar_step(contact, &input, &output));
   }
-  printf("memory: Fx %.0f N after 3 mm\n", output.forces.fx);
+  printf("memory: Fx %.0f N after 3 mm", output.forces.fx);
+  wrc_wheel_input wheel = wrc_wheel_input_default();
+  wrc_wrench wrench = {.struct_size = sizeof wrench};
+  wheel.wheel.z = 0.3e-3;
+  wheel.time_step = 1e-3;
+  for (int step = 0; step < 3; ++step) {
+    wheel.wheel.velocity[0] = step == 0 ? 0.0 : 1e-3; /* slides, and does not turn */
+    DO(wrc_contact_wrench(contact, &wheel, &wrench)); /* a trial */
+    DO(wrc_contact_commit(contact));                  /* accepted: later calls begin with its tractions */
+  }
+  printf("; of a wheel %.0f N after 2 um\n", wrench.force[0]);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
 }

@@ -6,7 +6,7 @@
 /// to 1.4 times what saturates; from rest under constant creepages, or harmonic longitudinal creepage,
 /// lateral creepage, spin, load, or all creepages at once, wave lengths of 3.5 to 42 half lengths. Errors of
 /// (Fx, Fy) over friction times the load of the moment. The
-/// three constants of src/tangential/methods/strip_memory.cpp are the best of a scan over 90 other sequences
+/// three constants of src/tangential/methods/patch_memory.cpp are the best of a scan over 90 other sequences
 /// of these kinds.
 #include <algorithm>
 #include <cmath>

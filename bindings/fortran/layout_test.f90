@@ -22,7 +22,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(16)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
-  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(14)
+  integer(c_size_t), bind(C) :: layout_wrc_wheel_input(15)
   integer(c_size_t), bind(C) :: layout_wrc_wrench(18)
   integer(c_size_t), bind(C) :: layout_wrc_wrench_derivatives(5)
   integer(c_size_t), bind(C) :: layout_wrc_creepage(8)
@@ -303,8 +303,8 @@ contains
     call same('wrc_config_surface', 'size', c_sizeof(a), layout_wrc_config_surface(1))
     call same('wrc_config_surface', 'cells', &
       distance(c_loc(a), c_loc(a%cells)), layout_wrc_config_surface(2))
-    call same('wrc_config_surface', 'reserved0', &
-      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_config_surface(3))
+    call same('wrc_config_surface', 'memory', &
+      distance(c_loc(a), c_loc(a%memory)), layout_wrc_config_surface(3))
     call same('wrc_config_surface', 'tread_width', &
       distance(c_loc(a), c_loc(a%tread_width)), layout_wrc_config_surface(4))
     call same('wrc_config_surface', 'corner_width', &
@@ -573,6 +573,8 @@ contains
       distance(c_loc(a), c_loc(a%angle)), layout_wrc_wheel_input(13))
     call same('wrc_wheel_input', 'roller_rate', &
       distance(c_loc(a), c_loc(a%roller_rate)), layout_wrc_wheel_input(14))
+    call same('wrc_wheel_input', 'time_step', &
+      distance(c_loc(a), c_loc(a%time_step)), layout_wrc_wheel_input(15))
   end subroutine
   subroutine test_wrc_wrench()
     type(wrc_wrench), target :: a

@@ -419,7 +419,8 @@ typedef struct wrc_config_tangential {
  * errors of settings: docs/realtime.md. */
 typedef struct wrc_config_surface {
   int32_t cells;       /**< cells along each strip, in which it rolls and fields are given, 4..512 [32] */
-  uint32_t reserved0;  /**< 0 */
+  uint32_t memory;     /**< 0..1; 1: contacts remember the tractions of the step that wrc_contact_commit() commits, at rest and
+                            rolling either way. Of WRC_TANGENTIAL_STRIP_FASTSIM [0] */
   double tread_width;  /**< width of the rail's strips where its radius of curvature is 60 mm or more, 1e-4..2e-3 m [5e-4] */
   double corner_width; /**< the same where it is 20 mm or less, at most tread_width, 5e-5..1e-3 m; linear between. Faces that
                             guide, of a check rail, have 0.2e-3 m at most [2.5e-4] */
@@ -593,6 +594,8 @@ typedef struct wrc_wheel_input {
   double angle;          /**< of the wheel about its axle, for one with config.roundness, right-hand rule about y, -1e9..1e9 rad
                               [0] */
   double roller_rate;    /**< angular velocity of a roller about its axle, right-hand rule about y, -2000..2000 rad/s [0] */
+  double time_step;      /**< time since the step that wrc_contact_commit() committed, over which the velocities act, 0..1e6 s; of
+                              config.surface.memory [0] */
 } wrc_wheel_input;
 
 /** What passes between a wheel and its rail. All zero but for z and clearance where they do not touch. */
@@ -940,12 +943,14 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
  *  - _PATCH_AT_EDGE: contact reaches the end of a profile. _MORE_PATCHES: more regions or strips than there is room for.
- *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages().
+ *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(); not with config.surface.memory.
+ *  - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities take it.
  *  - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there.
  *  - _FORCE_JUMPS: a planar normal method on a patch of several lowest points.
  *
  * Or WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
- * zones in a contact frame; friction over temperature of a method without tractions. @rt hard @thread contact */
+ * zones in a contact frame; friction over temperature of a method without tractions, or with config.surface.memory. @rt hard
+ * @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
 /** Marks the contact's last solution of a wheel as accepted. Calls with WRC_START_MARK start from it until the next mark, whatever
@@ -954,10 +959,20 @@ WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* 
  * @return WRC_OK; WRC_ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel). @rt hard @thread contact */
 WRC_API int32_t wrc_contact_mark(wrc_contact* contact);
 
+/** Commits the contact's last solution of a wheel, of a model with config.surface.memory. Later calls begin with its tractions. It is
+ * marked as by wrc_contact_mark(). Until the next commit results depend on this step and the input of the call alone, to the last
+ * bit. Trial steps, rejected ones and differences leave no trace. A contact begins without tractions. The committed
+ * step is saved and restored with the state. Theory manual, section 5.
+ * @param contact after a successful wrc_contact_wrench()
+ * @return WRC_OK; WRC_ERROR_NULL; _UNSUPPORTED (a model without config.surface.memory); _SEQUENCE (the last call left no solution of
+ * a wheel, or it is committed already). @rt hard @thread contact */
+WRC_API int32_t wrc_contact_commit(wrc_contact* contact);
+
 /** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
  * differences. Over temperature the part of the tractions is a difference. Two to three times the time of the wrench, over
  * temperature four to five times. Theory manual, section 9.
- * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM; others are WRC_ERROR_UNSUPPORTED
+ * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM without config.surface.memory; others
+ * are WRC_ERROR_UNSUPPORTED
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted

@@ -70,6 +70,7 @@ struct wrc_api {
   int32_t (*planar_tangential_derivatives)(wrc_contact*, wrc_planar_derivatives*);
     /**< wrc_planar_tangential_derivatives() */
   int32_t (*contact_mark)(wrc_contact*); /**< wrc_contact_mark() */
+  int32_t (*contact_commit)(wrc_contact*); /**< wrc_contact_commit() */
 };
 
 #endif /* WRC_API_H */

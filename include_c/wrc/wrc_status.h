@@ -27,6 +27,7 @@
   X(WRC_FLAG_SUM_OVERFLOW, 12, "a sum of bins passed its range: what they hold is worthless")              \
   X(WRC_FLAG_FORCE_JUMPS, 13, "a planar normal method on a patch of several lowest points: forces jump where the lowest changes") \
   X(WRC_FLAG_ROTATION_TRANSPOSED, 14, "the angular velocity lies along the axle of the transposed rotation: was its transpose given?") \
+  X(WRC_FLAG_MEMORY_DROPPED, 15, "the wheel was put elsewhere since the committed step: it begins without tractions") \
   X(WRC_ERROR_NULL, -1, "a required pointer is NULL")                                                   \
   X(WRC_ERROR_STRUCT_SIZE, -2, "struct_size is wrong, or a member newer than the library is set")            \
   X(WRC_ERROR_NOT_FINITE, -3, "a value is NaN or infinite")                                             \

@@ -90,6 +90,7 @@ Fault read_methods(const wrc_config& config, contact::ModelOptions& options) {
   options.traction_bound = static_cast<tangential::TractionBound>(config.tangential.bound);
   options.flexibility = static_cast<tangential::FlexibilityForm>(config.tangential.flexibility);
   options.non_steady = config.planar.non_steady == 1;
+  options.surface_memory = config.surface.memory == 1;
   const InstructionSet best = best_instruction_set();
   options.instruction_set = config.instruction_set == WRC_INSTRUCTIONS_BEST
                                 ? best
@@ -116,6 +117,7 @@ constexpr struct {
     {contact::Option::traction_bound, MEMBER(wrc_config, "tangential.bound")},
     {contact::Option::flexibility, MEMBER(wrc_config, "tangential.flexibility")},
     {contact::Option::non_steady, MEMBER(wrc_config, "planar.non_steady")},
+    {contact::Option::surface_memory, MEMBER(wrc_config, "surface.memory")},
 };
 
 /// Members that place profiles or cut them, and are read with profiles only.
@@ -124,6 +126,7 @@ constexpr const Member* read_with_profiles[] = {&MEMBER(wrc_config, "wheelset.ta
                                                 &MEMBER(wrc_config, "track.gauge_depth"),
                                                 &MEMBER(wrc_config, "track.rail_inclination"),
                                                 &MEMBER(wrc_config, "track.placement"),
+                                                &MEMBER(wrc_config, "surface.memory"),
                                                 &MEMBER(wrc_config, "surface.tread_width"),
                                                 &MEMBER(wrc_config, "surface.corner_width")};
 

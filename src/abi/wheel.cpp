@@ -188,6 +188,7 @@ Fault read_hosted(const wrc_wheel_input* theirs, const contact::TangentialMethod
   hosted.damping = flush_subnormals(ours.damping);
   hosted.distance = flush_subnormals(ours.distance);
   hosted.angle = flush_subnormals(ours.angle);
+  hosted.time = flush_subnormals(ours.time_step);
   return wheel;
 }
 
@@ -272,6 +273,11 @@ int32_t wrc_contact_wrench_derivatives(wrc_contact* handle, const wrc_wheel_inpu
 int32_t wrc_contact_mark(wrc_contact* handle) {
   return abi::call(__func__, handle, wrc::Fault{},
                    [](wrc::contact::Contact& contact) { return wrc::contact::mark_wheel(contact); });
+}
+
+int32_t wrc_contact_commit(wrc_contact* handle) {
+  return abi::call(__func__, handle, wrc::Fault{},
+                   [](wrc::contact::Contact& contact) { return wrc::contact::commit_wheel(contact); });
 }
 
 int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,

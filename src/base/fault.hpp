@@ -98,7 +98,7 @@ struct Fault {
       load_jumps{WRC_FLAG_LOAD_JUMPS}, force_jumps{WRC_FLAG_FORCE_JUMPS},
       beyond_sections{WRC_FLAG_BEYOND_SECTIONS}, table_range{WRC_FLAG_TABLE_RANGE},
       creepages_limited{WRC_FLAG_CREEPAGES_LIMITED}, dissimilar_materials{WRC_FLAG_DISSIMILAR_MATERIALS},
-      rotation_transposed{WRC_FLAG_ROTATION_TRANSPOSED};
+      rotation_transposed{WRC_FLAG_ROTATION_TRANSPOSED}, memory_dropped{WRC_FLAG_MEMORY_DROPPED};
 };
 
 // A contact's saved state holds its last fault: with padding here, equal states could differ in their bytes.
@@ -109,20 +109,12 @@ static_assert(sizeof(void*) != 8 || sizeof(Fault) == 2 * sizeof(std::int32_t) + 
 /// to the least grave, then WRC_OK. Larger is graver.
 constexpr std::int32_t gravity(std::int32_t status) {
   if (status <= 0) return status < 0 ? 100 : 0;
-  constexpr std::int32_t gravest_first[] = {WRC_FLAG_NO_CONTACT,
-                                            WRC_FLAG_ITERATION_CAP,
-                                            WRC_FLAG_SUM_OVERFLOW,
-                                            WRC_FLAG_BEYOND_GAP,
-                                            WRC_FLAG_PATCH_AT_EDGE,
-                                            WRC_FLAG_MORE_PATCHES,
-                                            WRC_FLAG_CLIMBING,
-                                            WRC_FLAG_LOAD_JUMPS,
-                                            WRC_FLAG_FORCE_JUMPS,
-                                            WRC_FLAG_BEYOND_SECTIONS,
-                                            WRC_FLAG_TABLE_RANGE,
-                                            WRC_FLAG_CREEPAGES_LIMITED,
-                                            WRC_FLAG_DISSIMILAR_MATERIALS,
-                                            WRC_FLAG_ROTATION_TRANSPOSED};
+  constexpr std::int32_t gravest_first[] = {
+      WRC_FLAG_NO_CONTACT,        WRC_FLAG_ITERATION_CAP,        WRC_FLAG_SUM_OVERFLOW,
+      WRC_FLAG_BEYOND_GAP,        WRC_FLAG_PATCH_AT_EDGE,        WRC_FLAG_MORE_PATCHES,
+      WRC_FLAG_CLIMBING,          WRC_FLAG_LOAD_JUMPS,           WRC_FLAG_FORCE_JUMPS,
+      WRC_FLAG_MEMORY_DROPPED,    WRC_FLAG_BEYOND_SECTIONS,      WRC_FLAG_TABLE_RANGE,
+      WRC_FLAG_CREEPAGES_LIMITED, WRC_FLAG_DISSIMILAR_MATERIALS, WRC_FLAG_ROTATION_TRANSPOSED};
   std::int32_t rank = 99;
   for (const std::int32_t flag : gravest_first) {
     if (flag == status) return rank;

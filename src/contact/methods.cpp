@@ -118,7 +118,7 @@ constexpr TangentialMethod tangential_methods[] = {
                  Fault& fault,
                  tangential::TangentialSensitivities*) { return tangential::fastrip(c, fields, fault); }},
     {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_STRIP_FASTSIM),
-     .reads = Option::non_steady,
+     .reads = {Option::non_steady, Option::surface_memory},
      .gives_tractions = true,
      .gives_derivatives = true,
      .over_strips = true,
@@ -191,6 +191,7 @@ surface::SurfaceMethods surface_methods(const ModelOptions& options) {
   const NormalMethod& normal = *options.normal_method;
   const TangentialMethod& tangential = *options.tangential_method;
   surface::SurfaceMethods methods;
+  methods.remembers = options.surface_memory;
   // The planar method, if there is one, is laid over the rail's strips; otherwise the surface has its own
   // solver.
   methods.planar = {normal.planar, options.sizes.strips, options.max_iterations, options.load_tolerance};

@@ -27,6 +27,7 @@ enum class Option {
   flexibility,
   force_table,
   non_steady,
+  surface_memory,
   slope_fall,  ///< friction.slope_limit and friction.slope_fall
   count
 };

@@ -143,7 +143,7 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
   // On the surface: state is saved with the contact, work space lies behind it.
   if (!has_surface(options)) return;
-  sizes.surface_state_bytes = surface::surface_state_bytes();
+  sizes.surface_state_bytes = surface::surface_state_bytes(remembered_strips(options));
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
       node_count(options.wheel), surface_methods(options), options.strip_widths, options.surface_cells,
       options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
@@ -243,6 +243,7 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
   fault = take_sections(options, section_memory, sections);
   if (fault.failed()) return fault;
   surface::SurfaceMethods methods = surface_methods(options);
+  methods.linear_theory = &model.linear_theory;
   methods.region.linear_theory = &model.linear_theory;
   methods.region.force_table = &model.force_table;
   fault = surface::make_surface_model({.wheel = wheel,
@@ -308,6 +309,10 @@ std::uint64_t fingerprint(const Model& model) {
 }
 
 }  // namespace
+
+std::int32_t remembered_strips(const ModelOptions& options) {
+  return options.surface_memory ? surface::overlapping_strips(options.strip_widths) : 0;
+}
 
 std::size_t model_bytes(const ModelOptions& options) {
   // Three copies of each profile: right, left, and as given; scratch while they are read.

@@ -65,6 +65,7 @@ struct ModelOptions {
   std::int32_t max_patches = 0;
   std::int32_t max_iterations = 0, max_sweeps = 0;
   bool non_steady = false;        ///< contacts remember their tractions
+  bool surface_memory = false;    ///< contacts of a wheel on a rail remember their tractions
   bool warm_start = false;        ///< does the strip half-space solver begin with the last solution?
   patch::Material material;       ///< combined
   double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]
@@ -110,6 +111,9 @@ struct Model {
   ArrayLayout layout;                              ///< places of arrays in every contact of this model
   std::uint64_t configuration = 0;                 ///< equal in models that give equal results
 };
+
+/// Strips of a wheel on a rail that contacts remember; 0: none.
+std::int32_t remembered_strips(const ModelOptions& options);
 
 /// Bytes of a model with these options (alignment: `block_alignment`).
 std::size_t model_bytes(const ModelOptions& options);

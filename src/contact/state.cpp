@@ -37,6 +37,9 @@ Contact& make_contact(const Model& model, geometry::Side side, void* memory) {
   contact->side = side;
   if (model.options.non_steady)
     tangential::make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
+  if (const std::int32_t remembered = remembered_strips(model.options); remembered > 0)
+    surface::make_surface_memory(
+        *reinterpret_cast<surface::SurfaceState*>(array(*contact, Array::surface_state)), remembered);
   return *contact;
 }
 

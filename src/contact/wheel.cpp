@@ -93,6 +93,10 @@ Fault check_read(const Model& model, const HostWheel& hosted) {
   if (hosted.angle != 0.0 && surface.out_of_round.rows == 0)
     return Fault::unsupported("input.angle", {hosted.angle, "rad"},
                               "the wheel is round: give config.roundness, or leave it 0");
+  if (hosted.time != 0.0 && !model.options.surface_memory)
+    return Fault::unsupported(
+        "input.time_step", {hosted.time, "s"},
+        "nothing is remembered from a step to the next: give config.surface.memory, or leave it 0");
   return {};
 }
 
@@ -136,6 +140,7 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
   problem.damping = hosted.damping;
   if (reads_distance(model)) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;
+  problem.time = hosted.time;
   return {};
 }
 
@@ -161,6 +166,35 @@ Fault mark_wheel(Contact& contact) {
   return {};
 }
 
+Fault commit_wheel(Contact& contact) {
+  if (!contact.model->options.surface_memory)
+    return Fault::unsupported("config.surface.memory", {0, ""},
+                              "the model remembers nothing: wrc_contact_mark marks solutions");
+  if (!contact.wheel_solved)
+    return Fault::sequence("wrench", "there is none to commit: call wrc_contact_wrench first");
+  if (surface::commit_solution(surface_state(contact))) return {};
+  return Fault::sequence("wrench", "the last one is committed already: call wrc_contact_wrench first");
+}
+
+namespace {
+
+/// Refuses inputs that a model that remembers cannot take.
+Fault check_memory(const Model& model, const HostWheel& hosted, bool derivatives) {
+  if (!model.options.surface_memory) return {};
+  if (derivatives)
+    return Fault::unsupported(
+        "config.surface.memory",
+        "derivatives with memory do not exist yet: take differences of trial steps, which "
+        "leave the committed step as it is");
+  if (hosted.friction.law.heated())
+    return Fault::unsupported(
+        "input.friction.temperature_law",
+        "temperatures are those of steady rolling, which config.surface.memory has not");
+  return {};
+}
+
+}  // namespace
+
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes) {
   // the results of the last solve are gone, whatever follows
   contact.wheel_solved = false;
@@ -178,10 +212,13 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
         normal ? "derivatives of a wrench are those of WRC_NORMAL_STRIP_HALFSPACE alone"
                : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone");
   }
-  if (model.options.non_steady) {
+  if (model.options.non_steady && !model.options.surface_memory) {
     return Fault::unsupported("config.planar.non_steady",
-                              "wrc_contact_wrench rolls steadily: use a model without it");
+                              "it is of the stages: wrc_contact_wrench remembers with config.surface.memory");
   }
+
+  fault = check_memory(model, hosted, slopes != nullptr);
+  if (fault.failed()) return fault;
 
   // solved as right-hand bodies
   HostWrench& result = contact.wheel;

@@ -30,6 +30,7 @@ struct HostWheel {
   double damping = 0.0;   ///< alpha of normal/damping.hpp [s/m]
   double distance = 0.0;  ///< reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;     ///< about the axle [rad]
+  double time = 0.0;      ///< since the committed step [s]
 };
 
 /// Inputs that a wrench is differentiated by, as enum wrc_wrench_input. Roll and yaw are those of the axle.
@@ -86,6 +87,9 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
 
 /// Marks the last solution, for later ones to start from.
 Fault mark_wheel(Contact& contact);
+
+/// Makes the last solution the step that later ones begin with, its tractions included.
+Fault commit_wheel(Contact& contact);
 
 /// Solves for the wrench, kept in the contact. `slopes`: nullptr, not wanted.
 Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slopes = nullptr);

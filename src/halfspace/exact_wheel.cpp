@@ -102,6 +102,9 @@ Fault solve_exact_wheel(const contact::Contact& contact, const contact::HostWhee
   contact::PlacedWheel placed;
   Fault fault = contact::place_wheel(contact, hosted, placed);
   if (fault.failed()) return fault;
+  if (hosted.time != 0.0)
+    return Fault::unsupported("input.time_step", {hosted.time, "s"},
+                              "exact wheels roll steadily and remember nothing: leave it 0");
   // The bodies of the model: sections by arc length from their profiles' origins.
   const contact::Model& model = *contact.model;
   const surface::SurfaceModel& surface = *model.surface;

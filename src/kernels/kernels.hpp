@@ -33,6 +33,11 @@ struct StripFastsimTask;
 struct SurfaceMarchTask;
 struct SurfaceStripsTask;
 struct SurfaceStripsSlopesTask;
+struct RememberingStrip;
+struct MemoryBringTask;
+struct MemoryPassTask;
+struct MemoryPassSums;
+struct MemoryMarchTask;
 struct Sums;
 struct SurfaceTables;
 struct SurfaceStrips;
@@ -90,6 +95,12 @@ struct TangentialKernels {
   void (*surface_strips)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_fields)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_slopes)(const SurfaceStripsSlopesTask& task);
+  /// Adds the tractions that a past strip brings.
+  void (*memory_bring)(const MemoryBringTask& task, RememberingStrip& to);
+  /// Tractions alone, or with the sums.
+  void (*memory_pass)(const MemoryPassTask& task);
+  void (*memory_pass_sums)(const MemoryPassTask& task, MemoryPassSums& sums);
+  void (*memory_march)(const MemoryMarchTask& task);
 };
 
 struct SurfaceKernels {

@@ -28,6 +28,8 @@ struct SurfaceMethods {
   RegionRolling
       region;  ///< with `solve`: patch by patch where by_region, or the slope of the creep curve falls
   bool by_region = false;
+  bool remembers = false;  ///< strips keep their tractions from step to step (rolling/remembering.hpp)
+  const theory::SdecTable* linear_theory = nullptr;  ///< for patches that remember
 
   bool differentiable() const { return !planar.solve && !region.solve; }
 };

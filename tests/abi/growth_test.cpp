@@ -129,7 +129,7 @@ TEST_F(WheelOfANewerHeader, WithAMemberThatIsNotKnownIsRefused) {
 TEST_F(WheelOfANewerHeader, OfNoHeaderIsRefused) {
   Newer<wrc_wheel_input> too_large(input, most_newer_bytes + 1);
   EXPECT_EQ(wrc_contact_wrench(contact, too_large.get(), &wrench), WRC_ERROR_STRUCT_SIZE);
-  expect_words(sentence_of(contact), {"wrc_wheel_input.struct_size = 1737 bytes is outside 712 .. 1736 bytes",
+  expect_words(sentence_of(contact), {"wrc_wheel_input.struct_size = 1745 bytes is outside 712 .. 1744 bytes",
                                       "set it to sizeof the struct"});
   Newer<wrc_wrench> result(sized<wrc_wrench>(), most_newer_bytes + 1, 0x77);
   EXPECT_EQ(wrc_contact_wrench(contact, &input, result.get()), WRC_ERROR_STRUCT_SIZE);

@@ -48,6 +48,11 @@ Report compare_transient(const Csv& file, const Names& only);
 /// family.
 Report compare_memory(const Csv& file, const Names& only);
 
+/// The same of wheels on rails from rest, of files with profiles: wrc_contact_wrench() of a model that
+/// remembers. Errors of the horizontal force are over mu times the row's vertical load. `steady`: the same
+/// poses without memory, beside the reference's steady forces.
+Report compare_memory_of_wheels(const Csv& file, const Csv& parameters, const Names& only);
+
 /// The default tangential variant on grids of 16 to 128 strips and cells against 512 x 512: the
 /// discretisation's share of the error.
 Report compare_grid(const Csv& file, const Names& only);

@@ -57,7 +57,7 @@ constexpr Kind kinds[] = {
      "those of transient_cases.csv, transient_params.csv beside it: rolling that is not steady"},
     {"memory", compare::compare_memory, nullptr, none,
      "those of memory_cases.csv, memory_params.csv beside it: shifts at rest, rolling either way, loads that "
-     "vary"},
+     "vary; or of wheelrail_memory_cases.csv: wheels that wander from rest"},
     {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
     {"subsurf", compare::compare_subsurface, nullptr, none,

@@ -172,6 +172,7 @@ const std::vector<Variant> every_variant = {{"exact", make<Exact>}, {"strip", ma
 
 Report compare_memory(const Csv& file, const Names& only) {
   const Csv parameters(parameters_of(file.path()));
+  if (parameters.has("wheel_file")) return compare_memory_of_wheels(file, parameters, only);
   std::map<long, Sequence> sequences;
   Report report;
   report.kind = "memory";

@@ -51,13 +51,15 @@ const ProfilePoints& Pairs::points(const std::string& name) {
   if (const auto found = points_.find(name); found != points_.end()) return found->second;
   std::string file_name = name == "S1002" ? "s1002_benchmark" : name == "UIC60" ? "uic60_benchmark" : name;
   if (file_name.size() < 4 || file_name.substr(file_name.size() - 4) != ".txt") file_name += ".txt";
-  return points_[name] = read_profile(std::filesystem::path(folder_).parent_path() / "profiles" / file_name);
+  std::filesystem::path folder = std::filesystem::path(folder_).parent_path();
+  if (!std::filesystem::exists(folder / "profiles")) folder /= "..";
+  return points_[name] = read_profile(folder / "profiles" / file_name);
 }
 
 const Solver& Pairs::of(const PairOptions& options) {
   auto& solver =
       solvers_[{options.wheel, options.rail, options.shear_modulus, options.poisson, options.radius,
-                options.smoothing, options.side, options.normal, options.tangential}];
+                options.smoothing, options.side, options.normal, options.tangential, options.remembers}];
   if (solver != nullptr) return *solver;
   const auto profile_of = [&](const std::string& name) {
     const ProfilePoints& given = points(name);
@@ -83,6 +85,7 @@ const Solver& Pairs::of(const PairOptions& options) {
     config.normal.method = options.normal;
     choose_tangential(config, options.tangential);
   }
+  config.surface.memory = options.remembers ? 1 : 0;
   solver = std::make_unique<Solver>(config, options.side);
   return *solver;
 }

@@ -41,12 +41,14 @@ CaseRows setting_rows(const Csv& file, const CaseRows& rows, const std::string& 
 /// What a pair of bodies is made of.
 struct PairOptions {
   std::string wheel,
-      rail;  ///< names of files in profiles/ beside the csv, with or without .txt; S1002 and UIC60
+      rail;  ///< names of files in profiles/ beside the csv or a folder up, with or without .txt; S1002 and
+             ///< UIC60
   double shear_modulus = 82e9, poisson = 0.28, radius = 0.46;  ///< [Pa], [-], [m]
   double smoothing = 0.0;                                      ///< [m]
   int32_t side = WRC_SIDE_RIGHT;
   int32_t normal = -1,
           tangential = -1;  ///< WRC_NORMAL_... and number of a published method; < 0: the default
+  bool remembers = false;   ///< config.surface.memory
 };
 
 /// Methods by the name NORMAL+TANGENTIAL; throws std::runtime_error where it is none.
@@ -73,8 +75,9 @@ class Pairs {
 
   std::string folder_, setting_;
   std::map<std::string, ProfilePoints> points_;
-  std::map<std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t>,
-           std::unique_ptr<Solver>>
+  std::map<
+      std::tuple<std::string, std::string, double, double, double, double, int32_t, int32_t, int32_t, bool>,
+      std::unique_ptr<Solver>>
       solvers_;
 };
 

@@ -64,6 +64,7 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
                  {Option::flexibility, "`config.tangential.flexibility`"},
                  {Option::force_table, "`config.tangential.force_table`"},
                  {Option::non_steady, "`config.planar.non_steady`"},
+                 {Option::surface_memory, "`config.surface.memory`"},
                  {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"}};
   ASSERT_EQ(std::size(options), static_cast<std::size_t>(Option::count));
   std::ifstream file(WRC_DOCS "/embedding.md");

@@ -148,6 +148,8 @@ class contact_calls {
 #endif
   /** wrc_contact_mark() */
   status mark() noexcept { return wrc_contact_mark(handle_); }
+  /** wrc_contact_commit() */
+  status commit() noexcept { return wrc_contact_commit(handle_); }
   /** wrc_contact_wrench_derivatives() */
   status wrench_derivatives(const wrc_wheel_input& input, wrc_wrench* wrench, wrc_wrench_derivatives* derivatives) noexcept { return wrc_contact_wrench_derivatives(handle_, &input, wrench, derivatives); }
   /** wrc_contact_region() */

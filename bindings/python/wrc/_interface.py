@@ -42,6 +42,7 @@ class Status(s.Choice):
     FLAG_SUM_OVERFLOW = 12, 'a sum of bins passed its range: what they hold is worthless'
     FLAG_FORCE_JUMPS = 13, 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes'
     FLAG_ROTATION_TRANSPOSED = 14, 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?'
+    FLAG_MEMORY_DROPPED = 15, 'the wheel was put elsewhere since the committed step: it begins without tractions'
     ERROR_NULL = -1, 'a required pointer is NULL'
     ERROR_STRUCT_SIZE = -2, 'struct_size is wrong, or a member newer than the library is set'
     ERROR_NOT_FINITE = -3, 'a value is NaN or infinite'
@@ -81,6 +82,7 @@ class Flags(enum.IntFlag):
         changes
     ROTATION_TRANSPOSED: the angular velocity lies along the axle of the transposed rotation: was its
         transpose given?
+    MEMORY_DROPPED: the wheel was put elsewhere since the committed step: it begins without tractions
     """
 
     NO_CONTACT = 1 << 1
@@ -97,6 +99,7 @@ class Flags(enum.IntFlag):
     SUM_OVERFLOW = 1 << 12
     FORCE_JUMPS = 1 << 13
     ROTATION_TRANSPOSED = 1 << 14
+    MEMORY_DROPPED = 1 << 15
 
 
 class NormalMethod(s.Choice):
@@ -881,6 +884,8 @@ class ConfigSurface(s.Struct):
 
     Members:
       cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)
+      memory: 1: contacts remember the tractions of the step that Contact.commit() commits, at rest and
+          rolling either way. Of TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
       tread_width [m]: width of the rail's strips where its radius of curvature is 60 mm or more (1e-4 ..
           2e-3; default 5e-4)
       corner_width [m]: the same where it is 20 mm or less, at most tread_width; linear between. Faces that
@@ -899,6 +904,7 @@ class ConfigSurface(s.Struct):
     _c_name_ = 'wrc_config_surface'
     __slots__ = ()
     cells: int
+    memory: int
     tread_width: float
     corner_width: float
     tolerance: float
@@ -908,7 +914,7 @@ class ConfigSurface(s.Struct):
     _defaults_ = {'cells': 32, 'tread_width': 0.0005, 'corner_width': 0.00025, 'tolerance': 1e-05, 'max_work': 20000000.0, 'max_iterations': 1000000.0}
     _fields_ = [
         ('cells', c.c_int32),
-        ('_reserved0', c.c_uint32),
+        ('memory', c.c_uint32),
         ('tread_width', c.c_double),
         ('corner_width', c.c_double),
         ('tolerance', c.c_double),
@@ -1329,6 +1335,8 @@ class WheelInput(s.Struct):
           .. 1e9; default 0)
       roller_rate [rad/s]: angular velocity of a roller about its axle, right-hand rule about y (-2000 ..
           2000; default 0)
+      time_step [s]: time since the step that Contact.commit() committed, over which the velocities act; of
+          config.surface.memory (0 .. 1e6; default 0)
     """
 
     _c_name_ = 'wrc_wheel_input'
@@ -1344,7 +1352,8 @@ class WheelInput(s.Struct):
     distance: float
     angle: float
     roller_rate: float
-    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_rate': 'rad/s'}
+    time_step: float
+    _units_ = {'vertical_load': 'N', 'damping': 's/m', 'distance': 'm', 'angle': 'rad', 'roller_rate': 'rad/s', 'time_step': 's'}
     _fields_ = [
         ('_struct_size', c.c_uint32),
         ('_prescribed', c.c_int32),
@@ -1359,8 +1368,9 @@ class WheelInput(s.Struct):
         ('distance', c.c_double),
         ('angle', c.c_double),
         ('roller_rate', c.c_double),
+        ('time_step', c.c_double),
     ]
-assert c.sizeof(WheelInput) == 712
+assert c.sizeof(WheelInput) == 720
 
 
 class Wrench(s.Struct):
@@ -3146,6 +3156,7 @@ _wrc_contact_restore_portable = _l.function(FUNCTIONS, 'wrc_contact_restore_port
 _wrc_contact_last_error = _l.function(FUNCTIONS, 'wrc_contact_last_error', c.c_int32, [c.c_void_p, c.c_char_p, c.c_uint64])
 _wrc_contact_wrench = _l.function(FUNCTIONS, 'wrc_contact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench)])
 _wrc_contact_mark = _l.function(FUNCTIONS, 'wrc_contact_mark', c.c_int32, [c.c_void_p])
+_wrc_contact_commit = _l.function(FUNCTIONS, 'wrc_contact_commit', c.c_int32, [c.c_void_p])
 _wrc_contact_wrench_derivatives = _l.function(FUNCTIONS, 'wrc_contact_wrench_derivatives', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(Wrench), c.POINTER(WrenchDerivatives)])
 _wrc_contact_wrench_batch = _l.function(FUNCTIONS, 'wrc_contact_wrench_batch', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(WheelInput), c.c_uint64, c.POINTER(Wrench), c.c_uint64, s.Numbers(c.c_int32)])
 _wrc_contact_region = _l.function(FUNCTIONS, 'wrc_contact_region', c.c_int32, [c.c_void_p, c.c_int32, c.POINTER(Region)])
@@ -3227,11 +3238,13 @@ class ContactCalls(_l.Handle):
             inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
             _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile.
             _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(). - _BEYOND_GAP: deeper than 2 mm, continued with the
-            stiffness there. - _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or
-            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load).
-            _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over temperature of a
-            method without tractions.
+            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
+            config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
+            take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
+            planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
+            _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
+            zones in a contact frame; friction over temperature of a method without tractions, or with
+            config.surface.memory.
         """
         if out is None:
             out = Wrench._new()
@@ -3254,6 +3267,22 @@ class ContactCalls(_l.Handle):
         """
         with self._lock:
             status = self._status = _wrc_contact_mark(self._handle)
+            if status < 0:
+                raise self._error(status)
+
+    def commit(self) -> None:
+        """Commits the contact's last solution of a wheel, of a model with config.surface.memory. Later calls
+            begin with its tractions. It is marked as by Contact.mark(). Until the next commit results depend
+            on this step and the input of the call alone, to the last bit. Trial steps, rejected ones and
+            differences leave no trace. A contact begins without tractions. The committed step is saved and
+            restored with the state. Theory manual, section 5.
+
+
+        C status: Status.OK; Status.ERROR_NULL; _UNSUPPORTED (a model without config.surface.memory);
+            _SEQUENCE (the last call left no solution of a wheel, or it is committed already).
+        """
+        with self._lock:
+            status = self._status = _wrc_contact_commit(self._handle)
             if status < 0:
                 raise self._error(status)
 

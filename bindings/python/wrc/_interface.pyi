@@ -55,6 +55,8 @@ class Status(s.Choice):
     """a planar normal method on a patch of several lowest points: forces jump where the lowest changes"""
     FLAG_ROTATION_TRANSPOSED = 14
     """the angular velocity lies along the axle of the transposed rotation: was its transpose given?"""
+    FLAG_MEMORY_DROPPED = 15
+    """the wheel was put elsewhere since the committed step: it begins without tractions"""
     ERROR_NULL = -1
     """a required pointer is NULL"""
     ERROR_STRUCT_SIZE = -2
@@ -83,7 +85,7 @@ class Status(s.Choice):
     """the caller cancelled the work"""
     ERROR_INTERNAL = -14
     """internal error: please report it"""
-StatusLike = Union[Status, Literal['OK', 'FLAG_NO_CONTACT', 'FLAG_ITERATION_CAP', 'FLAG_PATCH_AT_EDGE', 'FLAG_MORE_PATCHES', 'FLAG_TABLE_RANGE', 'FLAG_CREEPAGES_LIMITED', 'FLAG_LOAD_JUMPS', 'FLAG_BEYOND_GAP', 'FLAG_CLIMBING', 'FLAG_BEYOND_SECTIONS', 'FLAG_DISSIMILAR_MATERIALS', 'FLAG_SUM_OVERFLOW', 'FLAG_FORCE_JUMPS', 'FLAG_ROTATION_TRANSPOSED', 'ERROR_NULL', 'ERROR_STRUCT_SIZE', 'ERROR_NOT_FINITE', 'ERROR_RANGE', 'ERROR_PROFILE', 'ERROR_GAP', 'ERROR_LOAD', 'ERROR_BUFFER', 'ERROR_MEMORY', 'ERROR_SEQUENCE', 'ERROR_UNSUPPORTED', 'ERROR_FILE', 'ERROR_CANCELLED', 'ERROR_INTERNAL']]
+StatusLike = Union[Status, Literal['OK', 'FLAG_NO_CONTACT', 'FLAG_ITERATION_CAP', 'FLAG_PATCH_AT_EDGE', 'FLAG_MORE_PATCHES', 'FLAG_TABLE_RANGE', 'FLAG_CREEPAGES_LIMITED', 'FLAG_LOAD_JUMPS', 'FLAG_BEYOND_GAP', 'FLAG_CLIMBING', 'FLAG_BEYOND_SECTIONS', 'FLAG_DISSIMILAR_MATERIALS', 'FLAG_SUM_OVERFLOW', 'FLAG_FORCE_JUMPS', 'FLAG_ROTATION_TRANSPOSED', 'FLAG_MEMORY_DROPPED', 'ERROR_NULL', 'ERROR_STRUCT_SIZE', 'ERROR_NOT_FINITE', 'ERROR_RANGE', 'ERROR_PROFILE', 'ERROR_GAP', 'ERROR_LOAD', 'ERROR_BUFFER', 'ERROR_MEMORY', 'ERROR_SEQUENCE', 'ERROR_UNSUPPORTED', 'ERROR_FILE', 'ERROR_CANCELLED', 'ERROR_INTERNAL']]
 
 class Flags(enum.IntFlag):
     NO_CONTACT = 2
@@ -114,6 +116,8 @@ class Flags(enum.IntFlag):
     """a planar normal method on a patch of several lowest points: forces jump where the lowest changes"""
     ROTATION_TRANSPOSED = 16384
     """the angular velocity lies along the axle of the transposed rotation: was its transpose given?"""
+    MEMORY_DROPPED = 32768
+    """the wheel was put elsewhere since the committed step: it begins without tractions"""
 FlagsLike = Union[Flags, int]
 
 class NormalMethod(s.Choice):
@@ -801,6 +805,10 @@ class ConfigSurface(s.Struct):
     """
     cells: int
     """cells: cells along each strip, in which it rolls and fields are given (4 .. 512; default 32)"""
+    memory: int
+    """memory: 1: contacts remember the tractions of the step that Contact.commit() commits, at rest and rolling
+        either way. Of TangentialMethod.STRIP_FASTSIM (0 .. 1; default 0)
+    """
     tread_width: float
     """tread_width [m]: width of the rail's strips where its radius of curvature is 60 mm or more (1e-4 .. 2e-3;
         default 5e-4)
@@ -824,14 +832,15 @@ class ConfigSurface(s.Struct):
     """max_iterations: work that the normal problem at one height may take, in iterations over all strips that
         overlap there; of NormalMethod.STRIP_HALFSPACE. The end is that of max_work (2 .. 1e6; default 1e6)
     """
-    def __init__(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
+    def __init__(self, *, cells: int = ..., memory: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, cells: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> ConfigSurface:  # type: ignore[override]
+    def set(self, *, cells: int = ..., memory: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> ConfigSurface:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class ConfigSurfaceDict(TypedDict, total=False):
     """Members of wrc.ConfigSurface as a dict."""
     cells: int
+    memory: int
     tread_width: float
     corner_width: float
     tolerance: float
@@ -1291,9 +1300,13 @@ class WheelInput(s.Struct):
     """roller_rate [rad/s]: angular velocity of a roller about its axle, right-hand rule about y (-2000 .. 2000;
         default 0)
     """
-    def __init__(self, *, prescribed: PrescribedLike = ..., start: StartLike = ..., wheel: Union[WheelState, WheelStateDict] = ..., rail: Union[RailState, RailStateDict] = ..., frame: Union[FrameMotion, FrameMotionDict] = ..., friction: Union[Friction, FrictionDict] = ..., vertical_load: float = ..., damping: float = ..., distance: float = ..., angle: float = ..., roller_rate: float = ...) -> None:
+    time_step: float
+    """time_step [s]: time since the step that Contact.commit() committed, over which the velocities act; of
+        config.surface.memory (0 .. 1e6; default 0)
+    """
+    def __init__(self, *, prescribed: PrescribedLike = ..., start: StartLike = ..., wheel: Union[WheelState, WheelStateDict] = ..., rail: Union[RailState, RailStateDict] = ..., frame: Union[FrameMotion, FrameMotionDict] = ..., friction: Union[Friction, FrictionDict] = ..., vertical_load: float = ..., damping: float = ..., distance: float = ..., angle: float = ..., roller_rate: float = ..., time_step: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, prescribed: PrescribedLike = ..., start: StartLike = ..., wheel: Union[WheelState, WheelStateDict] = ..., rail: Union[RailState, RailStateDict] = ..., frame: Union[FrameMotion, FrameMotionDict] = ..., friction: Union[Friction, FrictionDict] = ..., vertical_load: float = ..., damping: float = ..., distance: float = ..., angle: float = ..., roller_rate: float = ...) -> WheelInput:  # type: ignore[override]
+    def set(self, *, prescribed: PrescribedLike = ..., start: StartLike = ..., wheel: Union[WheelState, WheelStateDict] = ..., rail: Union[RailState, RailStateDict] = ..., frame: Union[FrameMotion, FrameMotionDict] = ..., friction: Union[Friction, FrictionDict] = ..., vertical_load: float = ..., damping: float = ..., distance: float = ..., angle: float = ..., roller_rate: float = ..., time_step: float = ...) -> WheelInput:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class WheelInputDict(TypedDict, total=False):
@@ -1309,6 +1322,7 @@ class WheelInputDict(TypedDict, total=False):
     distance: float
     angle: float
     roller_rate: float
+    time_step: float
 
 class Wrench(s.Struct):
     """What passes between a wheel and its rail. All zero but for z and clearance where they do not touch."""
@@ -3124,6 +3138,7 @@ _wrc_contact_restore_portable: Callable[..., Any]
 _wrc_contact_last_error: Callable[..., Any]
 _wrc_contact_wrench: Callable[..., Any]
 _wrc_contact_mark: Callable[..., Any]
+_wrc_contact_commit: Callable[..., Any]
 _wrc_contact_wrench_derivatives: Callable[..., Any]
 _wrc_contact_wrench_batch: Callable[..., Any]
 _wrc_contact_region: Callable[..., Any]
@@ -3198,11 +3213,13 @@ class ContactCalls(_l.Handle):
             inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
             _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile.
             _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(). - _BEYOND_GAP: deeper than 2 mm, continued with the
-            stiffness there. - _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or
-            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load).
-            _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over temperature of a
-            method without tractions.
+            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
+            config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
+            take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
+            planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
+            _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
+            zones in a contact frame; friction over temperature of a method without tractions, or with
+            config.surface.memory.
         """
     def mark(self) -> None:
         """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until
@@ -3211,6 +3228,17 @@ class ContactCalls(_l.Handle):
 
 
         C status: Status.OK; Status.ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel).
+        """
+    def commit(self) -> None:
+        """Commits the contact's last solution of a wheel, of a model with config.surface.memory. Later calls
+            begin with its tractions. It is marked as by Contact.mark(). Until the next commit results depend
+            on this step and the input of the call alone, to the last bit. Trial steps, rejected ones and
+            differences leave no trace. A contact begins without tractions. The committed step is saved and
+            restored with the state. Theory manual, section 5.
+
+
+        C status: Status.OK; Status.ERROR_NULL; _UNSUPPORTED (a model without config.surface.memory);
+            _SEQUENCE (the last call left no solution of a wheel, or it is committed already).
         """
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete

@@ -511,7 +511,7 @@ struct Description<wrc_config_surface> {
   }();
   static constexpr Member members[] = {
       {.name = "cells", .offset = offsetof(wrc_config_surface, cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
-      {.name = "reserved0", .offset = offsetof(wrc_config_surface, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "memory", .offset = offsetof(wrc_config_surface, memory), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "tread_width", .offset = offsetof(wrc_config_surface, tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
       {.name = "corner_width", .offset = offsetof(wrc_config_surface, corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
       {.name = "tolerance", .offset = offsetof(wrc_config_surface, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
@@ -628,7 +628,7 @@ struct Description<wrc_config> {
       {.name = "tangential.force_table", .offset = offsetof(wrc_config, tangential.force_table), .type = Type::pointer, .rule = Rule::none},
       {.name = "tangential.reserved", .offset = offsetof(wrc_config, tangential.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "surface.cells", .offset = offsetof(wrc_config, surface.cells), .type = Type::int32, .rule = Rule::range, .low = 4, .high = 512},
-      {.name = "surface.reserved0", .offset = offsetof(wrc_config, surface.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "surface.memory", .offset = offsetof(wrc_config, surface.memory), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "surface.tread_width", .offset = offsetof(wrc_config, surface.tread_width), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2e-3, .unit = "m"},
       {.name = "surface.corner_width", .offset = offsetof(wrc_config, surface.corner_width), .type = Type::real, .rule = Rule::range, .low = 5e-5, .high = 1e-3, .unit = "m"},
       {.name = "surface.tolerance", .offset = offsetof(wrc_config, surface.tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-10, .high = 1e-2},
@@ -917,9 +917,10 @@ struct Description<wrc_wheel_input> {
       {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "angle", .offset = offsetof(wrc_wheel_input, angle), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "rad", .too_small = "did you pass degrees?", .too_large = "did you pass degrees?"},
       {.name = "roller_rate", .offset = offsetof(wrc_wheel_input, roller_rate), .type = Type::real, .rule = Rule::range, .low = -2000, .high = 2000, .unit = "rad/s", .too_small = "did you pass rpm or degrees?", .too_large = "did you pass rpm or degrees?"},
+      {.name = "time_step", .offset = offsetof(wrc_wheel_input, time_step), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e6, .unit = "s"},
   };
 };
-static_assert(!pointers_of_64_bits || sizeof(wrc_wheel_input) == 712, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_wheel_input) == 720, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wrench> {

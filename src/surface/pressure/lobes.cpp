@@ -5,9 +5,7 @@
 namespace wrc::surface {
 namespace {
 
-/// Valley over the higher hump below which two humps are apart, and above which they are one; valley over the
-/// lower hump above which this is only a shoulder.
-constexpr double parted = 0.5, united = 0.9, hardly_a_hump = 0.9;
+constexpr double hardly_a_hump = 0.9;  // valley over the lower hump above which this is only a shoulder
 
 /// Largest value next to strip j in one direction before it falls below that of j: the hump on that side of
 /// the valley.
@@ -33,7 +31,8 @@ void place_cut(const double* place, const double* value, std::int32_t j, LobeCut
 
 }  // namespace
 
-LobeCuts find_lobes(const double* place, const double* value, std::int32_t first, std::int32_t end) noexcept {
+LobeCuts find_lobes(const double* place, const double* value, std::int32_t first, std::int32_t end,
+                    const LobeLimits& limits) noexcept {
   LobeCuts cuts;
   for (std::int32_t j = first + 1; j + 1 < end; ++j) {
     // Valleys between two humps; of equal strips the last one stands for the valley.
@@ -44,8 +43,9 @@ LobeCuts find_lobes(const double* place, const double* value, std::int32_t first
     // Share of the joint patch: the valley against both humps, smoothly from 0 to 1.
     LobeCut cut;
     place_cut(place, value, j, cut);
-    const double filled = (cut.value / higher - parted) / (united - parted),
-                 shoulder = (cut.value / lower - hardly_a_hump) / (1.0 - hardly_a_hump);
+    const double filled = (cut.value / higher - limits.parted) / (limits.united - limits.parted),
+                 shoulder = ((limits.by_strip ? value[j] : cut.value) / lower - hardly_a_hump) /
+                            (1.0 - hardly_a_hump);
     const double within = smaller(larger(larger(filled, shoulder), 0.0), 1.0);
     cut.joined = within * within * (3.0 - 2.0 * within);
     if (!(cut.joined < 1.0)) continue;

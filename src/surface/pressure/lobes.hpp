@@ -2,10 +2,10 @@
 ///
 /// Methods that know patches only need to have them told apart: two humps with a valley between them are two
 /// patches where the valley is deep and one where it is shallow. Here a run of strips is both at once, in
-/// shares that go over smoothly as the valley fills: with r the quantity in the valley over that on the lower
-/// hump beside it, the share of the joint patch is
+/// shares that go over smoothly as the valley fills: with r the quantity in the valley over that on the
+/// higher hump beside it, the share of the joint patch is
 ///
-///     w = t^2 (3 - 2 t),   t = (r - 0.5) / 0.4 within 0 .. 1.
+///     w = t^2 (3 - 2 t),   t = (r - parted) / (united - parted) within 0 .. 1.
 ///
 /// Runs that meet, or part, do so at r = 0, where they are two patches on either side of the event.
 #pragma once
@@ -30,8 +30,16 @@ struct LobeCuts {
   bool more = false;  ///< there are more, which are not counted as borders
 };
 
+/// Valley over the higher hump below which two humps are apart, and above which they are one.
+struct LobeLimits {
+  double parted = 0.5, united = 0.9;
+  /// A shoulder by the lowest strip, not by the parabola through it: then it comes into being without a jump.
+  bool by_strip = false;
+};
+
 /// Finds the valleys of `value` over the strips `first` .. `end` - 1, whose middles lie at `place`.
-LobeCuts find_lobes(const double* place, const double* value, std::int32_t first, std::int32_t end) noexcept;
+LobeCuts find_lobes(const double* place, const double* value, std::int32_t first, std::int32_t end,
+                    const LobeLimits& limits = {}) noexcept;
 
 /// Calls take(share, low, high) for every part of the run with a share: strips between the cuts low and high,
 /// nullptr where the run itself ends. The shares of the parts a strip belongs to add up to 1.

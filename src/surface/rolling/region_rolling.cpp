@@ -9,7 +9,7 @@
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
 #include "patch/sdec.hpp"
-#include "surface/pressure/lobes.hpp"
+#include "surface/rolling/strip_parts.hpp"
 
 namespace wrc::surface {
 namespace {
@@ -35,23 +35,22 @@ Scratch cut(Arena& arena, std::int32_t strips, const RegionRolling& method) {
   return s;
 }
 
-/// Means over the load of a part.
-struct Means {
-  double load = 0.0;   ///< [N]
-  double place = 0.0;  ///< arc length [m]
-  double along = 0.0;  ///< x [m]
-  tangential::Creepage creepage;
-  double friction = 0.0;  ///< [-]
-  patch::Sdec shape;
-};
+Scratch cut(void* workspace, std::int32_t strips, const RegionRolling& method) {
+  Arena arena(workspace);
+  return cut(arena, strips, method);
+}
 
 class Roller {
  public:
   Roller(const RegionRollingInput& in, const RegionRolling& method, void* workspace,
          const tangential::TangentialFields& fields, const SurfaceRollingForces& forces)
-      : in_(in), strips_(in.strips), method_(method), fields_(fields), forces_(forces) {
-    Arena arena(workspace);
-    scratch_ = cut(arena, strips_.count, method);
+      : in_(in),
+        strips_(in.strips),
+        method_(method),
+        fields_(fields),
+        forces_(forces),
+        scratch_(cut(workspace, in.strips.count, method)),
+        parts_{in.strips, in.along, scratch_.line_load, scratch_.load} {
     contact_.shear_modulus = strips_.shear_modulus;
     contact_.linear_theory = method.linear_theory;
     contact_.grid = strips_.grid;
@@ -67,49 +66,15 @@ class Roller {
   Fault roll() {
     for (double* const f : {forces_.fx, forces_.fy, forces_.mz, scratch_.hot})
       std::fill_n(f, strips_.count, 0.0);
-    for (std::int32_t j = 0; j < strips_.count; ++j)
-      scratch_.line_load[j] = strips_.half_length[j] * strips_.peak[j];
-    for (std::int32_t first = 0, end = 0; first < strips_.count; first = end) {
-      // a run of strips side by side: middles less than 1.5 mean widths apart
-      end = first + 1;
-      while (end < strips_.count && strips_.place[end] - strips_.place[end - 1] <
-                                        0.75 * (strips_.width[end] + strips_.width[end - 1]))
-        ++end;
-      // Its patches are the parts between valleys of the line load. Where a valley is neither deep nor
-      // shallow both partitions roll, each by its share.
-      const LobeCuts cuts = find_lobes(strips_.place, scratch_.line_load, first, end);
-      for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
-        roll_part(first, end, share, low, high);
-      });
-    }
+    parts_.for_each([&](std::int32_t first, std::int32_t end, double share, const LobeCut* low,
+                        const LobeCut* high) { roll_part(first, end, share, low, high); });
     if (in_.heat) std::copy_n(scratch_.hot, strips_.count, in_.hot);
     return fault_;
   }
 
  private:
-  /// Loads of the strips within the part (a strip across its border counts with its width inside), and means
-  /// over them.
-  Means take_part(std::int32_t first, std::int32_t end, const LobeCut* low, const LobeCut* high) {
-    // First moments, weights N = pi/2 l p times the width inside the part.
-    Means m;
-    for (std::int32_t j = first; j < end; ++j) {
-      const double from = strips_.place[j] - 0.5 * strips_.width[j], to = from + strips_.width[j];
-      const double inside =
-          larger((high ? smaller(to, high->place) : to) - (low ? larger(from, low->place) : from), 0.0);
-      const double N = 0.5 * pi * inside * scratch_.line_load[j];
-      scratch_.load[j] = N;
-      m.load += N;
-      m.place += N * strips_.place[j];
-      m.along += N * in_.along[j];
-      m.creepage.longitudinal += N * strips_.slip_x[j];
-      m.creepage.lateral += N * strips_.slip_y[j];
-      m.creepage.spin += N * strips_.spin[j];
-      m.friction += N * strips_.friction[j];
-    }
-    if (!(m.load > 0.0)) return m;
-    for (double* const mean :
-         {&m.place, &m.along, &m.creepage.longitudinal, &m.creepage.lateral, &m.creepage.spin, &m.friction})
-      *mean /= m.load;
+  /// Shape of the part that `parts_` has taken.
+  patch::Sdec shape_of(std::int32_t first, std::int32_t end, const PartMeans& m) const {
     // <l^2>, variance and third moment of the load give the double ellipse. A strip's load is spread over its
     // width h, which adds h^2 / 12 to the variance.
     double squares = 0.0, variance = 0.0, third = 0.0;
@@ -119,13 +84,13 @@ class Roller {
       variance += share * (y * y + strips_.width[j] * strips_.width[j] / 12.0);
       third += share * y * y * y;
     }
-    m.shape = sdec_of_load(squares, variance, third);
-    return m;
+    return sdec_of_load(squares, variance, third);
   }
 
   /// Sets the strips that tractions live on, about y = `origin` from the mean place of the load, and the
   /// shares of the friction.
-  void fill_strips(std::int32_t first, std::int32_t end, const Means& m, double origin) {
+  void fill_strips(std::int32_t first, std::int32_t end, const PartMeans& m, const patch::Sdec& shape,
+                   double origin) {
     // The part's own strips: a width inside that carries the strip's load there.
     patch::Strips& strips = scratch_.strips;
     strips.count = 0;
@@ -133,7 +98,7 @@ class Roller {
       if (!(scratch_.load[j] > 0.0)) continue;
       const std::int32_t k = strips.count++;
       strips.y[k] = strips_.place[j] - m.place - origin;
-      strips.width[k] = scratch_.load[j] / (0.5 * pi * scratch_.line_load[j]);
+      strips.width[k] = parts_.width_inside(j);
       strips.centre[k] = in_.along[j] - m.along;
       strips.half_length[k] = strips_.half_length[j];
       strips.peak[k] = strips_.peak[j];
@@ -142,7 +107,7 @@ class Roller {
     contact_.friction = {m.friction, scratch_.shares};
     if (!method_.model.on_ellipse) return;
     // Methods on the equivalent ellipse get as many strips of that, with one coefficient of friction.
-    patch::sdec_strips({m.shape.a, m.shape.b, 0.0}, 0.0, 0.0, m.load, strips.count, strips);
+    patch::sdec_strips({shape.a, shape.b, 0.0}, 0.0, 0.0, m.load, strips.count, strips);
     contact_.friction = {m.friction};
   }
 
@@ -172,17 +137,18 @@ class Roller {
   /// Rolls one part and adds its forces, times its share, to those of its strips.
   void roll_part(std::int32_t first, std::int32_t end, double share, const LobeCut* low,
                  const LobeCut* high) {
-    const Means m = take_part(first, end, low, high);
+    const PartMeans m = parts_.take_part(first, end, low, high);
     if (!(m.load > 0.0 && m.friction > 0.0)) return;
+    const patch::Sdec shape = shape_of(first, end, m);
     // Methods count y from the joint of the double ellipse, or from the middle of its width, psi b further.
     // Creepages at the mean place of the load become those at that origin, forces come back from there.
-    const double joint = -pressure_centre_share * m.shape.psi * m.shape.b;
-    const double origin = joint + (method_.model.at_middle ? m.shape.psi * m.shape.b : 0.0);
-    fill_strips(first, end, m, origin);
+    const double joint = -pressure_centre_share * shape.psi * shape.b;
+    const double origin = joint + (method_.model.at_middle ? shape.psi * shape.b : 0.0);
+    fill_strips(first, end, m, shape, origin);
     contact_.region = scratch_.strips;
-    contact_.a = m.shape.a;
-    contact_.b = m.shape.b;
-    contact_.shape_number = m.shape.psi;
+    contact_.a = shape.a;
+    contact_.b = shape.b;
+    contact_.shape_number = shape.psi;
     contact_.creepage = tangential::seen_from(origin, m.creepage);
     contact_.normal_force = m.load;
     tangential::TangentialForces found = solve();
@@ -208,6 +174,7 @@ class Roller {
   const tangential::TangentialFields& fields_;
   const SurfaceRollingForces& forces_;
   Scratch scratch_;
+  StripsInParts parts_;
   tangential::RollingContact contact_;
   Fault fault_;
 };

@@ -167,7 +167,7 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
     strips.slip_y[k] = m.across;
     strips.spin[k] = m.spin;
     strips.friction[k] = problem.in.friction;
-    strips.fx[k] = strips.fy[k] = strips.mz[k] = 0.0;
+    strips.fx[k] = strips.fy[k] = strips.mz[k] = strips.power[k] = 0.0;
 
     // for the speed of rolling, which all slips refer to
     sums.load += N;
@@ -213,6 +213,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   out.height = height;
   s.sums = {};
   s.strips.count = 0;
+  if (solver.problem.memory) solver.problem.memory->written = 0;
 
   // pressures, and of the strips that carry load the velocities over the rail
   Fault fault = solve_pressures(solver, tolerance);
@@ -224,8 +225,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   // slips are velocities over the speed of rolling, bounded below near standstill
   s.sums.rolling_speed = rolling_speed_of(s.motion, sums);
   const geometry::RollingReference reference = geometry::rolling_reference(s.sums.rolling_speed);
-  const bool backwards = s.sums.rolling_speed < 0.0;
-  s.sums.backwards = backwards ? 1.0 : 0.0;
+  s.sums.backwards = s.sums.rolling_speed < 0.0 ? 1.0 : 0.0;
   s.sums.speed = reference.divisor;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     s.strips.slip_x[k] /= reference.divisor;
@@ -233,13 +233,13 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
     s.strips.spin[k] /= reference.divisor;
   }
   if (in.friction > 0.0)
-    keep_worst(fault, roll_strips(solver.problem, s.overlaps, s.strips, backwards, reference.divisor,
-                                  reference.reverse_share, solver.scratch));
+    keep_worst(fault, roll_strips(solver.problem, s.overlaps, s.strips, s.sums.rolling_speed, reference,
+                                  solver.scratch));
 
   // sums, and flags that say how far they hold
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
-  if (in.friction > 0.0 && reference.reverse_share > 0.0)
+  if (in.friction > 0.0 && reference.reverse_share > 0.0 && !solver.problem.memory)
     keep_worst(fault, Fault::creepages_limited("rolling speed"));
   // methods of whole patches share forces among strips by load: their slips may make the sum negative
   if (solver.problem.model.methods.region.solve) out.power = larger(out.power, 0.0);

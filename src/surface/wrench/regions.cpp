@@ -9,11 +9,6 @@
 
 namespace wrc::surface {
 
-double strip_power(const ContactArrays& strips, std::int32_t k, double speed) {
-  return -speed *
-         (strips.fx[k] * strips.slip_x[k] + strips.fy[k] * strips.slip_y[k] + strips.mz[k] * strips.spin[k]);
-}
-
 namespace {
 
 /// The region that strips are being added to: in rail axes, moments about the wheel's reference point, places
@@ -82,7 +77,7 @@ void add_strip(const WheelSolution& s, std::int32_t k, OpenRegion& open, Wrench&
   r.creepage[2] += N * strips.spin[k];
 
   // area and frictional power are sums, the peak pressure is the largest
-  const double area = 2.0 * l * strips.width[k], power = strip_power(strips, k, s.sums.speed);
+  const double area = 2.0 * l * strips.width[k], power = strips.power[k];
   r.area += area;
   out.area += area;
   r.peak_pressure = std::max(r.peak_pressure, strips.solved_peak[k]);

@@ -5,9 +5,6 @@
 
 namespace wrc::surface {
 
-/// Frictional power of the k-th strip in contact [W], slips over `speed` [m/s].
-double strip_power(const ContactArrays& strips, std::int32_t k, double speed);
-
 /// Sums the strips in contact up: fills the wrench and its regions but for height and iterations. A region is
 /// strips side by side; the last of those listed takes all that follow.
 Fault sum_regions(const WheelOnRail& in, const WheelSolution& solution, Wrench& out);

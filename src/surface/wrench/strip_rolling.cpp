@@ -1,7 +1,9 @@
 #include "surface/wrench/strip_rolling.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "surface/rolling/remembering.hpp"
 #include "surface/wrench/strip_friction.hpp"
 
 namespace wrc::surface {
@@ -84,12 +86,79 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
   return fault;
 }
 
+namespace {
+
+/// Frictional power of the strips without memory [W], slips over `speed` [m/s].
+void fill_power(const ContactStrips& strips, double speed) {
+  for (std::int32_t k = 0; k < strips.count; ++k)
+    strips.power[k] = -speed * (strips.fx[k] * strips.slip_x[k] + strips.fy[k] * strips.slip_y[k] +
+                                strips.mz[k] * strips.spin[k]);
+}
+
+/// Divides the work that the step dissipates among the strips: by the work of their forces, where that is
+/// positive, else by load.
+void share_power(const ContactStrips& strips, double speed, double dissipated) {
+  fill_power(strips, speed);
+  double worked = 0.0, load = 0.0;
+  const auto load_of = [&](std::int32_t k) {
+    return strips.width[k] * strips.half_length[k] * strips.solved_peak[k];
+  };
+  for (std::int32_t k = 0; k < strips.count; ++k) {
+    worked += std::max(strips.power[k], 0.0);
+    load += load_of(k);
+  }
+  for (std::int32_t k = 0; k < strips.count; ++k)
+    strips.power[k] =
+        dissipated * (worked > 0.0 ? std::max(strips.power[k], 0.0) / worked : load_of(k) / load);
+}
+
+/// Forces of strips that remember, at the end of the step.
+Fault remember_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
+                      double rolling_speed, double divisor, Arena arena) {
+  const SurfaceModel& model = problem.model;
+  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  auto rolls = rolling_input<double>(model, problem.in, strips);
+  rolls.peak = strips.solved_peak;
+  // seen along the direction of rolling
+  const std::int32_t count = strips.count;
+  const double direction = rolling_speed < 0.0 ? -1.0 : 1.0;
+  for (std::int32_t k = 0; k < count; ++k) {
+    scratch.slip_x[k] = direction * strips.slip_x[k];
+    scratch.spin[k] = direction * strips.spin[k];
+    scratch.x[k] = direction * strips.x[k];
+    scratch.heat_share[k] = overlaps.strip[strips.candidate[k]];
+  }
+  rolls.slip_x = scratch.slip_x;
+  rolls.spin = scratch.spin;
+  const double time = problem.in.time;
+  const RememberingInput step{rolls,
+                              scratch.x,
+                              scratch.heat_share,
+                              *model.methods.linear_theory,
+                              divisor * time,
+                              std::abs(rolling_speed) * time,
+                              direction};
+  const RememberingResult result =
+      roll_remembering(step, *problem.memory, arena, {strips.fx, strips.fy, strips.mz});
+  if (direction < 0.0) {
+    reverse(count, strips.fx);
+    reverse(count, strips.mz);
+  }
+  share_power(strips, divisor, time > 0.0 ? result.dissipated / time : 0.0);
+  return result.fault;
+}
+
+}  // namespace
+
 Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
-                  bool backwards, double speed, double reverse_share, Arena arena) {
+                  double rolling_speed, const geometry::RollingReference& reference, Arena arena) {
   const SurfaceModel& model = problem.model;
   const WheelOnRail& in = problem.in;
-  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  const double speed = reference.divisor, reverse_share = reference.reverse_share;
+  const bool backwards = rolling_speed < 0.0;
   if (in.law) set_cold_friction(problem, overlaps, speed, strips);
+  if (problem.memory) return remember_strips(problem, overlaps, strips, rolling_speed, speed, arena);
+  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
   const bool heated = in.law && in.law->heated();
   if (heated) std::copy_n(strips.friction, strips.count, scratch.cold_friction);
   const auto solve = [&](bool way_back, const SurfaceRollingForces& forces) {
@@ -110,6 +179,7 @@ Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const C
     strips.fy[k] += reverse_share * (other.fy[k] - strips.fy[k]);
     strips.mz[k] += reverse_share * (other.mz[k] - strips.mz[k]);
   }
+  fill_power(strips, speed);
   return fault;
 }
 

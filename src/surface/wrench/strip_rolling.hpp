@@ -1,6 +1,7 @@
 /// Tractions of the strips in contact from their slips, by the model's method, in both directions of rolling.
 #pragma once
 
+#include "geometry/creepages.hpp"
 #include "surface/wrench/wheel_solution.hpp"
 #include "tangential/friction/heated_friction.hpp"
 
@@ -48,9 +49,9 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
                              bool backwards, double speed, const RollingScratch& scratch,
                              const SurfaceRollingForces& forces, int more = 0);
 
-/// Forces of the strips with slips over `speed`: those of their own direction of rolling, and near standstill
-/// of both, blended by `reverse_share`.
+/// Forces and power of the strips, with slips over the reference's divisor: those of their own direction of
+/// rolling, and near standstill of both, blended. Of a model that remembers those at the end of the step.
 Fault roll_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
-                  bool backwards, double speed, double reverse_share, Arena arena);
+                  double rolling_speed, const geometry::RollingReference& reference, Arena arena);
 
 }  // namespace wrc::surface

@@ -26,13 +26,12 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
-    // place on the rail; peak and power as the wrench has them, beyond the deepest overlap with its factor
+    // place on the rail; peak as the wrench has it, beyond the deepest overlap with its factor
     results.strip[k] = j;
     results.y[k] = rail.y[j];
     results.z[k] = rail.z[j];
     results.angle[k] = strip_angle(rail, j);
     results.peak[k] = head.factor * results.solved_peak[k];
-    results.power[k] = strip_power(s.strips, k, head.speed);
 
     // the pressure's middle along the track, and the overlap's on the wheel's axle: y of R^T r
     double middle[3] = {s.strips.x[k], o.wy[i], o.wz[i]};
@@ -70,9 +69,58 @@ void copy_start(const KeptStart& from, KeptStart& to) {
 
 }  // namespace
 
+namespace {
+
+/// Has the wheel been put elsewhere on the rail since the committed step? Beyond the way of its velocities,
+/// and as far as an irregularity of the rail takes it along that.
+Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
+  constexpr double most = 1e-3, most_at_once = 1e-5;  // [m]
+  if (!(steps.committed > 0.0)) return {};
+  const double y = in.wheel.position[1] - in.rail.y - steps.from[0];
+  const double z = in.load_prescribed ? 0.0 : in.wheel.position[2] - in.rail.z - steps.from[1];
+  const double moved = larger(magnitude(y), magnitude(z));
+  if (!(in.time > 0.0) && moved > most_at_once)
+    return Fault::range("input.time_step", {in.time, "s"},
+                        "the wheel has moved since wrc_contact_commit: give the time since then");
+  double way = magnitude(in.wheel.velocity[0]);
+  for (const double speed :
+       {in.wheel.velocity[1] - in.rail.velocity_y, in.wheel.velocity[2] - in.rail.velocity_z})
+    way += magnitude(speed);
+  const double allowed = most + in.time * way;
+  if (!(moved > allowed)) return {};
+  return Fault::memory_dropped(
+      "place of the wheel: moved", {moved, "m", 0.0, allowed},
+      "further than its velocities in input.time_step take it: it begins without tractions");
+}
+
+}  // namespace
+
 void mark_solution(SurfaceState& state) { copy_start(state.last, state.mark); }
 
-std::int64_t surface_state_bytes() { return sizeof(SurfaceState); }
+std::int64_t surface_state_bytes(std::int32_t remembered) {
+  const std::int64_t memory =
+      remembered > 0 ? static_cast<std::int64_t>(tangential::strip_memory_bytes(remembered)) : 0;
+  return static_cast<std::int64_t>(sizeof(SurfaceState)) + memory;
+}
+
+tangential::Memory& memory_of(SurfaceState& state) {
+  return *reinterpret_cast<tangential::Memory*>(&state + 1);
+}
+
+void make_surface_memory(SurfaceState& state, std::int32_t remembered) {
+  tangential::make_strip_memory(remembered, &memory_of(state));
+}
+
+bool commit_solution(SurfaceState& state) {
+  RememberedSteps& steps = state.steps;
+  if (!(steps.pending > 0.0)) return false;
+  mark_solution(state);
+  memory_of(state).turn_over();
+  steps.pending = 0.0;
+  steps.committed = 1.0;
+  std::copy_n(steps.to, 2, steps.from);
+  return true;
+}
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
                                      const StripWidths& widths, std::int32_t cells, bool varying) {
@@ -90,6 +138,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   if (sizes.varying) sections = cut_strips(arena, most_strips_of_a_rail);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
+  if (model.methods.remembers) problem.memory = &memory_of(state);
+  const Fault jump = problem.memory ? look_for_jump(in, state.steps) : Fault{};
+  if (jump.failed()) return jump;
+  const std::int64_t remembered = problem.memory ? problem.memory->count : 0;
+  if (jump.status != WRC_OK) problem.memory->count = 0;
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
 
   // from an earlier solution where there is one: a load is searched from its height, else below first touch
@@ -113,6 +166,13 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   last.count = start.solution.count;
   last.set = start.from == StartFrom::overlaps ? 0.0 : 1.0;
   complete_results(problem, solution, state.kept);
+  if (problem.memory) {  // the committed step stays as it was
+    problem.memory->count = remembered;
+    state.steps.pending = 1.0;
+    state.steps.to[0] = in.wheel.position[1] - in.rail.y;
+    state.steps.to[1] = out.height - in.rail.z;
+    keep_worst(fault, jump);
+  }
 
   if (jacobian)
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::place, arena, *jacobian));

@@ -21,6 +21,7 @@
 #include "surface/wrench/strip_results.hpp"
 #include "surface/wrench/wrench_jacobian.hpp"
 #include "tangential/friction/friction.hpp"
+#include "tangential/methods/strip_memory.hpp"
 #include "tangential/rolling_contact.hpp"
 
 namespace wrc::surface {
@@ -43,6 +44,7 @@ struct WheelOnRail {
       1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
   tangential::SlopeFall slope;  ///< its fall as slip grows
   double damping = 0.0;         ///< Hunt and Crossley [s/m]
+  double time = 0.0;            ///< since the committed step, of a model that remembers [s]
 };
 
 /// The motion with the wheel's reference point at this height [m].
@@ -99,11 +101,23 @@ struct KeptStart {
   double depth[most_overlapping_strips] = {};
 };
 
-/// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes.
+/// Steps of a contact that remembers: places of the wheel from the rail, y and z [m], as committed and as in
+/// the last solution.
+struct RememberedSteps {
+  double committed = 0.0;  ///< 1: a step has been committed
+  double pending = 0.0;    ///< 1: the last solution may be committed
+  double from[2] = {}, to[2] = {};
+};
+
+/// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes. Behind
+/// it, of a model that remembers, the tractions (tangential::Memory).
 struct SurfaceState {
   KeptStart last, mark;
   StripResults kept;
+  RememberedSteps steps;
 };
+
+tangential::Memory& memory_of(SurfaceState& state);
 
 /// Where the solution of a wheel starts.
 enum class SolutionStart {
@@ -112,13 +126,19 @@ enum class SolutionStart {
   mark   ///< from the marked solution, if there is one: results depend on it and the input alone
 };
 
-std::int64_t surface_state_bytes();
+/// `remembered`: strips of a model that remembers, else 0.
+std::int64_t surface_state_bytes(std::int32_t remembered);
+/// Makes the memory of so many strips without tractions, in zeroed bytes.
+void make_surface_memory(SurfaceState& state, std::int32_t remembered);
 /// Memory of a solve, and of fields over so many cells along a strip.
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
                                      const StripWidths& widths, std::int32_t cells, bool varying);
 
 /// Marks the last solution of the state.
 void mark_solution(SurfaceState& state);
+
+/// Marks the last solution, and remembers its tractions. False: it has been committed before.
+bool commit_solution(SurfaceState& state);
 
 /// Solves a step. `state` has where the solve starts, and is left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.

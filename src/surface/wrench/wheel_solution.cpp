@@ -4,6 +4,7 @@
 
 #include "surface/pressure/planar_pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
+#include "surface/rolling/remembering.hpp"
 #include "surface/simd/tasks.hpp"
 #include "surface/wrench/wrench_jacobian.hpp"
 
@@ -38,6 +39,7 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
   r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   arena.each(most, r.slip_x, r.spin, r.other_fx, r.other_fy, r.other_mz, r.cold_friction, r.heat_share);
   r.x = r.region = nullptr;
+  if (sizes.methods.remembers) r.x = arena.take(most);
   if (sizes.methods.region.solve) {
     r.x = arena.take(most);
     r.region = arena.take(region_rolling_doubles(most, sizes.methods.region));
@@ -59,6 +61,7 @@ std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
   pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)
                                            : pressure_doubles(most));
   cut_rolling(rolling, sizes);
+  if (sizes.methods.remembers) count_remembering(rolling, most);
   count_wrench_jacobian(jacobian, sizes);
   return std::max({overlaps.bytes(), pressure.bytes(), rolling.bytes(), jacobian.bytes()});
 }

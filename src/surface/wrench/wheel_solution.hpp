@@ -28,7 +28,8 @@ WorkSizes work_sizes(const SurfaceModel& model);
 struct WheelProblem {
   const SurfaceModel& model;
   const WheelOnRail& in;
-  PlacedRail rail;  ///< where the wheel is
+  PlacedRail rail;                       ///< where the wheel is
+  tangential::Memory* memory = nullptr;  ///< the tractions, where the model remembers
 };
 
 /// Overlaps at a height, and the outline of the wheel that they were found by.
@@ -61,7 +62,7 @@ struct RollingScratch {
   double *other_fx, *other_fy, *other_mz;  ///< forces of rolling the other way
   double *cold_friction,
       *heat_share;     ///< shares of friction over temperature (tangential/friction/heated_friction.hpp)
-  double *x, *region;  ///< methods that roll whole patches: x along the direction of rolling [m]
+  double *x, *region;  ///< methods that roll whole patches, and memory: x along the direction of rolling [m]
 };
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);

@@ -2,6 +2,7 @@
 #include "kernels/kernels.hpp"
 
 #include "tangential/simd/march_kernel.hpp"
+#include "tangential/simd/memory_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
 #include "tangential/simd/surface_strips_slopes_kernel.hpp"
 
@@ -20,6 +21,10 @@ constexpr TangentialKernels tangential_kernels = {
     .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
     .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
     .surface_strips_slopes = surface_strips_slopes_kernel,
+    .memory_bring = memory_bring_kernel,
+    .memory_pass = memory_pass_kernel,
+    .memory_pass_sums = memory_pass_sums_kernel,
+    .memory_march = memory_march_kernel,
 };
 
 }  // namespace wrc::simd::WRC_SET

@@ -10,6 +10,8 @@ namespace wrc::tangential {
 struct BoundShape;
 struct MarchGrid;
 
+inline constexpr std::int32_t memory_cells = 16;  ///< along a strip that remembers
+
 }  // namespace wrc::tangential
 
 namespace wrc::simd {
@@ -123,6 +125,57 @@ enum SurfaceStripInput : std::int32_t {
 /// ((input * 3 + force) * strips + j), force of fx, fy, mz.
 struct SurfaceStripsSlopesTask : SurfaceStripsTask {
   double* slopes;
+};
+
+/// A strip of a patch that remembers, in a part of a step (methods/patch_memory.hpp). Arms are distances from
+/// the patch's centre times the factor on them.
+struct RememberingStrip {
+  /// Tractions as the bodies bring them [Pa], and the share of the part for which a cell was in contact.
+  double px[tangential::memory_cells], py[tangential::memory_cells], share[tangential::memory_cells];
+  double bound[tangential::memory_cells];  ///< bounds of the tractions [Pa]
+  double centre, half_length;              ///< [m]
+  double area;                             ///< area of a cell [m^2]
+  double arm;                              ///< the factor on arms [-]
+  double y, x, reach;                      ///< arms: of its middle, and of its half length along x [m]
+  double growth_x, growth_y;               ///< 1 / L [Pa/m]
+  double own_x, own_y, own_turn;           ///< displacements beyond the patch's [m], [rad], or per length
+};
+
+/// Where a strip's tractions come from: a past strip of half the length `half_length`, in `px`, `py`; over h
+/// [m].
+struct MemoryBringTask {
+  const double *place, *px, *py;
+  double old_lead, half_length;  ///< [m]
+  double h, weight;
+};
+
+/// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, `stride` from strip to
+/// strip.
+struct MemoryPassTask {
+  std::int32_t strips;
+  const RememberingStrip* from;
+  const double* place;  ///< middles of the cells over the half length
+  double local[3];
+  double half_way;  ///< arm of half the rolled length [m]
+  double* px;
+  std::int64_t stride;
+};
+
+/// Force [N], [N], [N m] of all strips, and its negative derivatives by the displacement.
+struct MemoryPassSums {
+  double force[3], slope[3][3];
+};
+
+/// Cells in steady rolling at displacements `per` length, brought over h; results as of MemoryPassTask, and
+/// forces of each strip at force[0..2], `stride` from strip to strip.
+struct MemoryMarchTask {
+  std::int32_t strips;
+  const RememberingStrip* from;
+  const double* place;  ///< middles of the cells over the half length
+  double per[3];
+  double h;  ///< [m]
+  double *px, *force;
+  std::int64_t stride;
 };
 
 }  // namespace wrc::simd

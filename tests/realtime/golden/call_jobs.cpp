@@ -448,6 +448,27 @@ void run_aslant(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
+/// Wheels that remember: from rest, rolling either way, slowly and fast, trials and committed steps.
+void run_remembering(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  Numbers numbers(13);
+  for (wrc_contact* const contact : {right, left})
+    for (int i = 0; i < 40; ++i) {
+      wrc_wheel_input input = wrc_wheel_input_default();
+      input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+      input.vertical_load = numbers.between(60e3, 80e3);
+      input.wheel.y = (contact == right ? 1.0 : -1.0) * (i < 25 ? 3e-5 * i : -6.1e-3);
+      input.wheel.yaw = 2e-3;
+      const double speed = i < 5 ? 0.0 : numbers.between(-1.0, 1.0);
+      input.wheel.velocity[0] = speed + numbers.between(-1e-3, 1e-3);
+      input.wheel.velocity[1] = numbers.between(-1e-3, 1e-3);
+      input.wheel.pitch_rate = -speed / 0.46;
+      input.wheel.yaw_rate = numbers.between(-0.1, 0.1);
+      input.time_step = numbers.between(0.0, i % 7 == 6 ? 0.1 : 5e-3);
+      add_wrench(contact, input, false, hash);
+      if (i % 3 != 2) hash.add(wrc_contact_commit(contact));
+    }
+}
+
 /// Wheels against check rails and beside them.
 void run_check_rails(wrc_contact* right, wrc_contact* left, Hash& hash) {
   Numbers numbers(11);
@@ -564,6 +585,13 @@ void add_plain_calls(Plan& plan) {
   along.track.rail_inclination = 0.025;
   bodies.give(along);
   plan.jobs.push_back({"along the track", varying, {}, {}, run_along_track});
+
+  const std::size_t remembering = plan.models.size();
+  wrc_config& memory = plan.models.emplace_back(test_config());
+  memory.wheel = plan.profiles[0];
+  memory.rail = plan.profiles[1];
+  memory.surface.memory = 1;
+  plan.jobs.push_back({"wheel on rail, with memory", remembering, {}, {}, run_remembering});
 
   const std::size_t rolling = plan.models.size();
   wrc_config& rollers = plan.models.emplace_back(test_config());

@@ -288,27 +288,48 @@ int32_t wheel_sensitivities(Wheel& wheel) {
   return !the_default && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;  // it is the default's alone
 }
 
-/// A wheel with a flat on a rail that changes, made before any measurement.
-struct AlongTrack {
-  AlongTrackBodies bodies;
+/// A contact made before any measurement.
+struct MadeBefore {
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
-  AlongTrack() {
+  explicit MadeBefore(void (*give)(wrc_config&)) {
     wrc_config config = test_config();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 0.025;
-    bodies.give(config);
+    give(config);
     wrc_model_create(&config, nullptr, &model, nullptr, 0);
     wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
   }
-  ~AlongTrack() {
+  ~MadeBefore() {
     wrc_contact_destroy(contact);
     wrc_model_destroy(model);
   }
+  MadeBefore(const MadeBefore&) = delete;
+  MadeBefore& operator=(const MadeBefore&) = delete;
 };
-const AlongTrack along_track;
+
+/// A wheel with a flat on a rail that changes, and one that remembers.
+AlongTrackBodies along_track_bodies;
+const MadeBefore along_track([](wrc_config& config) { along_track_bodies.give(config); });
+const MadeBefore remembering([](wrc_config& config) { config.surface.memory = 1; });
+
+/// Steps of no time, of a part of the contact, of its length and of many; trials and committed ones.
+int32_t wheel_with_memory(Wheel& wheel) {
+  wrc_wheel_input input = wheel_input(wheel);
+  wrc_wrench wrench = sized<wrc_wrench>();
+  int32_t worst = WRC_OK;
+  for (const double time : {1e-6, 1e-5, 3e-4, 1e-3}) {
+    input.time_step = time;
+    int32_t status = wrc_contact_wrench(remembering.contact, &input, &wrench);
+    input.time_step = 1e-9;
+    if (status >= 0) status = wrc_contact_commit(remembering.contact);
+    if (status >= 0) status = wrc_contact_wrench(remembering.contact, &input, &wrench);
+    worst = std::min(worst, status == WRC_ERROR_LOAD ? WRC_OK : status);
+  }
+  return worst;
+}
 
 int32_t wheel_along_track(Wheel& wheel) {
   wrc_wheel_input input = wheel_input(wheel);
@@ -476,6 +497,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_derivatives", wheel_sensitivities},
       {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},
+      {"wrc_contact_wrench with memory, wrc_contact_commit", wheel_with_memory},
       {"wrc_planar_step refused, wrc_contact_last_error", refused_input},
       {"wrc_planar_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},

@@ -1,0 +1,43 @@
+/// Strip FASTSIM that remembers, of a wheel on a rail: strips of the rail keep their tractions from one
+/// committed step to the next (tangential/methods/patch_memory.hpp has the law).
+///
+///  - A strip's past is found by its number: it is the same strip in every step. One that was not in contact
+///    begins without tractions, and tractions of one that leaves are gone.
+///  - A strip's displacement over the step is its own: slip velocities of the rigid bodies times the time.
+///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both
+///    are solved from the same past, and tractions and forces are their means by shares.
+///  - The steady force that the memory tends to is that of the surface (surface_rolling.hpp), strip by strip.
+///  - The energy that could be given back is counted for the contact as a whole.
+#pragma once
+
+#include "base/arena.hpp"
+#include "base/fault.hpp"
+#include "surface/rolling/surface_rolling.hpp"
+#include "tangential/methods/patch_memory.hpp"
+
+namespace wrc::surface {
+
+struct RememberingInput {
+  const SurfaceRollingInput& strips;  ///< slips as seen along the direction of rolling
+  const double* along;                ///< x of the strips' middles, seen likewise [m]
+  const double* number;               ///< numbers of the rail's strips, increasing
+  const theory::SdecTable& linear_theory;
+  double travel = 0.0;     ///< displacement of a slip of 1 over the step [m]
+  double rolled = 0.0;     ///< amount of the distance rolled [m]
+  double direction = 1.0;  ///< -1: the bodies roll backwards
+};
+
+struct RememberingResult {
+  Fault fault;
+  double dissipated = 0.0;  ///< work of the step [J]
+};
+
+/// Solves the step from the strips that `memory` remembers, and writes its other list. Real-time: work
+/// proportional to strips.
+RememberingResult roll_remembering(const RememberingInput& in, tangential::Memory& memory, Arena arena,
+                                   const SurfaceRollingForces& forces) noexcept;
+
+/// Counts the scratch of so many strips.
+void count_remembering(Arena& arena, std::int32_t most);
+
+}  // namespace wrc::surface

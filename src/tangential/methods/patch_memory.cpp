@@ -1,0 +1,517 @@
+#include "tangential/methods/patch_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.hpp"
+#include "kernels/kernels.hpp"
+#include "tangential/methods/strip_fastsim.hpp"
+
+namespace wrc::tangential {
+namespace {
+
+constexpr std::int32_t cells = memory_cells;
+
+// Lengths of the longest strip: a step of which nothing before is seen, and one that is none; parts of a
+// step, from its end on.
+constexpr double all_forgotten = 3.0, least_step = 1e-9;
+constexpr std::int32_t most_parts = 3;
+constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
+constexpr double yields_whole = 0.6,
+                 yields_none = 2.0;    // parts of which the end sees all and none of the yield
+constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
+constexpr double least = 1e-290;       // keeps divisions finite
+
+/// Fitted factors and lengths (patch_memory.hpp); u2 is the square of (a - b) / (a + b).
+namespace fitted {
+constexpr double flexibility_x = 1.016, flexibility_y = 0.92;            // factors on L
+constexpr double yield_x = 1.015, yield_y = 1.093;                       // factors on S
+constexpr double arm(double u2) { return 1.19 + 0.07 * u2; }             // factor on the arms of spin
+constexpr double twist(double u2) { return 0.102 * (1.0 - 1.39 * u2); }  // S of spin, of 1 / (G sqrt(ab)^3)
+constexpr double exponent = 1.19, exponent_by_yield = 1.93, middle_yield = 0.54;  // m
+constexpr double follows = 0.816;  // length over which the difference to strip FASTSIM is added, of a
+}  // namespace fitted
+
+constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
+
+/// Yield at rest of an ellipse whose surfaces stick, Cattaneo's and Mindlin's: displacement over force along
+/// x and y [m/N]. Int R dt and Int R cos^2 t dt, R the radius, are complete elliptic integrals, by the
+/// arithmetic-geometric mean.
+struct Yield {
+  double x, y;
+};
+
+Yield yield_at_rest(double a, double b, double shear_modulus, double poisson) {
+  const double longer = std::max(a, b), shorter = std::min(a, b);
+  // K and (K - E) / e^2 of the eccentricity e
+  double mean = 1.0, root = shorter / longer, square = std::max(0.0, 1.0 - root * root);
+  double weight = 0.5, sum = 0.5;
+  const double e2 = std::max(square, least);
+  for (int k = 0; k < 6; ++k) {
+    const double next = 0.5 * (mean + root);
+    root = std::sqrt(mean * root);
+    mean = next;
+    const double difference = square / (4.0 * next);
+    square = difference * difference;
+    weight *= 2.0;
+    sum += weight * (square / e2);
+  }
+  const double K = 0.5 * pi / mean;
+  const double all = 4.0 * shorter * K, along_longer = all * sum, along_shorter = all - along_longer;
+  const double scale = 1.0 / (4.0 * shear_modulus * pi * a * b);
+  const double along_x = a >= b ? along_longer : along_shorter;
+  return {scale * ((1.0 - poisson) * all + poisson * along_x),
+          scale * ((1.0 - poisson) * all + poisson * (all - along_x))};
+}
+
+struct Places {
+  double at[cells];
+};
+constexpr Places places = [] {
+  Places p{};
+  for (std::int32_t i = 0; i < cells; ++i) p.at[i] = 1.0 - (2.0 * i + 1.0) / cells;
+  return p;
+}();
+
+/// Parts of the step that come after the k-th, of those counted from its end on.
+double left_of_step(const double* share, std::int32_t k) {
+  double left = 0.0;
+  for (std::int32_t i = 0; i < k; ++i) left += share[i];
+  return left;
+}
+
+Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
+  // the nearest on either side; beyond the last one that alone
+  Neighbours n;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const PastStrip*& side = past[k].y <= y ? n.first : n.second;
+    if (side == nullptr || std::abs(past[k].y - y) < std::abs(side->y - y)) side = &past[k];
+  }
+  if (n.first && n.second) {
+    n.share = (y - n.first->y) / (n.second->y - n.first->y);
+  } else if (n.second) {
+    n.first = n.second;
+    n.second = nullptr;
+  }
+  return n;
+}
+
+/// Solves (1 + diag(s) k) x = r; positive, as k is that of a stiffness.
+void solve(const double s[3], const double k[3][3], const double r[3], double x[3]) {
+  double m[3][4];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m[i][j] = (i == j ? 1.0 : 0.0) + s[i] * k[i][j];
+    m[i][3] = r[i];
+  }
+  for (int p = 0; p < 2; ++p) {
+    for (int i = p + 1; i < 3; ++i) {
+      const double f = m[i][p] / m[p][p];
+      for (int j = p; j < 4; ++j) m[i][j] -= f * m[p][j];
+    }
+  }
+  for (int i = 2; i >= 0; --i) {
+    x[i] = m[i][3];
+    for (int j = i + 1; j < 3; ++j) x[i] -= m[i][j] * x[j];
+    x[i] /= m[i][i];
+  }
+}
+
+}  // namespace
+
+/// A past strip as the bodies roll now: backwards it is the mirror image.
+PastStrip turned(const PastStrip& strip, double direction) {
+  PastStrip s = strip;
+  if (direction > 0.0) return s;
+  s.centre = -s.centre;
+  for (double* three : {s.force, s.added}) {
+    three[0] = -three[0];
+    three[2] = -three[2];
+  }
+  std::reverse(s.px, s.px + cells);
+  std::reverse(s.py, s.py + cells);
+  for (double& p : s.px) p = -p;
+  return s;
+}
+
+PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault)
+    : contact_(contact), strips_(strips) {
+  // the longest strip, and the centre of the load
+  const patch::Strips& region = contact.region;
+  double load = 0.0;
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    length_ = std::max(length_, 2.0 * region.half_length[j]);
+    const double own = region.peak[j] * region.half_length[j] * region.width[j];
+    load += own;
+    centre_x_ += own * region.centre[j];
+    centre_y_ += own * region.y[j];
+    largest_load_ = std::max(largest_load_, region.peak[j] * region.half_length[j]);
+  }
+  centre_x_ /= std::max(load, least);
+  centre_y_ /= std::max(load, least);
+
+  // Local flexibilities, of linear rolling; the yield of the patch as a whole, of linear theory at rest less
+  // theirs.
+  const StripEllipse ellipse = strip_ellipse(contact);
+  a_ = ellipse.a;
+  b_ = ellipse.b;
+  const double G = contact.shear_modulus;
+  const theory::SdecCoefficients linear = contact.linear_theory->at(a_ / b_, ellipse.shape_number, fault);
+  const double per_x = 3.0 * G * linear.c11 / (8.0 * a_), per_y = 3.0 * G * linear.c22 / (8.0 * a_);
+  const double area = pi * a_ * b_, u = theory::slenderness(a_ / b_), u2 = std::min(u * u, 0.16);
+  const Yield rest = yield_at_rest(a_, b_, G, contact.linear_theory->poisson());
+  growth_x_ = per_x / fitted::flexibility_x;
+  growth_y_ = per_y / fitted::flexibility_y;
+  yield_[0] = fitted::yield_x * std::max(0.0, rest.x - 1.0 / (per_x * area));
+  yield_[1] = fitted::yield_y * std::max(0.0, rest.y - 1.0 / (per_y * area));
+  yield_[2] = fitted::twist(u2) / (G * a_ * b_ * std::sqrt(a_ * b_));
+  arm_ = fitted::arm(u2);
+  take_past();
+  const double share = 1.0 - 0.5 * (1.0 / (per_x * area * rest.x) + 1.0 / (per_y * area * rest.y));
+  set_bounds(
+      std::clamp(fitted::exponent + fitted::exponent_by_yield * (share - fitted::middle_yield), 0.4, 2.0));
+}
+
+void PatchStep::take_past() {
+  const patch::Strips& region = contact_.region;
+  const double sign = contact_.memory.direction;
+  const PastStrip* const past = strips_.past;
+  // A rail's strips by their numbers, as far as they belong to the patch; moments to the patch's centre.
+  for (std::int32_t j = 0; strips_.number && j < region.count; ++j) {
+    const PastStrip* const strip = past_of_number(past, strips_.past_count, strips_.number[j]);
+    if (strip == nullptr) continue;
+    const double fx = strips_.inside[j] * sign * strip->force[0], fy = strips_.inside[j] * strip->force[1];
+    before_[0] += fx;
+    before_[1] += fy;
+    before_[2] += strips_.inside[j] * sign * strip->force[2] +
+                  arm_ * ((sign * strip->centre - centre_x_) * fy - (region.y[j] - centre_y_) * fx);
+  }
+  if (strips_.number) return;
+  // On a plane forces, energy and difference to strip FASTSIM of the strips remembered within the patch's
+  // width.
+  double low = 0.0, high = 0.0;
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    const double y = key(j), half = 0.5 * region.width[j];
+    low = j == 0 ? y - half : std::min(low, y - half);
+    high = j == 0 ? y + half : std::max(high, y + half);
+  }
+  for (std::int64_t k = 0; k < strips_.past_count; ++k) {
+    if (past[k].y < low || past[k].y > high) continue;
+    for (int i = 0; i < 3; ++i) {
+      before_[i] += (i == 1 ? 1.0 : sign) * past[k].force[i];
+      added_[i] += (i == 1 ? 1.0 : sign) * past[k].added[i];
+    }
+    energy_ += past[k].energy;
+  }
+}
+
+Neighbours PatchStep::past_of(std::int32_t j) const {
+  if (!strips_.number) return neighbours(strips_.past, strips_.past_count, key(j));
+  return {past_of_number(strips_.past, strips_.past_count, strips_.number[j]), nullptr, 0.0};
+}
+
+double PatchStep::strip_form(std::int32_t j) const {
+  const double load = contact_.region.peak[j] * contact_.region.half_length[j];
+  return load > 0.0 ? natural_exp(exponent_ * natural_log(load / largest_load_)) : 0.0;
+}
+
+void PatchStep::set_bounds(double exponent) {
+  exponent_ = exponent;
+  // over the middles of cells (1 - s^2)^m, the same on either side of the middle
+  double form[cells], sum = 0.0;
+  for (std::int32_t i = 0, mirrored = cells - 1; i < mirrored; ++i, --mirrored) {
+    form[i] = form[mirrored] = natural_exp(exponent * natural_log(1.0 - places.at[i] * places.at[i]));
+    sum += 2.0 * form[i];
+  }
+  // the whole is the friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width
+  double whole = 0.0;
+  const patch::Strips& r = contact_.region;
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    strip.centre = r.centre[j];
+    strip.half_length = r.half_length[j];
+    strip.area = r.width[j] * r.half_length[j] * (2.0 / cells);
+    strip.arm = arm_;
+    strip.y = arm_ * (r.y[j] - centre_y_);
+    strip.x = arm_ * (r.centre[j] - centre_x_);
+    strip.reach = arm_ * r.half_length[j];
+    strip.growth_x = growth_x_;
+    strip.growth_y = growth_y_;
+    strip.bound[0] = contact_.friction.share(j) * strip_form(j);
+    limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
+    whole += strip.bound[0] * sum * strip.area;
+  }
+  const double per = limit_ / std::max(whole, least);
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    const double middle = per * strip.bound[0];
+    for (std::int32_t i = 0; i < cells; ++i) strip.bound[i] = middle * form[i];
+    if (strips_.shared == nullptr) continue;
+    const RememberingStrip& shared = strips_.shared[j];
+    strip.growth_x = shared.growth_x;
+    strip.growth_y = shared.growth_y;
+    std::copy_n(shared.bound, cells, strip.bound);
+  }
+}
+
+void PatchStep::place_strips(double done) {
+  // between their places of before and those at the end of the step; new strips have had theirs
+  const double sign = contact_.memory.direction;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    const Neighbours before = past_of(j);
+    double centre = contact_.region.centre[j], half = contact_.region.half_length[j];
+    if (before.first != nullptr) {
+      const PastStrip& second = before.second ? *before.second : *before.first;
+      const double old_centre =
+          sign * (before.first->centre + before.share * (second.centre - before.first->centre));
+      const double old_half =
+          before.first->half_length + before.share * (second.half_length - before.first->half_length);
+      centre = old_centre + done * (centre - old_centre);
+      half = old_half + done * (half - old_half);
+    }
+    strip.centre = centre;
+    strip.half_length = half;
+    strip.area = contact_.region.width[j] * half * (2.0 / cells);
+    strip.x = arm_ * (centre - centre_x_);
+    strip.reach = arm_ * half;
+  }
+}
+
+void PatchStep::set_own(double travel) {
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    strip.own_x = strip.own_y = strip.own_turn = 0.0;
+    if (strips_.shared == nullptr) continue;
+    const RememberingStrip& shared = strips_.shared[j];
+    strip.own_x = travel * shared.own_x;
+    strip.own_y = travel * shared.own_y;
+    strip.own_turn = travel * shared.own_turn * (shared.arm / arm_);
+  }
+}
+
+void PatchStep::bring(double h, bool first) {
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    RememberingStrip& to = strips_.scratch[j];
+    std::fill_n(to.px, cells, 0.0);
+    std::fill_n(to.py, cells, 0.0);
+    // the strips it comes from, turned to the way of rolling, and their shares
+    Neighbours from{&strips_.written[j], nullptr, 0.0};
+    if (first) from = past_of(j);
+    if (from.first == nullptr) {  // cells enter one by one
+      for (std::int32_t i = 0; i < cells; ++i)
+        to.share[i] = h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0;
+      continue;
+    }
+    std::fill_n(to.share, cells, 0.0);
+    for (const PastStrip* const one : {from.first, from.second}) {
+      if (one == nullptr) continue;
+      PastStrip mirrored;
+      const bool as_it_is = !first || contact_.memory.direction > 0.0;
+      if (!as_it_is) mirrored = turned(*one, -1.0);
+      const PastStrip& past = as_it_is ? *one : mirrored;
+      contact_.grid->kernels->tangential.memory_bring(
+          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
+           one == from.second ? from.share : 1.0 - from.share},
+          to);
+    }
+  }
+}
+
+void PatchStep::part(const double shift[3], double h, bool first, double local[3]) {
+  // local = shift + S (F - F'), by Newton's method, from no yield
+  bring(h, first);
+  const std::int32_t count = contact_.region.count;
+  simd::MemoryPassTask task{count,
+                            strips_.scratch,
+                            places.at,
+                            {shift[0], shift[1], shift[2]},
+                            0.5 * arm_ * h,
+                            strips_.written->px,
+                            sizeof(PastStrip) / sizeof(double)};
+  const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
+  // cells at the end of a long part have seen less of the yield than those that have left
+  const double t =
+      std::clamp((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole), 0.0, 1.0);
+  double yield[3];
+  for (int i = 0; i < 3; ++i) yield[i] = (1.0 - t * t * (3.0 - 2.0 * t)) * yield_[i];
+  for (int solution = 0; solution < solutions; ++solution) {
+    simd::MemoryPassSums sums;
+    kernels.memory_pass_sums(task, sums);
+    double rest[3], change[3];
+    for (int i = 0; i < 3; ++i) rest[i] = shift[i] + yield[i] * (sums.force[i] - before_[i]) - task.local[i];
+    solve(yield, sums.slope, rest, change);
+    for (int i = 0; i < 3; ++i) task.local[i] += change[i];
+  }
+  // tractions, and the forces of the strips
+  kernels.memory_pass(task);
+  for (std::int32_t j = 0; j < count; ++j) {
+    const RememberingStrip& at = strips_.scratch[j];
+    PastStrip& strip = strips_.written[j];
+    strip.y = key(j);
+    strip.centre = at.centre;
+    strip.half_length = at.half_length;
+    double fx = 0.0, fy = 0.0, mz = 0.0;
+    for (std::int32_t i = 0; i < cells; ++i) {
+      fx += strip.px[i];
+      fy += strip.py[i];
+      mz += (at.x + at.reach * places.at[i]) * strip.py[i] - at.y * strip.px[i];
+    }
+    strip.force[0] = fx * at.area;
+    strip.force[1] = fy * at.area;
+    strip.force[2] = mz * at.area;
+  }
+  forces(before_);
+  std::copy_n(task.local, 3, local);
+}
+
+void march_steadily(const RollingContact& contact, const RememberingStrip* strips, std::int32_t count,
+                    const double per[3], double h, PastStrip* into) {
+  contact.grid->kernels->tangential.memory_march({count,
+                                                  strips,
+                                                  places.at,
+                                                  {per[0], per[1], per[2]},
+                                                  h,
+                                                  into->px,
+                                                  into->force,
+                                                  sizeof(PastStrip) / sizeof(double)});
+}
+
+void PatchStep::steady(const double per[3], double h, PastStrip* into, double of[3]) {
+  set_own(0.0);
+  march_steadily(contact_, strips_.scratch, contact_.region.count, per, h, into);
+  for (int i = 0; i < 3; ++i) of[i] = 0.0;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    into[j].y = key(j);
+    into[j].centre = contact_.region.centre[j];
+    into[j].half_length = contact_.region.half_length[j];
+    for (int i = 0; i < 3; ++i) of[i] += into[j].force[i];
+  }
+}
+
+void PatchStep::forces(double of[3]) const {
+  for (int i = 0; i < 3; ++i) {
+    of[i] = 0.0;
+    for (std::int32_t j = 0; j < contact_.region.count; ++j) of[i] += strips_.written[j].force[i];
+  }
+}
+
+void PatchStep::about_centre(const Creepage& c, double length, double shift[3]) const {
+  shift[0] = length * (c.longitudinal - c.spin * centre_y_);
+  shift[1] = length * (c.lateral + c.spin * centre_x_);
+  shift[2] = length * c.spin;
+}
+
+Creepage PatchStep::about_origin(const double shift[3], double length) const {
+  const double per =
+      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * a_}), length);
+  return {per * (shift[0] + shift[2] * centre_y_), per * (shift[1] - shift[2] * centre_x_), per * shift[2]};
+}
+
+double PatchStep::stored() const {
+  // 1/2 L p^2 of the cells, and 1/2 S F^2
+  double sum = 0.0, force[3];
+  forces(force);
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    const PastStrip& strip = strips_.written[j];
+    double x2 = 0.0, y2 = 0.0;
+    for (std::int32_t i = 0; i < cells; ++i) {
+      x2 += strip.px[i] * strip.px[i];
+      y2 += strip.py[i] * strip.py[i];
+    }
+    const RememberingStrip& at = strips_.scratch[j];
+    sum += 0.5 * at.area * (x2 / at.growth_x + y2 / at.growth_y);
+  }
+  for (int i = 0; i < 3; ++i) sum += 0.5 * yield_[i] * force[i] * force[i];
+  return sum;
+}
+
+void PatchStep::lower(double scale) {
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    PastStrip& strip = strips_.written[j];
+    for (std::int32_t i = 0; i < cells; ++i) {
+      strip.px[i] *= scale;
+      strip.py[i] *= scale;
+    }
+    for (double& part : strip.force) part *= scale;
+  }
+}
+
+double PatchStep::adhesion_fraction() const {
+  double sticks = 0.0, whole = 0.0;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    const RememberingStrip& at = strips_.scratch[j];
+    std::int32_t stuck = 0;
+    for (std::int32_t i = 0; i < cells; ++i) {
+      const double px = strips_.written[j].px[i], py = strips_.written[j].py[i];
+      const double tau = (1.0 - 1e-9) * at.bound[i];
+      stuck += px * px + py * py < tau * tau ? 1 : 0;
+    }
+    sticks += at.area * stuck;
+    whole += at.area * cells;
+  }
+  return whole > 0.0 ? sticks / whole : 0.0;
+}
+
+void PatchStep::go(const double per[3], double travel, double rolled, double local[3], double of_part[3],
+                   double& last) {
+  // Parts from the end of the step on; those before the last are seen less.
+  double left = rolled / std::max(length(), least), share[most_parts];
+  std::int32_t parts = 0;
+  for (const double usual : usual_parts) {
+    if (parts > 0 && !(left > 0.0)) break;
+    share[parts++] = std::min(left, usual);
+    left -= usual;
+  }
+  const double whole = std::max(rolled / std::max(length(), least), least);
+  for (std::int32_t k = parts - 1; k >= 0; --k) {
+    const double part_of_step = parts == 1 ? 1.0 : share[k] / whole;
+    last = part_of_step * rolled;
+    if (parts > 1) place_strips(1.0 - left_of_step(share, k) / whole);
+    set_own(part_of_step * travel);
+    for (int i = 0; i < 3; ++i) of_part[i] = part_of_step * travel * per[i];
+    part(of_part, last, k == parts - 1, local);
+  }
+}
+
+double last_part(double length) { return usual_parts[0] * std::max(length, least); }
+
+double PatchStep::follows(double rolled) const {
+  const double length = std::max(length_, least);
+  return forgets(rolled, length) ? 1.0 : 1.0 - natural_exp(-rolled / (fitted::follows * 0.5 * length));
+}
+
+double PatchStep::per_length(double size, double length) {
+  // no more than slides everywhere: creepages of 10
+  constexpr double most = 10.0;
+  return std::min(1.0 / std::max(length, least), most / std::max(size, least));
+}
+
+bool hardly_rolls(double rolled, double length) { return rolled <= least_step * std::max(length, least); }
+bool forgets(double rolled, double length) { return rolled > all_forgotten * std::max(length, least); }
+
+EnergyLeft count_energy(double before, double work, double stored) {
+  // before + scale work >= kept_back scale^2 stored
+  EnergyLeft e;
+  const double least_kept = kept_back * stored;
+  if (before + work < least_kept) {
+    e.scale = least_kept > 0.0
+                  ? (work + std::sqrt(work * work + 4.0 * least_kept * before)) / (2.0 * least_kept)
+                  : (work < 0.0 ? before / -work : 1.0);
+    e.scale = std::clamp(e.scale, 0.0, 1.0);
+  }
+  const double there = std::max(0.0, before + e.scale * work);
+  e.left = std::min(e.scale * e.scale * stored, there);
+  e.dissipated = there - e.left;
+  return e;
+}
+
+const double* memory_places() { return places.at; }
+
+const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number) {
+  const PastStrip* const end = past + count;
+  const PastStrip* const at = std::lower_bound(
+      past, end, number, [](const PastStrip& strip, double sought) { return strip.y < sought; });
+  return at != end && at->y == number ? at : nullptr;
+}
+
+}  // namespace wrc::tangential

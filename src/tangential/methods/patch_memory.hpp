@@ -1,0 +1,196 @@
+/// The law of contact that remembers, for one patch over one step: a plane's (strip_memory.hpp) and those of
+/// a wheel on a rail (surface/rolling/remembering.hpp).
+///
+/// Simplified theory with displacements u = L p of the bodies' particles. In a step the wheel is displaced
+/// over the rail by D, and rolls by a length h, or rests. A particle that is at x now was where the bodies
+/// carried it from, with the traction p' of then; it has
+///     p = the point of the disk |p| <= bound nearest to p' - (D - U) / L,
+/// one implicit step of friction, which dissipates. Particles enter without tractions.
+///
+///  - The half-spaces yield as a whole, U = S (F - F'), beside the displacement of each place by its own
+///    traction. Local flexibilities give the forces of linear rolling (Kalker), both together the stiffness of
+///    a patch that sticks at rest (Mindlin): S is the difference, no fitted number. U is a translation and a
+///    rotation.
+///  - The bound has the friction limit of the patch and the form (1 - r^2)^m. m follows from the share of U in
+///    the whole yield such that shifts at rest are Cattaneo's, 1 - (1 - d)^1.5; hysteresis then is Mindlin's
+///    (Masing), as each cell sticks and slips by itself. Under m = 1 and half of the yield they differ by 0.01
+///    of mu N.
+///  - Arms of spin are longer than the cells' by a factor, for the forces and the displacements alike: the
+///    bound is nearer to the centre than pressure is.
+///  - Rolling steadily this is FASTSIM. The difference of steady strip FASTSIM to the same cells in steady
+///    rolling is added and follows over the length rolled; at rest it stays. It is taken ahead by the yield of
+///    the moment. Conditions that stay end in strip FASTSIM, and a step over four lengths of the patch is
+///    strip FASTSIM.
+///  - Passivity: the contact counts the energy that it could give back. It is at most the energy stored in
+///    cells and in U, and at most its value before and the step's work -F.D. Where less were left than a
+///    quarter of the stored energy, tractions and forces are lowered to that. So the work over any path is
+///    never below zero, however patches change.
+///
+/// Constants are fitted to random sequences solved exactly (src/halfspace, 84 of all kinds, by the forces and
+/// moments of all steps).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tangential/rolling_contact.hpp"
+#include "tangential/simd/tasks.hpp"
+
+namespace wrc::tangential {
+
+/// Memory of a strip, of the bodies rolling forwards.
+struct PastStrip {
+  double y;                    ///< place on the rail [m], or number of the rail's strip
+  double centre, half_length;  ///< [m]
+  double force[3];  ///< its cells': Fx, Fy [N], Mz about the patch's centre, on a rail about its own [N m]
+  double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
+  double energy;    ///< it could give back [J]
+  double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
+};
+static_assert(sizeof(PastStrip) == (10 + 2 * memory_cells) * sizeof(double),
+              "no padding: its bytes are saved");
+
+using simd::RememberingStrip;
+
+/// The strips that a contact remembers, and those of the step that is being solved: behind it in memory.
+struct Memory {
+  std::int64_t capacity;  ///< strips
+  std::int64_t present;   ///< the list of the two behind that is remembered; the other is being written
+  std::int64_t count;     ///< strips of the list that is remembered
+  std::int64_t written;   ///< strips of the other list
+
+  PastStrip* list(std::int64_t which) { return reinterpret_cast<PastStrip*>(this + 1) + which * capacity; }
+  PastStrip* remembered() { return list(present); }
+  PastStrip* other() { return list(1 - present); }
+  RememberingStrip* scratch() { return reinterpret_cast<RememberingStrip*>(list(3)); }
+
+  /// The strips written are remembered from now on.
+  void turn_over() {
+    present = 1 - present;
+    count = written;
+  }
+};
+
+/// Strips of one patch: those remembered, and where the step's go.
+struct PatchStrips {
+  const PastStrip* past = nullptr;
+  std::int64_t past_count = 0;
+  PastStrip* written = nullptr;         ///< as many as the patch has
+  RememberingStrip* scratch = nullptr;  ///< as many
+  const double* number =
+      nullptr;  ///< numbers of a rail's strips, by which their past is found; nullptr: by the place
+  const double* inside = nullptr;  ///< share of each strip's width within the patch; with `number`
+  /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
+  /// are the same in all patches they are of. nullptr: those of the patch.
+  const RememberingStrip* shared = nullptr;
+  double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
+};
+
+/// The remembered strips beside a place, and the share of the second.
+struct Neighbours {
+  const PastStrip *first = nullptr, *second = nullptr;
+  double share = 0.0;
+};
+
+/// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
+class PatchStep {
+ public:
+  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault);
+
+  double length() const { return strips_.length > 0.0 ? strips_.length : length_; }
+  double limit() const { return limit_; }  ///< friction limit, sum of mu_j N_j [N]
+  double arm() const { return arm_; }      ///< factor on the arms of spin
+  double centre_x() const { return centre_x_; }
+
+  /// Goes through the step in parts: displaced by `per` length over `travel`, and rolled. Leaves the
+  /// displacement of the cells over the last part, that of the patch, and the rolled length of the part [m].
+  void go(const double per[3], double travel, double rolled, double local[3], double of_part[3],
+          double& last);
+
+  /// Forces of the cells in steady rolling at displacements `per` length, brought over h at least. The strips
+  /// go to `into`.
+  void steady(const double per[3], double h, PastStrip* into, double of[3]);
+
+  /// Share of the difference to strip FASTSIM that follows over the length rolled.
+  double follows(double rolled) const;
+
+  /// Forces of the written cells.
+  void forces(double of[3]) const;
+  /// Brings forces from the centre, with its longer arms, to the origin.
+  void refer_to_origin(double of[3]) const { of[2] += centre_x_ * of[1] - centre_y_ * of[0]; }
+
+  /// The displacements of the patch's centre for creepages about the origin, and back.
+  void about_centre(const Creepage& c, double length, double shift[3]) const;
+  Creepage about_origin(const double shift[3], double length) const;
+  /// One over a length, and less where displacements `size` over it would be more than slides everywhere.
+  static double per_length(double size, double length);
+
+  /// Energy stored in the written strips [J].
+  double stored() const;
+  void lower(double scale);  ///< all that is written, times `scale`
+  double adhesion_fraction() const;
+
+  /// On a plane, before the step: difference to strip FASTSIM, and the energy it could give back [J].
+  const double* added() const { return added_; }
+  double energy() const { return energy_; }
+
+ private:
+  void take_past();
+  void set_bounds(double exponent);
+  Neighbours past_of(std::int32_t j) const;
+  void part(const double shift[3], double h, bool first, double local[3]);
+  void bring(double h, bool first);
+  void place_strips(double done);
+  void set_own(double travel);
+  double strip_form(std::int32_t j) const;
+  double key(std::int32_t j) const {
+    return strips_.number ? strips_.number[j] : contact_.memory.y(contact_.region.y[j]);
+  }
+
+  const RollingContact& contact_;
+  const PatchStrips strips_;
+  double length_ = 0.0;       // the longest strip's [m]
+  double limit_ = 0.0;        // friction limit [N]
+  double a_ = 0.0, b_ = 0.0;  // semi-axes of the double ellipse that stands for the patch [m]
+  double centre_x_ = 0.0, centre_y_ = 0.0;
+  double growth_x_ = 0.0, growth_y_ = 0.0;  // 1 / L [Pa/m]
+  double yield_[3] = {};                    // S
+  double arm_ = 1.0;
+  double exponent_ = 1.0, largest_load_ = 0.0;
+  double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
+};
+
+/// Factor by which the displacement of cells over that of the patch is taken ahead.
+inline constexpr double memory_ahead = 2.1;
+
+/// Middles of the cells over the half length, from the leading edge on.
+const double* memory_places();
+
+/// Cells of strips in steady rolling, brought over h at least, into `into` (forces, tractions).
+void march_steadily(const RollingContact& contact, const RememberingStrip* strips, std::int32_t count,
+                    const double per[3], double h, PastStrip* into);
+
+/// Over which a step of which nothing before is seen brings its cells [m].
+double last_part(double length);
+
+/// Is a path none, or so long that nothing before is seen? `length`: of the longest strip [m].
+bool hardly_rolls(double rolled, double length);
+bool forgets(double rolled, double length);
+
+/// Energy that can be given back after a step, and the rest of it.
+struct EnergyLeft {
+  double scale = 1.0;       ///< on all forces and tractions
+  double left = 0.0;        ///< [J]
+  double dissipated = 0.0;  ///< [J]
+};
+
+/// `before`: energy that could be given back before; `work` put in; `stored` in tractions as they are [J].
+EnergyLeft count_energy(double before, double work, double stored);
+
+/// A past strip as the bodies roll now: backwards it is the mirror image.
+PastStrip turned(const PastStrip& strip, double direction);
+
+/// The remembered strip of this number; nullptr: there is none.
+const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number);
+
+}  // namespace wrc::tangential
