@@ -31,6 +31,7 @@ struct PointTask;
 struct MarchTask;
 struct StripFastsimTask;
 struct SurfaceMarchTask;
+struct LayeredMarchTask;
 struct SurfaceStripsTask;
 struct SurfaceStripsSlopesTask;
 struct Sums;
@@ -90,6 +91,8 @@ struct TangentialKernels {
   void (*surface_strips)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_fields)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_slopes)(const SurfaceStripsSlopesTask& task);
+  void (*layered_march)(const LayeredMarchTask& task, Sums& sums);
+  void (*layered_march_fields)(const LayeredMarchTask& task, Sums& sums);
 };
 
 struct SurfaceKernels {

@@ -1,6 +1,7 @@
 /// Kernels of rolling, for the instruction set WRC_SET that this unit is compiled for.
 #include "kernels/kernels.hpp"
 
+#include "tangential/simd/layered_march_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
 #include "tangential/simd/surface_strips_slopes_kernel.hpp"
@@ -20,6 +21,8 @@ constexpr TangentialKernels tangential_kernels = {
     .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
     .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
     .surface_strips_slopes = surface_strips_slopes_kernel,
+    .layered_march = layered_march_kernel<Output::forces>,
+    .layered_march_fields = layered_march_kernel<Output::fields>,
 };
 
 }  // namespace wrc::simd::WRC_SET
