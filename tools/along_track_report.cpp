@@ -505,6 +505,10 @@ void against_exact() {
   const auto anywhere = [&](Input& input) { input.distance = between(random, 1.5, 5.5); };
   const auto steep = [&](Input& input) { input.distance = between(random, 0.1, 0.3); };
   const auto about = [&](Input& input) { input.angle = between(random, -0.15, 0.15); };
+  const auto shearing = [&](Input& input) {
+    input.friction.layer_thickness = 1e-3;
+    input.friction.layer_modulus = 1e-3 / (4e-14 * 0.05 * std::pow(60.0, between(random, 0.0, 1.0)));
+  };
   const auto rounded = [](const RoundTable& table) {
     return [&table](wrc_config& config) { config.roundness = table.table(); };
   };
@@ -533,8 +537,21 @@ void against_exact() {
       {"a polygon of 18 corners, 0.1 mm", rounded(polygon), about},
       {"a worn flat of 0.5 mm", rounded(worn), about},
       {"a fresh flat of 0.5 mm", rounded(chord), about},
-      {"the same rail, yaw 15 to 40 mrad", nothing, [&](Input& input) {
+      {"the same rail, yaw 15 to 40 mrad", nothing,
+       [&](Input& input) {
          input.wheel.yaw = std::copysign(between(random, 15e-3, 40e-3), input.wheel.yaw);
+       }},
+      // 0.05 to 3 times the flexibility of the bodies; then yielding from 30 to 400 MPa on
+      {"a layer that shears", nothing, shearing},
+      {"a layer that shears and yields", nothing,
+       [&](Input& input) {
+         shearing(input);
+         input.friction.layer_yield = between(random, 30e6, 400e6);
+       }},
+      {"one that hardens or softens", nothing, [&](Input& input) {
+         shearing(input);
+         input.friction.layer_yield = between(random, 30e6, 400e6);
+         input.friction.layer_hardening = between(random, -1e12, 4e12);
        }}};
   for (const auto& [name, change, pose] : each) {
     wrc_config config = bodies();

@@ -18,7 +18,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
   integer(c_size_t), bind(C) :: layout_wrc_view(4)
   integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(4)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(19)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(23)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(16)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
@@ -55,7 +55,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_grid(8)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_problem(14)
   integer(c_size_t), bind(C) :: layout_wrc_exact_normal_solution(11)
-  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(15)
+  integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_problem(19)
   integer(c_size_t), bind(C) :: layout_wrc_exact_rolling_solution(16)
   integer(c_size_t), bind(C) :: layout_wrc_exact_loads(8)
   integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(9)
@@ -464,8 +464,16 @@ contains
       distance(c_loc(a), c_loc(a%zone_count)), layout_wrc_friction(17))
     call same('wrc_friction', 'zone_frame', &
       distance(c_loc(a), c_loc(a%zone_frame)), layout_wrc_friction(18))
+    call same('wrc_friction', 'layer_thickness', &
+      distance(c_loc(a), c_loc(a%layer_thickness)), layout_wrc_friction(19))
+    call same('wrc_friction', 'layer_modulus', &
+      distance(c_loc(a), c_loc(a%layer_modulus)), layout_wrc_friction(20))
+    call same('wrc_friction', 'layer_yield', &
+      distance(c_loc(a), c_loc(a%layer_yield)), layout_wrc_friction(21))
+    call same('wrc_friction', 'layer_hardening', &
+      distance(c_loc(a), c_loc(a%layer_hardening)), layout_wrc_friction(22))
     call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(19))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(23))
   end subroutine
   subroutine test_wrc_wheel_state()
     type(wrc_wheel_state), target :: a
@@ -1379,6 +1387,14 @@ contains
       distance(c_loc(a), c_loc(a%progress)), layout_wrc_exact_rolling_problem(14))
     call same('wrc_exact_rolling_problem', 'user', &
       distance(c_loc(a), c_loc(a%user)), layout_wrc_exact_rolling_problem(15))
+    call same('wrc_exact_rolling_problem', 'layer_thickness', &
+      distance(c_loc(a), c_loc(a%layer_thickness)), layout_wrc_exact_rolling_problem(16))
+    call same('wrc_exact_rolling_problem', 'layer_modulus', &
+      distance(c_loc(a), c_loc(a%layer_modulus)), layout_wrc_exact_rolling_problem(17))
+    call same('wrc_exact_rolling_problem', 'layer_yield', &
+      distance(c_loc(a), c_loc(a%layer_yield)), layout_wrc_exact_rolling_problem(18))
+    call same('wrc_exact_rolling_problem', 'layer_hardening', &
+      distance(c_loc(a), c_loc(a%layer_hardening)), layout_wrc_exact_rolling_problem(19))
   end subroutine
   subroutine test_wrc_exact_rolling_solution()
     type(wrc_exact_rolling_solution), target :: a

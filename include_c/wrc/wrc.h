@@ -527,7 +527,12 @@ typedef struct wrc_friction {
                                         `coefficient`. Linear between them, constant beyond. A strip has its mean [required] */
   uint32_t zone_count;     /**< breakpoints, 0..64 [0] */
   int32_t zone_frame;      /**< enum wrc_zone_frame [WRC_ZONES_CONTACT_FRAME] */
-  double reserved[12];     /**< 0 */
+  double layer_thickness;  /**< of an elasto-plastic layer between the bodies, 0..0.01 m; 0: it does not shear elastically [0] */
+  double layer_modulus;    /**< of that layer in shear, 0 or 1e3..1e12 Pa; goes with a thickness [0] */
+  double layer_yield;      /**< traction at which fresh layer yields, 0 or 1e3..1e11 Pa; 0: it does not yield [0] */
+  double layer_hardening;  /**< rise of that traction over the length of plastic flow, < 0: the layer softens, to a tenth of
+                                layer_yield at least; goes with layer_yield, -1e13..1e14 Pa/m [0] */
+  double reserved[8];      /**< 0 */
 } wrc_friction;
 
 /** Where a wheel or wheelset is and how it moves, against the ground. */

@@ -106,6 +106,10 @@ typedef struct wrc_exact_rolling_problem {
   wrc_creepage creepage;          /**< about the origin of the contact frame */
   wrc_progress progress;          /**< called between grids and iterations; NULL: none [NULL] */
   void* user;                     /**< handed to progress [NULL] */
+  double layer_thickness;         /**< of an elasto-plastic layer, as in wrc_friction, 0..0.01 m; steady rolling alone [0] */
+  double layer_modulus;           /**< of that layer in shear, 0 or 1e3..1e12 Pa; goes with a thickness [0] */
+  double layer_yield;             /**< traction at which fresh layer yields, 0 or 1e3..1e11 Pa; WRC_ADHESION_COULOMB alone [0] */
+  double layer_hardening;         /**< rise of that traction over the length of plastic flow, -1e13..1e14 Pa/m [0] */
 } wrc_exact_rolling_problem;
 
 /** Solution of steady rolling: forces and tractions on the wheel. */

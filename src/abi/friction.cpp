@@ -38,6 +38,25 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
   return check(above, of, ours.hot_temperature);
 }
 
+/// A layer goes with a method that rolls it, and is the only one.
+Fault check_layer_of(const wrc_friction& ours, const char* of, const contact::TangentialMethod& method) {
+  if (ours.layer_thickness == 0.0 && ours.layer_yield == 0.0) return {};
+  if (!method.takes_layer) {
+    return Fault::unsupported(
+        {of, "layer_thickness, layer_yield"},
+        "this tangential method has no march along the strips that could carry a layer: "
+        "choose WRC_TANGENTIAL_STRIP_FASTSIM or WRC_TANGENTIAL_FASTSIM");
+  }
+  if (ours.slope_reduction < 1.0 ||
+      (method.reads.has(contact::Option::slope_fall) && ours.slope_fall > 0.0)) {
+    return Fault::unsupported(
+        {of, "slope_reduction, slope_fall"},
+        "these are layers, too: with layer_thickness or layer_yield let slope_reduction "
+        "be 1 and slope_fall 0");
+  }
+  return {};
+}
+
 /// The planar problem has no use for bodies without friction: its creepages, adhesion and damage would mean
 /// nothing.
 Fault check_some(const wrc_friction& ours, const char* of) {
@@ -56,7 +75,8 @@ Fault read_friction(const wrc_friction& checked, const char* of, const contact::
                 same<WRC_SPEED_LAW_HYPERBOLIC>(tangential::SpeedLaw::hyperbolic));
   static_assert(same<WRC_TEMPERATURE_LAW_NONE>(tangential::TemperatureLaw::none) &&
                 same<WRC_TEMPERATURE_LAW_LINEAR>(tangential::TemperatureLaw::linear));
-  RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method)}));
+  RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method),
+                             check_layer_of(checked, of, method), read_layer(checked, of, friction.layer)}));
   friction.law.speed_law = static_cast<tangential::SpeedLaw>(checked.speed_law);
   friction.law.temperature_law = static_cast<tangential::TemperatureLaw>(checked.temperature_law);
   friction.law.coefficient = checked.coefficient;

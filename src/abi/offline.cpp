@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "abi/friction.hpp"
 #include "abi/guarded.hpp"
 #include "abi/handles.hpp"
 #include "abi/prescribed.hpp"
@@ -145,6 +146,15 @@ Fault rolling_problem(const wrc_exact_rolling_problem& ours, const halfspace::Gr
     fault = check(MEMBER(wrc_exact_rolling_problem, "coefficient"), "problem", ours.coefficient);
     if (fault.failed()) return fault;
     problem.friction.assign(1, ours.coefficient);
+  }
+  RETURN_IF_FAILED(read_layer(ours, "problem", problem.layer));
+  if (ways == Ways::all && problem.layer.present()) {
+    return Fault::unsupported("problem.layer_thickness, layer_yield",
+                              "steps of rolling do not carry a layer: only steady rolling does");
+  }
+  if (ours.adhesion == WRC_ADHESION_FULL && ours.layer_yield > 0.0) {
+    return Fault::unsupported("problem.layer_yield", {ours.layer_yield, "Pa"},
+                              "with WRC_ADHESION_FULL nothing slides or flows");
   }
   problem.creepage = {creepage.longitudinal, creepage.lateral, creepage.spin};
   problem.adhesion =

@@ -67,6 +67,7 @@ struct TangentialMethod {
   OptionSet reads{};
   bool gives_tractions = false;    ///< and the slip of every cell; otherwise forces only
   bool gives_derivatives = false;  ///< otherwise differences stand in
+  bool takes_layer = false;        ///< friction with a layer that shears and yields; otherwise it is refused
   /// Its way over the strips of a surface, each with its own slip and coefficients, with the patch model
   /// WRC_PATCH_MODEL_PATCH_SDEC, separate flexibilities and a bound of each strip's load; otherwise it is
   /// applied patch by patch.

@@ -28,6 +28,7 @@ struct Friction {
   ZoneFrame zone_frame = ZoneFrame::contact;
   double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
   tangential::SlopeFall slope;   ///< fall of that slope as slip grows
+  tangential::Layer layer;       ///< that shears and yields
 };
 
 /// Direction and speed of rolling. Backwards the leading edge is at -x; creepages are sliding velocities over
@@ -125,8 +126,8 @@ struct Contact {
 // A contact is saved as its bytes: with padding, where anything may lie, equal states could differ in their
 // bytes. Each line is a struct and the sum of its members.
 static_assert(sizeof(void*) != 8 || sizeof(tangential::FrictionLaw) == 13 * sizeof(double));
-static_assert(sizeof(Friction) ==
-              sizeof(tangential::FrictionLaw) + 2 * sizeof(double) + sizeof(tangential::SlopeFall));
+static_assert(sizeof(Friction) == sizeof(tangential::FrictionLaw) + 2 * sizeof(double) +
+                                      sizeof(tangential::SlopeFall) + sizeof(tangential::Layer));
 static_assert(sizeof(normal::NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(patch::StripTotals) + sizeof(patch::Sdec) +
                                    sizeof(tangential::TangentialForces) + 2 * sizeof(double));

@@ -149,6 +149,10 @@ Fault check_memory(const Contact& contact, const Friction& friction, const Rolli
         "friction.temperature_law",
         "config.planar.non_steady rolls on once a step, friction over temperature would several times");
   }
+  if (friction.layer.present()) {
+    return Fault::unsupported("friction.layer_thickness, layer_yield",
+                              "config.planar.non_steady remembers tractions, not how far a layer has flowed");
+  }
   if (rolling.reverse_share == 0.0) return {};
   return Fault::unsupported("creepage.reverse_share", {rolling.reverse_share, ""},
                             "config.planar.non_steady rolls one way in a step, or rests");
@@ -184,6 +188,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   rolling.form = model.options.flexibility;
   rolling.slope = friction.slope;
   rolling.slope_reduction = friction.slope_reduction;
+  rolling.layer = friction.layer;
   rolling.normal_force = patch.extent.normal_force;
   rolling.force_table = &model.force_table;
   rolling.workspace = array(contact, Array::tangential_workspace);

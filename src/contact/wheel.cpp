@@ -137,6 +137,7 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
   problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
+  problem.layer = hosted.friction.layer;
   problem.damping = hosted.damping;
   if (reads_distance(model)) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;

@@ -293,6 +293,7 @@ RollingFace::RollingFace(const FaceProblem& in, const RollingSurfaces& surfaces,
   for (Direction& direction : directions_) {
     find_sliding(surfaces, cells, in.options.collocation, direction);
     direction.problem.collocation = in.options.collocation;
+    direction.problem.layer = in.state.layer;
     direction.problem.tolerance = in.options.rolling_tolerance;
   }
   const SurfaceSolution* const start = warm_ ? in.start : nullptr;

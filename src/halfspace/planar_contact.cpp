@@ -75,7 +75,8 @@ Fault check_planar_contact(contact::Contact& contact, int nx, int ny, const Prog
   problem.creepage.longitudinal *= rolling.direction;
   problem.creepage.spin *= rolling.direction;
   problem.progress = progress;
-  // A layer between the bodies lets them move further along each other, as a lower shear modulus would.
+  problem.layer = contact.law.layer;
+  // The slope reduction lets the bodies move further along each other, as a lower shear modulus would.
   patch::Material material = contact.model->options.material;
   const double layer = contact::friction_of(contact).slope_reduction;
   material.shear_modulus *= layer;

@@ -58,27 +58,94 @@ struct OnGrid {
       std::vector<tangential::NewtonRow>(static_cast<std::size_t>(grid.ny));
   std::unique_ptr<double[]> vectors = {};
   std::unique_ptr<float[]> factors = {};
+  double spring = problem.layer.flexibility / grid.dx;  // slip by the layer per difference of traction [1/Pa]
+  Field own_x = {}, own_y = {};                         // tractions that are turned into slips
 
-  double xx(int m) const { return convolution.planar().xx(m, 0); }  // within a row nothing is turned
-  double yy(int m) const { return convolution.planar().yy(m, 0); }
+  // the layer's spring: a cell's own traction, less that of the cell ahead
+  double of_spring(int m) const { return m == 0 ? spring : m == -1 ? -spring : 0.0; }
+  double xx(int m) const {
+    return convolution.planar().xx(m, 0) + of_spring(m);
+  }  // in a row nothing is turned
+  double yy(int m) const { return convolution.planar().yy(m, 0) + of_spring(m); }
   void slip() {
+    if (spring > 0.0) {
+      own_x = x;
+      own_y = y;
+    }
     convolution.tangential(x, y);
     ++solution.products;
+    if (spring > 0.0) add_spring();
   }
+  void add_spring();
+  double follow_flow();
 
   // False if cancelled. Its share of the whole work lies between `begun` and `done`.
   bool solve(double tolerance, double begun, double done);
 };
 
+// Adds the slip by the layer's spring: F (p(x) - p(x + dx)) / dx; from the leading edge to the first cell's
+// place, but on the reference program's grid, over that distance.
+void OnGrid::add_spring() {
+  const double behind = traction_behind(problem.collocation),
+               first = behind > 0.0 ? 1.0 / (0.5 + behind) : 1.0;
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      const std::size_t at = grid.index(i, j);
+      const bool ahead = i + 1 < nx && bound[at + 1] > 0.0;
+      x[at] += spring * (ahead ? own_x[at] - own_x[at + 1] : first * own_x[at]);
+      y[at] += spring * (ahead ? own_y[at] - own_y[at + 1] : first * own_y[at]);
+    }
+  }
+}
+
+// Bounds by the flow along each row at the present tractions and slips. Returns by how much they moved, over
+// their own size (2-norms over the cells).
+//
+// A cell would carry z = |p - s dx / C| if it stuck, C its compliance, and more by as much as the bound of
+// the cell ahead has risen: it flows by C (z - tau), less what the rise of tau takes. That is exact for
+// springs. C of the bodies lies between that of one cell alone and that of the row; half of the latter makes
+// the fixed point contract.
+double OnGrid::follow_flow() {
+  const tangential::Layer& layer = problem.layer;
+  double moved = 0.0, all = 0.0;
+  for (int j = 0; j < ny; ++j) {
+    int in_contact = 0;
+    for (int i = 0; i < nx; ++i) in_contact += problem.pressure[grid.index(i, j)] > 0.0 ? 1 : 0;
+    const double compliance = layer.flexibility + 0.15 * in_contact * grid.dx * (xx(0) - spring);
+    double yield = layer.yield,
+           ahead = 0.0;  // tau of the particle, fresh at the leading edge; bound's change
+    for (int i = nx; i-- > 0;) {
+      const std::size_t at = grid.index(i, j);
+      if (problem.pressure[at] <= 0.0) continue;
+      const double most = bound_of(problem, at), per = grid.dx / compliance;
+      if (yield < most) {
+        const double zx = px[at] - sx[at] * per, zy = py[at] - sy[at] * per;
+        const double over = std::max(0.0, std::sqrt(zx * zx + zy * zy) + ahead - yield);
+        const double slope = std::max(layer.hardening, -0.5 / compliance);
+        yield += slope * compliance * over / (1.0 + slope * compliance);
+        yield = std::clamp(yield, std::min(most, tangential::least_yield * layer.yield), most);
+      }
+      const double limit = std::min(most, yield);
+      ahead = limit - bound[at];
+      moved += ahead * ahead;
+      all += limit * limit;
+      bound[at] = limit;
+    }
+  }
+  return tangential::relative_residual(moved, all);
+}
+
 bool OnGrid::solve(double tolerance, double begun, double done) {
   // traction bounds g = mu p_n [Pa], and the sizes that Newton's method needs: cells that can carry traction,
   // and factors of each row's own equations
+  const bool yields = problem.layer.yield > 0.0 && problem.adhesion == Adhesion::coulomb;
   std::size_t with_traction = 0, of_factors = 0;
   for (int j = 0; j < ny; ++j) {
     std::size_t of_row = 0;
     for (int i = 0; i < nx; ++i) {
       const std::size_t at = grid.index(i, j);
       if (problem.pressure[at] > 0.0) bound[at] = bound_of(problem, at);
+      if (yields) bound[at] = std::min(bound[at], problem.layer.yield);
       if (bound[at] > 0.0) ++of_row;
     }
     with_traction += of_row;
@@ -92,12 +159,24 @@ bool OnGrid::solve(double tolerance, double begun, double done) {
   const double accuracy = problem.adhesion == Adhesion::full ? 0.1 * problem.tolerance : 1e-2;
   tangential::RollingNewton newton(*this, {tolerance, accuracy, problem.max_iterations, max_products});
   // progress: decades of the residual on its way to the tolerance
-  const tangential::NewtonEnd end = newton.solve([&](double residual) {
+  const auto goes_on = [&](double residual) {
     const double decades = natural_log(std::max(residual, tolerance)) / natural_log(tolerance);
     return problem.progress.goes_on(begun + (done - begun) * std::clamp(decades, 0.0, 1.0));
-  });
+  };
+  // with a layer that hardens or softens also its bounds, until they stay
+  tangential::NewtonEnd end = newton.solve(goes_on);
   solution.iterations = newton.iterations();
-  solution.residual = newton.residual();
+  double moved = 0.0;
+  for (int n = 0; yields && end == tangential::NewtonEnd::solved; ++n) {
+    moved = follow_flow();
+    if (moved <= tolerance) break;
+    if (n == problem.max_iterations)
+      end = tangential::NewtonEnd::capped;
+    else
+      end = newton.solve(goes_on);
+    solution.iterations += newton.iterations();
+  }
+  solution.residual = std::max(newton.residual(), moved);
   if (end == tangential::NewtonEnd::capped) solution.fault = capped(solution.residual, tolerance);
   // no slip where there is no contact; cells in contact without friction slip, whatever Newton's method has
   // not told

@@ -16,6 +16,10 @@
 ///     mu   friction                             [-]      g    bound = mu p_n              [Pa]
 ///     u    displacement difference              [m]      rho  1 / largest coefficient     [Pa]
 ///
+/// A layer (tangential/layer/layer.hpp) is a spring, s = w - d(u + F p)/dx, and lowers the bound to g =
+/// min(mu p_n, tau). Then s is the motion that slides or flows. tau follows from the flow along each row, and
+/// is found with s by fixed-point steps.
+///
 /// On a curved surface (rows with angles, turned_convolution.hpp) x and y are each row's own tangents, and
 /// the rigid slip is given cell by cell.
 #pragma once
@@ -69,6 +73,7 @@ struct RollingProblem {
   tangential::Creepage creepage;  ///< about the origin of the grid's coordinates
   /// Rigid slip w of each cell in place of the creepages', taken where `collocation` says; both or none.
   Field rigid_slip_x, rigid_slip_y;
+  tangential::Layer layer{};  ///< between the bodies; of steady rolling alone
   Adhesion adhesion = Adhesion::coulomb;
   Collocation collocation = Collocation::quarter_point;
   /// |p - P(p - rho s)| <= tolerance |min(g, max(|p|, rho |w|))| (2-norms over the cells; g is

@@ -31,6 +31,7 @@ struct PointTask;
 struct MarchTask;
 struct StripFastsimTask;
 struct SurfaceMarchTask;
+struct LayeredMarchTask;
 struct SurfaceStripsTask;
 struct SurfaceStripsSlopesTask;
 struct RememberingStrip;
@@ -101,6 +102,8 @@ struct TangentialKernels {
   void (*memory_pass)(const MemoryPassTask& task);
   void (*memory_pass_sums)(const MemoryPassTask& task, MemoryPassSums& sums);
   void (*memory_march)(const MemoryMarchTask& task);
+  void (*layered_march)(const LayeredMarchTask& task, Sums& sums);
+  void (*layered_march_fields)(const LayeredMarchTask& task, Sums& sums);
 };
 
 struct SurfaceKernels {

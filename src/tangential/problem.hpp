@@ -11,6 +11,7 @@
 
 #include "patch/strips.hpp"
 #include "tangential/friction/strip_friction.hpp"
+#include "tangential/layer/layer.hpp"
 #include "theory/flexibility.hpp"
 
 namespace wrc::tangential {
@@ -36,6 +37,7 @@ struct TangentialProblem {
   theory::Flexibility flexibility;
   StripFriction friction;  ///< mu [-]
   TractionBound bound = TractionBound::parabolic;
+  Layer layer{};  ///< between the bodies
 };
 
 /// Fields over cells: element (cell i, strip j) is at i * strips + j, cell 0 at the leading edge, so that one

@@ -48,6 +48,7 @@ struct RollingContact {
   FlexibilityForm form = FlexibilityForm::separate;
   SlopeFall slope{};
   double slope_reduction = 1.0;             ///< the factor that is in shear_modulus already [-]
+  Layer layer{};                            ///< between the bodies
   PatchModel model{};                       ///< whose strips `region` has, and whose the coefficients are
   double normal_force = 0.0;                ///< the patch's, for methods that do not read its strips [N]
   const ForceTable* force_table = nullptr;  ///< the model's, if it has one

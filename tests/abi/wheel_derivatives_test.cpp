@@ -142,6 +142,25 @@ TEST_P(WheelDerivatives, FrictionThatFallsAndALayer) {
   expect_differences(differences_see);
 }
 
+TEST_P(WheelDerivatives, ALayerThatShearsAndYields) {
+  config.surface.tolerance = 1e-9;  // strips with a layer feel more of the pressures' last sweep
+  create(GetParam());
+  input.friction.coefficient = 0.3;
+  input.friction.layer_thickness = 20e-6;
+  input.friction.layer_modulus = 177e6;
+  wheel.velocity[1] = 0.1;
+  const double outward = GetParam() == WRC_SIDE_RIGHT ? 1.0 : -1.0;
+  for (const double hardening : {0.0, 2e11, -5e11}) {
+    input.friction.layer_yield = 120e6;
+    input.friction.layer_hardening = hardening;
+    for (const double at : {0.0, 6.5e-3}) {
+      SCOPED_TRACE(testing::Message() << hardening << " " << at);
+      press(outward * at, 60e3);
+      expect_differences(1e-4);
+    }
+  }
+}
+
 TEST_P(WheelDerivatives, ZonesOnTheWheel) {
   const double y[] = {-0.06, -0.03, 0.0, 0.02}, coefficient[] = {0.1, 0.25, 0.4, 0.3};
   input.friction.zone_count = 4;

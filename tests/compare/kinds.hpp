@@ -43,6 +43,9 @@ Report compare_halfspace_normal(const Csv& file, const Names& only);
 /// Errors are over mu times the row's load; beside all rows they are listed by wave length.
 Report compare_transient(const Csv& file, const Names& only);
 
+/// Ellipses with an elasto-plastic layer, or creep curves of such: forces, moment and power.
+Report compare_layer(const Csv& file, const Names& only);
+
 /// Contact with a memory at rest and rolling either way: the exact solver step by step. Errors of forces are
 /// over mu times the row's load, those of the moment also over sqrt(ab); beside all rows they are listed by
 /// family.

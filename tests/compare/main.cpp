@@ -58,6 +58,8 @@ constexpr Kind kinds[] = {
     {"memory", compare::compare_memory, nullptr, none,
      "those of memory_cases.csv, memory_params.csv beside it: shifts at rest, rolling either way, loads that "
      "vary; or of wheelrail_memory_cases.csv: wheels that wander from rest"},
+    {"layer", compare::compare_layer, nullptr, none,
+     "those of layer_cases.csv or layer_curves.csv: an elasto-plastic layer between the bodies"},
     {"grid", compare::compare_grid, nullptr, none,
      "those of sdec_cases.csv: grids of 16 to 128 against 512, no reference needed"},
     {"subsurf", compare::compare_subsurface, nullptr, none,

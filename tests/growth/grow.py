@@ -16,11 +16,11 @@ import grammar  # noqa: E402
 import growth   # noqa: E402
 import headers  # noqa: E402
 
-# A layer between the bodies, as friction may get one: the first of what was kept for later in wrc_friction.
-LAYER = """  int32_t layer_law; /**< how the layer shears, 0..9 [0] */
+# A film on the rail, as friction may get one: the next of what is kept for later in wrc_friction.
+FILM = """  int32_t film_law; /**< how the film spreads, 0..9 [0] */
   uint32_t reserved1; /**< 0 */
-  double layer_thickness; /**< of the layer, 0..0.01 m [0] */
-  double layer_modulus; /**< in shear, 0 or 1e3..1e12 Pa [0] */
+  double film_thickness; /**< of the film, 0..0.01 m [0] */
+  double film_modulus; /**< in shear, 0 or 1e3..1e12 Pa [0] */
 """
 FUNCTION = """/** A function of a later version.
  * @param x any number
@@ -100,9 +100,9 @@ def grown(text, struct, told, ways, interface):
         if last.type.base in interface.structs:  # a whole struct
             text = re.sub(r"\n  \w+ reserved;[^\n]*\n", lambda _: f"\n  {last.type.base} more; /**< one more of a later version */\n", text)
         else:
-            layer = LAYER if struct.name == "wrc_friction" else ""
-            taken = 1 + 3 * bool(layer)
-            text = re.sub(r"\n  double reserved\[[^\n]*\n", lambda _: f"\n{layer}{more('more', 'a member')}"
+            film = FILM if struct.name == "wrc_friction" else ""
+            taken = 1 + 3 * bool(film)
+            text = re.sub(r"\n  double reserved\[[^\n]*\n", lambda _: f"\n{film}{more('more', 'a member')}"
                           f"  double reserved[{last.type.extents[0] - taken}]; /**< 0 */\n", text)
     if set(ways) & {"struct_size", "element"}:
         end = more("beyond", "a member at the end")

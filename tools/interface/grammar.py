@@ -17,7 +17,7 @@ Where a member is read and likely causes of wrong values stand in members.toml.
 import dataclasses
 import re
 
-UNITS = ("m", "rad", "N", "Pa", "m/s", "rad/s", "s/m", "1/m", "W", "N m", "m^2", "m^2/m", "m/m", "W/m^2", "W/m", "N/m",
+UNITS = ("m", "rad", "N", "Pa", "Pa/m", "m/s", "rad/s", "s/m", "1/m", "W", "N m", "m^2", "m^2/m", "m/m", "W/m^2", "W/m", "N/m",
          "kg/m^3", "W/(m K)", "J/(kg K)", "K", "degC", "mm^3/(km N)", "mm^3/km", "N/mm^2", "microgram/(m N)", "kg/J", "s",
          "J", "m^3", "s m", "-")
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"

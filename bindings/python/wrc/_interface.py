@@ -1140,6 +1140,13 @@ class Friction(s.Struct):
           Linear between them, constant beyond. A strip has its mean (0 .. 2; required)
       zone_count: breakpoints (0 .. 64; default 0)
       zone_frame: ZoneFrame (default ZoneFrame.CONTACT_FRAME)
+      layer_thickness [m]: of an elasto-plastic layer between the bodies; 0: it does not shear elastically (0
+          .. 0.01; default 0)
+      layer_modulus [Pa]: of that layer in shear; goes with a thickness (0 or 1e3 .. 1e12; default 0)
+      layer_yield [Pa]: traction at which fresh layer yields; 0: it does not yield (0 or 1e3 .. 1e11; default
+          0)
+      layer_hardening [Pa/m]: rise of that traction over the length of plastic flow, < 0: the layer softens,
+          to a tenth of layer_yield at least; goes with layer_yield (-1e13 .. 1e14; default 0)
     """
 
     _c_name_ = 'wrc_friction'
@@ -1161,7 +1168,11 @@ class Friction(s.Struct):
     zone_coefficients: Optional[np.ndarray] = s.Pointer('zone_coefficients', 'zone_count')  # type: ignore[assignment]
     zone_count: int = s.Count('zone_count')  # type: ignore[assignment]
     zone_frame: ZoneFrame = s.Chosen('zone_frame', ZoneFrame)  # type: ignore[assignment]
-    _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm'}
+    layer_thickness: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
+    _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
     _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02}
     _fields_ = [
         ('coefficient', c.c_double),
@@ -1181,7 +1192,11 @@ class Friction(s.Struct):
         ('_zone_coefficients', c.POINTER(c.c_double)),
         ('_zone_count', c.c_uint32),
         ('_zone_frame', c.c_int32),
-        ('_reserved', c.c_double * 12),
+        ('layer_thickness', c.c_double),
+        ('layer_modulus', c.c_double),
+        ('layer_yield', c.c_double),
+        ('layer_hardening', c.c_double),
+        ('_reserved', c.c_double * 8),
     ]
 assert c.sizeof(Friction) == 240
 
@@ -2634,6 +2649,12 @@ class ExactRollingProblem(s.Struct):
       creepage: about the origin of the contact frame
       progress: called between grids and iterations; None: none (default None)
       user: handed to progress (default None)
+      layer_thickness [m]: of an elasto-plastic layer, as in Friction; steady rolling alone (0 .. 0.01;
+          default 0)
+      layer_modulus [Pa]: of that layer in shear; goes with a thickness (0 or 1e3 .. 1e12; default 0)
+      layer_yield [Pa]: traction at which fresh layer yields; Adhesion.COULOMB alone (0 or 1e3 .. 1e11;
+          default 0)
+      layer_hardening [Pa/m]: rise of that traction over the length of plastic flow (-1e13 .. 1e14; default 0)
     """
 
     _c_name_ = 'wrc_exact_rolling_problem'
@@ -2651,7 +2672,11 @@ class ExactRollingProblem(s.Struct):
     creepage: Creepage
     progress: Any
     user: Any
-    _units_ = {'pressure': 'Pa'}
+    layer_thickness: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
+    _units_ = {'pressure': 'Pa', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
     _defaults_ = {'max_iterations': 60, 'tolerance': 0.0001, 'coefficient': 0.3}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -2668,8 +2693,12 @@ class ExactRollingProblem(s.Struct):
         ('creepage', Creepage),
         ('progress', s.Progress),
         ('user', c.c_void_p),
+        ('layer_thickness', c.c_double),
+        ('layer_modulus', c.c_double),
+        ('layer_yield', c.c_double),
+        ('layer_hardening', c.c_double),
     ]
-assert c.sizeof(ExactRollingProblem) == 344
+assert c.sizeof(ExactRollingProblem) == 376
 
 
 class ExactRollingSolution(s.Struct):

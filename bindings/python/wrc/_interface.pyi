@@ -1098,9 +1098,22 @@ class Friction(s.Struct):
         """zone_frame: ZoneFrame (default ZoneFrame.CONTACT_FRAME)"""
     @zone_frame.setter
     def zone_frame(self, value: ZoneFrameLike) -> None: ...
-    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ...) -> None:
+    layer_thickness: float
+    """layer_thickness [m]: of an elasto-plastic layer between the bodies; 0: it does not shear elastically (0 ..
+        0.01; default 0)
+    """
+    layer_modulus: float
+    """layer_modulus [Pa]: of that layer in shear; goes with a thickness (0 or 1e3 .. 1e12; default 0)"""
+    layer_yield: float
+    """layer_yield [Pa]: traction at which fresh layer yields; 0: it does not yield (0 or 1e3 .. 1e11; default 0)
+    """
+    layer_hardening: float
+    """layer_hardening [Pa/m]: rise of that traction over the length of plastic flow, < 0: the layer softens, to
+        a tenth of layer_yield at least; goes with layer_yield (-1e13 .. 1e14; default 0)
+    """
+    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ...) -> Friction:  # type: ignore[override]
+    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> Friction:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FrictionDict(TypedDict, total=False):
@@ -1121,6 +1134,10 @@ class FrictionDict(TypedDict, total=False):
     zone_y: Optional[s.Floats]
     zone_coefficients: Optional[s.Floats]
     zone_frame: ZoneFrameLike
+    layer_thickness: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
 
 class WheelState(s.Struct):
     """Where a wheel or wheelset is and how it moves, against the ground."""
@@ -2583,9 +2600,22 @@ class ExactRollingProblem(s.Struct):
     """progress: called between grids and iterations; None: none (default None)"""
     user: Any
     """user: handed to progress (default None)"""
-    def __init__(self, *, adhesion: AdhesionLike = ..., collocation: CollocationLike = ..., max_iterations: int = ..., tolerance: float = ..., wheel_material: Union[Material, MaterialDict] = ..., rail_material: Union[Material, MaterialDict] = ..., grid: Union[Grid, GridDict] = ..., pressure: Optional[s.Floats] = ..., friction: Optional[s.Floats] = ..., coefficient: float = ..., creepage: Union[Creepage, CreepageDict] = ..., progress: Any = ..., user: Any = ...) -> None:
+    layer_thickness: float
+    """layer_thickness [m]: of an elasto-plastic layer, as in Friction; steady rolling alone (0 .. 0.01; default
+        0)
+    """
+    layer_modulus: float
+    """layer_modulus [Pa]: of that layer in shear; goes with a thickness (0 or 1e3 .. 1e12; default 0)"""
+    layer_yield: float
+    """layer_yield [Pa]: traction at which fresh layer yields; Adhesion.COULOMB alone (0 or 1e3 .. 1e11; default
+        0)
+    """
+    layer_hardening: float
+    """layer_hardening [Pa/m]: rise of that traction over the length of plastic flow (-1e13 .. 1e14; default 0)
+    """
+    def __init__(self, *, adhesion: AdhesionLike = ..., collocation: CollocationLike = ..., max_iterations: int = ..., tolerance: float = ..., wheel_material: Union[Material, MaterialDict] = ..., rail_material: Union[Material, MaterialDict] = ..., grid: Union[Grid, GridDict] = ..., pressure: Optional[s.Floats] = ..., friction: Optional[s.Floats] = ..., coefficient: float = ..., creepage: Union[Creepage, CreepageDict] = ..., progress: Any = ..., user: Any = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, adhesion: AdhesionLike = ..., collocation: CollocationLike = ..., max_iterations: int = ..., tolerance: float = ..., wheel_material: Union[Material, MaterialDict] = ..., rail_material: Union[Material, MaterialDict] = ..., grid: Union[Grid, GridDict] = ..., pressure: Optional[s.Floats] = ..., friction: Optional[s.Floats] = ..., coefficient: float = ..., creepage: Union[Creepage, CreepageDict] = ..., progress: Any = ..., user: Any = ...) -> ExactRollingProblem:  # type: ignore[override]
+    def set(self, *, adhesion: AdhesionLike = ..., collocation: CollocationLike = ..., max_iterations: int = ..., tolerance: float = ..., wheel_material: Union[Material, MaterialDict] = ..., rail_material: Union[Material, MaterialDict] = ..., grid: Union[Grid, GridDict] = ..., pressure: Optional[s.Floats] = ..., friction: Optional[s.Floats] = ..., coefficient: float = ..., creepage: Union[Creepage, CreepageDict] = ..., progress: Any = ..., user: Any = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> ExactRollingProblem:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class ExactRollingProblemDict(TypedDict, total=False):
@@ -2603,6 +2633,10 @@ class ExactRollingProblemDict(TypedDict, total=False):
     creepage: Union[Creepage, CreepageDict]
     progress: Any
     user: Any
+    layer_thickness: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
 
 class ExactRollingSolution(s.Struct):
     """Solution of steady rolling: forces and tractions on the wheel."""

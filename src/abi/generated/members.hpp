@@ -760,7 +760,11 @@ struct Description<wrc_friction> {
       {.name = "zone_coefficients", .offset = offsetof(wrc_friction, zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_friction, zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_friction, zone_count)},
       {.name = "zone_count", .offset = offsetof(wrc_friction, zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
       {.name = "zone_frame", .offset = offsetof(wrc_friction, zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
+      {.name = "layer_thickness", .offset = offsetof(wrc_friction, layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "layer_modulus", .offset = offsetof(wrc_friction, layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_yield", .offset = offsetof(wrc_friction, layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_hardening", .offset = offsetof(wrc_friction, layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
@@ -911,7 +915,11 @@ struct Description<wrc_wheel_input> {
       {.name = "friction.zone_coefficients", .offset = offsetof(wrc_wheel_input, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_wheel_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_wheel_input, friction.zone_count)},
       {.name = "friction.zone_count", .offset = offsetof(wrc_wheel_input, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
       {.name = "friction.zone_frame", .offset = offsetof(wrc_wheel_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
+      {.name = "friction.layer_thickness", .offset = offsetof(wrc_wheel_input, friction.layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "friction.layer_modulus", .offset = offsetof(wrc_wheel_input, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_yield", .offset = offsetof(wrc_wheel_input, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_hardening", .offset = offsetof(wrc_wheel_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
       {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "no vertical load is prescribed, but the height or another; it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
       {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
@@ -1361,7 +1369,11 @@ struct Description<wrc_planar_input> {
       {.name = "friction.zone_coefficients", .offset = offsetof(wrc_planar_input, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_planar_input, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_planar_input, friction.zone_count)},
       {.name = "friction.zone_count", .offset = offsetof(wrc_planar_input, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
       {.name = "friction.zone_frame", .offset = offsetof(wrc_planar_input, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
-      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 12, .rule = Rule::zero},
+      {.name = "friction.layer_thickness", .offset = offsetof(wrc_planar_input, friction.layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "friction.layer_modulus", .offset = offsetof(wrc_planar_input, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_yield", .offset = offsetof(wrc_planar_input, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_hardening", .offset = offsetof(wrc_planar_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
@@ -1953,9 +1965,13 @@ struct Description<wrc_exact_rolling_problem> {
       {.name = "creepage.reserved", .offset = offsetof(wrc_exact_rolling_problem, creepage.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "progress", .offset = offsetof(wrc_exact_rolling_problem, progress), .type = Type::pointer, .rule = Rule::none},
       {.name = "user", .offset = offsetof(wrc_exact_rolling_problem, user), .type = Type::pointer, .rule = Rule::none},
+      {.name = "layer_thickness", .offset = offsetof(wrc_exact_rolling_problem, layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "layer_modulus", .offset = offsetof(wrc_exact_rolling_problem, layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_yield", .offset = offsetof(wrc_exact_rolling_problem, layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_hardening", .offset = offsetof(wrc_exact_rolling_problem, layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
   };
 };
-static_assert(!pointers_of_64_bits || sizeof(wrc_exact_rolling_problem) == 344, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_exact_rolling_problem) == 376, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_exact_rolling_solution> {

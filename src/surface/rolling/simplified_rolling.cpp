@@ -10,6 +10,7 @@
 
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
+#include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
 #include "tangential/methods/fastrip_strip.hpp"
 #include "tangential/methods/flexibility_form.hpp"
@@ -22,26 +23,53 @@ tangential::Creepage slips_of(const SurfaceRollingInput& in, const RollingArrays
   return {a.mean[RollingArrays::slip][j] + a.own[j], in.slip_y[j], in.spin[j]};
 }
 
+/// Flexibilities [m/Pa] of a strip as above. l13 plays no part: slip along x has the spin of each strip in
+/// it.
+theory::Flexibility flexibility_of(double G, double l, const RollingArrays& a, std::int32_t j) {
+  theory::Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]),
+                        8.0 * l / (9.0 * G * a.c23[j])};
+  L.l13 = L.l11;
+  return L;
+}
+
+/// Bound at a strip's middle over mu p: parabola and semi-ellipse of one area.
+constexpr double of_peak(bool parabolic) { return parabolic ? 3.0 * pi / 8.0 : 1.0; }
+
+/// A strip of FASTSIM with a layer, whose flexibility adds to each.
+tangential::LayeredStripAt<double> layered_strip_of_springs(const SurfaceRollingInput& in,
+                                                            const RollingArrays& a, std::int32_t j) {
+  using Of = tangential::LayeredNumbers;
+  const double l = std::max(in.half_length[j], least_strip_length), F = in.layer.flexibility;
+  const tangential::Creepage slips = slips_of(in, a, j);
+  const theory::Flexibility L = flexibility_of(in.shear_modulus, l, a, j);
+  tangential::LayeredStripAt<double> strip{};
+  strip.bound = a.load[j] > 0.0 ? of_peak(in.parabolic) * in.friction[j] * in.peak[j] : 0.0;
+  auto& n = strip.numbers.of;
+  n[Of::stick_x] = n[Of::slip_x] = slips.longitudinal;
+  n[Of::stick_y] = n[Of::slip_y] = slips.lateral;
+  n[Of::stick_turn] = n[Of::slip_turn] = slips.spin * l * (L.l22 + F) / (L.l23 + F);
+  n[Of::spring_x] = (L.l11 + F) * strip.bound / l;
+  n[Of::spring_y] = (L.l22 + F) * strip.bound / l;
+  set_yield(in.layer, 1.0, l, strip);
+  return strip;
+}
+
 /// FASTSIM over all strips; `joint`: with the common flexibility in place of the separate ones.
 SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a, bool joint,
                            const tangential::TangentialFields& fields, const SurfaceRollingForces& forces) {
   const double G = in.shear_modulus;
   const bool parabolic = in.parabolic && !joint;
-  const double of_peak = parabolic ? 3.0 * pi / 8.0 : 1.0;  // parabola and semi-ellipse of one area
   for (std::int32_t j = 0; j < in.count; ++j) {
-    // Flexibilities [m/Pa] as above. l13 plays no part: slip along x has the spin of each strip in it.
     const double l = std::max(in.half_length[j], least_strip_length);
     const tangential::Creepage slips = slips_of(in, a, j);
-    theory::Flexibility L{pi * l / (G * a.c11[j]), 0.0, pi * l / (G * a.c22[j]),
-                          8.0 * l / (9.0 * G * a.c23[j])};
-    L.l13 = L.l11;
+    theory::Flexibility L = flexibility_of(G, l, a, j);
     if (joint) {
       const double common = tangential::common_flexibility(L, l, l, 0.0, slips);
       L = {common, common, common, common};
     }
     // Growth of adhesion tractions (nu_x / L11, nu_y / L22 + phi x / L23) over bound / l, at the leading edge
     // x = l, and its fall along the strip; flexibilities as slip per traction of the size of the bound.
-    const double bound = a.load[j] > 0.0 ? of_peak * in.friction[j] * in.peak[j] : 0.0;
+    const double bound = a.load[j] > 0.0 ? of_peak(parabolic) * in.friction[j] * in.peak[j] : 0.0;
     const double scale = bound > 0.0 ? l / bound : 0.0, turn = slips.spin * l / L.l23;
     a.bound[j] = bound;
     a.growth_x[j] = slips.longitudinal / L.l11 * scale;
@@ -65,7 +93,9 @@ SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a
 SurfaceRollingTotals roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
                                      const tangential::TangentialFields& fields,
                                      const SurfaceRollingForces& forces) {
-  return march(in, a, false, fields, forces);
+  if (!in.layer.present()) return march(in, a, false, fields, forces);
+  return roll_layered(in, in.parabolic, fields, forces,
+                      [&](std::int32_t j) { return layered_strip_of_springs(in, a, j); });
 }
 
 SurfaceRollingTotals roll_by_fastrip(const SurfaceRollingInput& in, const RollingArrays& a,

@@ -43,14 +43,15 @@ struct OneStrip {
 /// Numbers all strips have in common.
 struct Shared {
   double shear_modulus, normal_shear_modulus, poisson;
+  double flexibility;  ///< F of a layer [m/Pa]
   const StripCoefficientNodes* coefficients;
   const SurfaceCalibration* calibration;
 };
 
 template <class Number>
 Shared shared(const SurfaceRollingInputOf<Number>& in) {
-  return {in.shear_modulus, in.normal_shear_modulus, in.coefficients->poisson(), &in.coefficients->nodes(),
-          in.calibration};
+  return {in.shear_modulus,     in.normal_shear_modulus,   in.coefficients->poisson(),
+          in.layer.flexibility, &in.coefficients->nodes(), in.calibration};
 }
 
 /// Loads of the strips, coupling of neighbours and pivots of the means' equations
@@ -275,7 +276,12 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const auto &x = at.get(a.mean[Mean::longitudinal]), &e = at.get(a.mean[Mean::lateral]),
                &s = at.get(a.mean[Mean::spin]);
     const auto& held = at.get(a.mean[Mean::friction]);
-    const Number limit2 = held * held + least_limit2;
+    Number limit2 = held * held + least_limit2;
+    // a layer takes F / (F + L) of the slip, L = 8 l / (3 G C11): contact saturates later by as much
+    if (shared.flexibility > 0.0) {
+      const Number later = 1.0 + (0.375 * shared.shear_modulus * shared.flexibility) * at.get(a.c11) / l;
+      limit2 = limit2 * (later * later);
+    }
     const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],

@@ -1,6 +1,7 @@
 #include "surface/rolling/surface_rolling.hpp"
 
 #include "kernels/kernels.hpp"
+#include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
@@ -54,6 +55,8 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
     case SurfaceRollingMethod::fastrip:
       return roll_by_fastrip(in, a, fields, forces);
   }
+  if (in.layer.present())
+    return roll_layered(in, false, fields, forces, [&](std::int32_t j) { return layered_strip(in, a, j); });
   return roll_by_strip_fastsim(in, a, fields, forces);
 }
 

@@ -47,6 +47,7 @@ struct StripResultsHead {
   double rolls = 0.0;            ///< 1: there is friction
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
   double slope_reduction = 1.0;  ///< factor by a layer between the bodies
+  tangential::Layer layer;       ///< that shears and yields
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
 };
 

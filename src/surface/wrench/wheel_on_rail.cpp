@@ -22,6 +22,7 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   head.rolls = in.friction > 0.0 ? 1.0 : 0.0;
   head.by_region = rolls_by_region(problem.model, in) ? 1.0 : 0.0;
   head.slope_reduction = in.slope_reduction;
+  head.layer = in.layer;
   const Overlaps& o = s.overlaps;
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
@@ -205,6 +206,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
     // the march of the solve again, with its slips and its friction; its forces are known and go to scratch
     WheelOnRail in;
     in.slope_reduction = results.slope_reduction;
+    in.layer = results.layer;
     solve_tractions(model, in, strips, backwards, scratch, f,
                     {scratch.other_fx, scratch.other_fy, scratch.other_mz});
     if (backwards) {

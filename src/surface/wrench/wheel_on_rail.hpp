@@ -43,6 +43,7 @@ struct WheelOnRail {
   double slope_reduction =
       1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
   tangential::SlopeFall slope;  ///< its fall as slip grows
+  tangential::Layer layer;      ///< that shears and yields
   double damping = 0.0;         ///< Hunt and Crossley [s/m]
   double time = 0.0;            ///< since the committed step, of a model that remembers [s]
 };

@@ -8,6 +8,7 @@
 #include "kernels/kernels.hpp"
 #include "surface/geometry/along_track.hpp"
 #include "surface/pressure/pressure_jacobian.hpp"
+#include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/wrench/strip_friction.hpp"
 #include "surface/wrench/strip_mechanics.hpp"
@@ -292,26 +293,11 @@ struct KernelArrays {
 
 /// Tractions of the strips by the chain rule: the kernel's Jacobian by its nine inputs times their
 /// derivatives.
-void differentiate_tractions(const Differentiation& d, bool backwards, const DualForces& forces) {
+void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   const SurfaceModel& model = d.problem.model;
   const LoadedStrips& s = d.w.loaded;
-  const std::int32_t n = s.count;
-  auto rolls = rolling_input<Number>(model, d.problem.in, s);
-  rolls.peak = s.peak;
-  // backwards: the mirror image across the axle, as in solve_one_way() of strip_rolling.cpp
-  if (backwards) {
-    reverse(n, s.slip_x);
-    reverse(n, s.spin);
-  }
-
-  // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
   const RollingArraysOf<Number>& a = d.w.rolling;
-  using Each = strip_numbers::OneStrip<Number>;
-  const strip_numbers::Shared shared = strip_numbers::shared(rolls);
-  strip_numbers::link<Each>(rolls, a);
-  strip_numbers::linear_theory<Each>(rolls, shared, a);
-  strip_numbers::fill_arrays<Each>(rolls, shared, a);
-
+  const std::int32_t n = s.count;
   // The kernel's inputs, by SurfaceStripInput: but for the spin, which it multiplies by the half length.
   const Number* const inputs[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,
                                                     s.spin,     a.elastic,  a.turn_x,    a.turn_y};
@@ -360,6 +346,59 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
       for (std::int32_t input = 0; input < simd::strip_inputs; ++input)
         add(d.w.slopes[(3 * input + r) * n + k], input == simd::strip_spin ? turned : inputs[input][k]);
     }
+  }
+}
+
+/// The same with a layer: the march with derivatives by its own numbers, times the derivatives of these.
+void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf<Number>& rolls,
+                           const DualForces& forces) {
+  constexpr std::size_t numbers = tangential::LayeredNumbers::numbers;
+  using OfStrip = Dual<numbers>;
+  const tangential::MarchGrid& grid = *d.problem.model.grid;
+  for (std::int32_t k = 0; k < rolls.count; ++k) {
+    const tangential::LayeredStripAt<Number> strip = layered_strip(rolls, d.w.rolling, k);
+    tangential::LayeredStrip<OfStrip> varied;
+    for (std::size_t i = 0; i < numbers; ++i) varied.of[i] = OfStrip::input(strip.numbers.of[i].value, i);
+    const tangential::LayeredSum<OfStrip> sum = march_strip(varied, grid.elliptic, grid);
+    const auto by_inputs = [&](const OfStrip& of) {
+      Number all = of.value;
+      for (std::size_t i = 0; i < numbers; ++i)
+        pairwise::add<frame_inputs>(of.d[i], strip.numbers.of[i].d.data(), all.d.data());
+      return all;
+    };
+    // force = bound l width times the sums
+    const Number force = rolls.width[k] * (strip.bound * rolls.half_length[k]);
+    forces.fx[k] = force * by_inputs(sum.x);
+    forces.fy[k] = force * by_inputs(sum.y);
+    forces.mz[k] = (force * rolls.half_length[k]) * by_inputs(sum.turn);
+  }
+}
+
+/// Tractions of the strips: from slips and lengths to the numbers of the march, and through it.
+void differentiate_tractions(const Differentiation& d, bool backwards, const DualForces& forces) {
+  const SurfaceModel& model = d.problem.model;
+  const LoadedStrips& s = d.w.loaded;
+  const std::int32_t n = s.count;
+  auto rolls = rolling_input<Number>(model, d.problem.in, s);
+  rolls.peak = s.peak;
+  // backwards: the mirror image across the axle, as in solve_one_way() of strip_rolling.cpp
+  if (backwards) {
+    reverse(n, s.slip_x);
+    reverse(n, s.spin);
+  }
+
+  // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
+  const RollingArraysOf<Number>& a = d.w.rolling;
+  using Each = strip_numbers::OneStrip<Number>;
+  const strip_numbers::Shared shared = strip_numbers::shared(rolls);
+  strip_numbers::link<Each>(rolls, a);
+  strip_numbers::linear_theory<Each>(rolls, shared, a);
+  strip_numbers::fill_arrays<Each>(rolls, shared, a);
+
+  if (d.problem.in.layer.present()) {
+    differentiate_layered(d, rolls, forces);
+  } else {
+    differentiate_strips(d, forces);
   }
   if (backwards)
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);

@@ -3,6 +3,7 @@
 #include "base/elementary.hpp"
 #include "kernels/kernels.hpp"
 #include "patch/strips.hpp"
+#include "tangential/layer/layered_rolling.hpp"
 #include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
 
@@ -52,12 +53,50 @@ simd::MarchTask task_of(const TangentialProblem& problem, const MarchGrid& grid,
   return task;
 }
 
+/// The strips of a problem with a layer, from creepages and a factor on tau_0 that may carry derivatives.
+/// Flexibilities of bodies and layer add; all are springs, each creepage over its own.
+template <class Number>
+LayeredStripAt<Number> layered_strip(const TangentialProblem& problem, const simd::MarchTask& task,
+                                     const LayeredInputs<Number>& in, std::int32_t j) {
+  const patch::Strips& strips = problem.region;
+  const theory::Flexibility& L = problem.flexibility;
+  const double l = strips.half_length[j], F = problem.layer.flexibility, l11 = L.l11 + F, l22 = L.l22 + F;
+  LayeredStripAt<Number> strip;
+  const double bound = problem.friction.share(j) * (task.per_pressure * strips.peak[j] +
+                                                    (task.per_length + task.per_length_square * l) * l);
+  strip.bound = bound;
+  using Of = LayeredNumbers;
+  auto& n = strip.numbers.of;
+  const double lateral = l22 / (L.l23 + F), per_length = bound / l;
+  n[Of::stick_x] = in.longitudinal - (strips.y[j] * l11 / (L.l13 + F)) * in.spin;
+  n[Of::stick_y] = in.lateral + (strips.centre[j] * lateral) * in.spin;
+  n[Of::stick_turn] = (l * lateral) * in.spin;
+  n[Of::slip_x] = n[Of::stick_x];
+  n[Of::slip_y] = n[Of::stick_y];
+  n[Of::slip_turn] = n[Of::stick_turn];
+  n[Of::bodies_x] = n[Of::bodies_y] = n[Of::turn_x] = n[Of::turn_y] = 0.0;
+  n[Of::spring_x] = l11 * per_length;
+  n[Of::spring_y] = l22 * per_length;
+  set_yield(problem.layer, in.yield, l, strip);
+  return strip;
+}
+
+/// The march with a layer.
+TangentialForces march_layered(const TangentialProblem& problem, const simd::MarchTask& task,
+                               const MarchGrid& grid, const TangentialFields& fields,
+                               TangentialSensitivities* sensitivities) {
+  return roll_layered(
+      {problem.region, problem.creepage, problem.friction.mean, *task.shape, grid}, fields, sensitivities,
+      [&](const auto& inputs, std::int32_t j) { return layered_strip(problem, task, inputs, j); });
+}
+
 }  // namespace
 
 TangentialForces march(const TangentialProblem& problem, const MarchGrid& grid,
                        const TangentialFields& fields, TangentialSensitivities* sensitivities) {
   simd::Sums sums;
   const simd::MarchTask task = task_of(problem, grid, fields);
+  if (problem.layer.present()) return march_layered(problem, task, grid, fields, sensitivities);
   const Kernels& kernels = *grid.kernels;
   // a kernel of its own for each kind of result: no field or derivative costs calls that do not ask for it
   const auto kernel = sensitivities  ? kernels.tangential.march_sensitivities

@@ -36,8 +36,9 @@ double slope_factor(const RollingContact& contact) {
 TangentialForces roll(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                       TangentialSensitivities* sensitivities) {
   const theory::Flexibility flexibility = in_form(linear_flexibility(contact, fault), contact);
-  return march({contact.region, contact.creepage, flexibility, contact.friction, contact.bound},
-               *contact.grid, fields, sensitivities);
+  return march(
+      {contact.region, contact.creepage, flexibility, contact.friction, contact.bound, contact.layer},
+      *contact.grid, fields, sensitivities);
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "base/dual.hpp"
 #include "kernels/kernels.hpp"
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
+#include "tangential/layer/layered_rolling.hpp"
 #include "tangential/methods/strip_calibration.hpp"
 #include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
@@ -73,10 +75,13 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   const theory::Flexibility flexibility =
       theory::sdec_flexibility(a, b, psi, c.shear_modulus, *c.linear_theory, reported);
 
-  // Forces of linear theory and the friction limit mu N [N].
+  // Forces of linear theory, where a layer takes part of the slip, and the friction limit mu N [N].
   const double stiffness = c.shear_modulus * a * b, size = std::sqrt(a * b);
-  const T longitudinal = stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi);
-  const T lateral = (stiffness * linear.c22) * nu_y, spin = (stiffness * size * linear.c23) * phi;
+  const auto held = [&](double bodies) { return bodies / (bodies + c.layer.flexibility); };
+  const T longitudinal =
+      held(flexibility.l11) * (stiffness * (linear.c11 * nu_x + (linear.c13 * size) * phi));
+  const T lateral = held(flexibility.l22) * ((stiffness * linear.c22) * nu_y),
+          spin = held(flexibility.l23) * ((stiffness * size * linear.c23) * phi);
   const double limit = c.friction.mean * patch.normal_force;
   const T saturation2 =
       limit * limit + longitudinal * longitudinal + lateral * lateral + spin * spin + least_force2;
@@ -156,6 +161,62 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   return task;
 }
 
+/// A strip with a layer, by the model for the patch and creepages. The bodies' part are the flexibilities of
+/// strip FASTSIM; the layer's adds to it.
+template <class T>
+LayeredStripAt<T> layered_strip(const RollingContact& contact, const Model<T>& m, const LayeredInputs<T>& in,
+                                std::int32_t j) {
+  const patch::Strips& strips = contact.region;
+  const double l = strips.half_length[j], y = strips.y[j], centre = strips.centre[j];
+  LayeredStripAt<T> strip;
+  const double bound = contact.friction[j] * strips.peak[j];
+  strip.bound = bound;
+  using Of = LayeredNumbers;
+  auto& n = strip.numbers.of;
+  // displacements by the bound over the half length: of the bodies under the parabola, of the layer
+  const double parabola = m.B * contact.friction.share(j) * l;
+  const T spring = contact.layer.flexibility * bound / l;
+  n[Of::bodies_x] = m.l11 * parabola;
+  n[Of::bodies_y] = m.l22 * parabola;
+  n[Of::spring_x] = n[Of::spring_y] = spring;
+  n[Of::turn_x] = (m.t11 * parabola) * m.turning;
+  n[Of::turn_y] = (m.t22 * parabola) * m.turning;
+  // Slips: particles that stick follow those of the bodies' linear theory, or of kinematics, as the one or
+  // the other gives way.
+  n[Of::slip_x] = in.longitudinal - y * in.spin;
+  n[Of::slip_y] = in.lateral + centre * in.spin;
+  n[Of::slip_turn] = l * in.spin;
+  n[Of::stick_x] =
+      slip_in_series(n[Of::bodies_x], m.l11 * (m.gx_constant - y * m.gx_by_y), spring, n[Of::slip_x]);
+  n[Of::stick_y] =
+      slip_in_series(n[Of::bodies_y], m.l22 * (m.gy_constant + centre * m.gy_by_x), spring, n[Of::slip_y]);
+  n[Of::stick_turn] = slip_in_series(n[Of::bodies_y], (l * m.l22) * m.gy_by_x, spring, n[Of::slip_turn]);
+  n[Of::slip_y] += m.torsion;
+  set_yield(contact.layer, in.yield, l, strip);
+  return strip;
+}
+
+/// Strip FASTSIM with a layer.
+TangentialForces strip_fastsim_layered(const RollingContact& contact, const TangentialFields& fields,
+                                       Fault& fault, TangentialSensitivities* sensitivities) {
+  // one model for the patch, of plain numbers, and where derivatives are asked for of such
+  const auto model_of = [&](const auto& in) {
+    return model(contact, fitted_calibration, in.longitudinal, in.lateral, in.spin, fault);
+  };
+  const auto inputs = layered_inputs(contact.creepage);
+  const auto m = model_of(inputs);
+  const auto varied =
+      sensitivities ? model_of(layered_inputs_varied(contact.creepage)) : Model<LayeredDual>{};
+  return roll_layered(
+      {contact.region, contact.creepage, contact.friction.mean, contact.grid->elliptic, *contact.grid},
+      fields, sensitivities, [&](const auto& in, std::int32_t j) {
+        if constexpr (std::is_same_v<decltype(in), decltype((inputs))>)
+          return layered_strip(contact, m, in, j);
+        else
+          return layered_strip(contact, varied, in, j);
+      });
+}
+
 /// The creepages at which derivatives are found: the contact's own; or, where these are so small that changes
 /// of the forces drown in rounding, others that make 1e-8 of the friction limit. Forces are linear up to
 /// there.
@@ -178,6 +239,7 @@ Creepage away_from_rest(const RollingContact& contact) {
 
 TangentialForces strip_fastsim(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                                TangentialSensitivities* sensitivities) {
+  if (contact.layer.present()) return strip_fastsim_layered(contact, fields, fault, sensitivities);
   return calibrated_strip_fastsim(contact, fields, fault, sensitivities, fitted_calibration);
 }
 

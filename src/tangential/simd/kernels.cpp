@@ -1,6 +1,7 @@
 /// Kernels of rolling, for the instruction set WRC_SET that this unit is compiled for.
 #include "kernels/kernels.hpp"
 
+#include "tangential/simd/layered_march_kernel.hpp"
 #include "tangential/simd/march_kernel.hpp"
 #include "tangential/simd/memory_kernel.hpp"
 #include "tangential/simd/strip_fastsim_kernel.hpp"
@@ -25,6 +26,8 @@ constexpr TangentialKernels tangential_kernels = {
     .memory_pass = memory_pass_kernel,
     .memory_pass_sums = memory_pass_sums_kernel,
     .memory_march = memory_march_kernel,
+    .layered_march = layered_march_kernel<Output::forces>,
+    .layered_march_fields = layered_march_kernel<Output::fields>,
 };
 
 }  // namespace wrc::simd::WRC_SET

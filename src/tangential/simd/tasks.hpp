@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "tangential/layer/layer.hpp"
 #include "tangential/problem.hpp"
 
 namespace wrc::tangential {
@@ -64,6 +65,17 @@ struct SurfaceMarchTask : MarchCells {
   const double* rate;                 ///< by which the latter falls per half length
   const double *soft_x, *soft_y;      ///< flexibilities times bound over half length [-]
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
+};
+
+/// The march with a layer (layer/layer_march.hpp), of strips that each have numbers of their own, about their
+/// own middles.
+struct LayeredMarchTask : MarchCells {
+  std::int32_t stride;                    ///< strips of the fields, which begin at this task's first
+  const tangential::BoundShape* elastic;  ///< shape of the bodies' part of the displacement
+  const double *width, *half_length;      ///< [m]
+  const double* bound;                    ///< mu p at the strip's middle [Pa]
+  const double* numbers[tangential::LayeredNumbers::numbers];
+  double *fx, *fy, *mz;  ///< results: force [N], moment about the strip's middle [N m]
 };
 
 /// Common part of StripFastsimTask and SurfaceStripsTask.
