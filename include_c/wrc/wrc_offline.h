@@ -334,7 +334,7 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_opti
  * @param options NULL: the defaults
  * @param[out] wrench the result; `iterations` are heights and turns of normal and tangential problem tried; regions are
  * counted, wrc_contact_region() does not have them
- * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile),
+ * @return WRC_OK; WRC_FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the end of a profile or surface),
  * _CREEPAGES_LIMITED, _BEYOND_SECTIONS; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED,
  * _LOAD, _MEMORY, _CANCELLED.
  * @rt init @thread contact */

@@ -55,7 +55,12 @@ Fault find_faces(const surface::SurfaceModel& surface, const surface::WheelOnRai
     faces.push_back({.section = {part(strips.y), part(strips.z), 0.0},
                      .varying = same_everywhere ? nullptr : &surface.varying,
                      .first = range.first,
-                     .distance = rail.distance});
+                     .distance = rail.distance,
+                     .extent = same_everywhere
+                                   ? RailSurface{}.extent
+                                   : extent_of(surface.varying,
+                                               surface.varying.face[face_of(surface.varying, range.first)],
+                                               rail.distance)});
   }
   return outside;
 }

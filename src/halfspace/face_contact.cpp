@@ -151,7 +151,7 @@ Field moved(const Grid& from, const Field& field, const Grid& to) {
   return out;
 }
 
-// Flags a contact that reaches the last cell of a profile.
+// Flags a contact that reaches the last cell of a profile, or of a face along the track.
 Fault at_edge(const FaceProblem& in, const SurfaceCells& cells, const Field& pressure) {
   const Grid& g = cells.grid;
   for (int j = 0; j < g.ny; ++j) {
@@ -161,6 +161,8 @@ Fault at_edge(const FaceProblem& in, const SurfaceCells& cells, const Field& pre
       // within a cell of either end of the rail's or the wheel's profile
       const bool rail_ends = g.y(j) < g.dy || g.y(j) > in.face.section.length() - g.dy;
       const double on_wheel = cells.points[at].wheel_s;
+      if (!in.face.extent.holds(g.x(i) - g.dx) || !in.face.extent.holds(g.x(i) + g.dx))
+        return Fault::patch_at_edge("config.rail_sections");
       if (rail_ends || on_wheel < g.dy || on_wheel > in.bodies.wheel.length() - g.dy)
         return Fault::patch_at_edge(rail_ends ? "config.rail" : "config.wheel");
     }

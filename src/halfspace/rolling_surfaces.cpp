@@ -275,11 +275,10 @@ void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
     const double radius = k > 0 && secant > 0.2 * by_radius && secant < 5.0 * by_radius ? secant : by_radius;
     before = row.middle;
     slope_before = slope;
-    // to where the slope vanishes, by 5 mm at most
-    const double step = std::clamp(-slope * radius, -5e-3, 5e-3);
-    row.middle += step;
+    // to where the slope vanishes, by 5 mm at most, or to the face's end
+    row.middle = on_face(row.middle + std::clamp(-slope * radius, -5e-3, 5e-3));
     at = point(row, row.middle, at.wheel_s);
-    if (std::abs(step) < 1e-7) break;
+    if (std::abs(row.middle - before) < 1e-7) break;
   }
 }
 
@@ -290,7 +289,7 @@ void RollingSurfaces::halve_to_middle(SurfaceRow& row, SurfacePoint& at) const {
   double known = row.middle, step = 1e-3;  // the middle lies beyond `known`, by a step at most at last
   for (; at.found && direction * gap_slope(row, at) < 0.0 && step < farthest; step *= 2.0) {
     known = row.middle;
-    row.middle += direction * step;
+    row.middle = on_face(row.middle + direction * step);
     at = point(row, row.middle, at.wheel_s);
   }
   double beyond = row.middle;
@@ -327,12 +326,13 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   // the rail's own normal first; where the wheel is nearest along it is the row's middle
   double on_rail = rail_angle(row, s, 0.0);
   row.angle = on_rail;
-  SurfacePoint at = point(row, 0.0);
+  SurfacePoint at = there(0.0) ? point(row, 0.0) : SurfacePoint{};
   // A steep face under yaw is met ahead of the axle or behind it, where above it the wheel's profile may have
   // ended.
   constexpr int starts = 6;
   constexpr double apart = 20e-3;  // [m]
   for (int k = -starts; k <= starts && (!at.found || row.middle != 0.0); ++k) {
+    if (!there(k * apart)) continue;
     const SurfacePoint start = point(row, k * apart);
     if (!start.found || (at.found && start.gap >= at.gap)) continue;
     row.middle = k * apart;
@@ -362,6 +362,9 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   found = at.found;
   const Vector3 n = normal_of(row);
   row.grade = n.y * at.fall.slope_y + n.z * at.fall.slope_z;
+  // at the end of a face the wheel's lean: it rolls over an edge that rests
+  const bool at_end = row.middle == surface_.extent.begin || row.middle == surface_.extent.end;
+  if (at_end && found) row.grade -= gap_slope(row, at);
   return row;
 }
 

@@ -6,6 +6,7 @@
 /// Right-hand wheel and rail, track axes and types of surface/wrench/wheel_on_rail.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,8 +28,9 @@ namespace wrc::halfspace {
 struct RailSurface {
   SectionCurve section;  ///< y to the field side, z down, from the origin of the profile
   const surface::VaryingRail* varying = nullptr;  ///< nullptr: the same everywhere
-  std::int32_t first = 0;  ///< first of its strips, through whose middles the section runs
-  double distance = 0.0;   ///< place of the wheel along the track [m]
+  std::int32_t first = 0;                 ///< first of its strips, through whose middles the section runs
+  double distance = 0.0;                  ///< place of the wheel along the track [m]
+  surface::FaceExtent extent{-1e9, 1e9};  ///< where it is there, from below the wheel [m]
 };
 
 struct WheelAndRail {
@@ -109,6 +111,9 @@ class RollingSurfaces {
   /// All three outlive it.
   RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface, const surface::WheelOnRail& state);
 
+  /// Is the face there at x?
+  bool there(double x) const { return surface_.extent.holds(x); }
+
   /// Row at arc length s from the rail's first point; `found` tells whether the wheel faces it.
   SurfaceRow row(double s, RowNormals normals, bool& found) const;
 
@@ -140,6 +145,8 @@ class RollingSurfaces {
   double gap_slope(const SurfaceRow& row, const SurfacePoint& at) const;
   /// Moves the row's middle, and `at` with it, to where the wheel is nearest.
   void find_middle(SurfaceRow& row, SurfacePoint& at) const;
+  /// A place of the face near x.
+  double on_face(double x) const { return std::clamp(x, surface_.extent.begin, surface_.extent.end); }
   /// The same where the gap's slope may leap: by halving.
   void halve_to_middle(SurfaceRow& row, SurfacePoint& at) const;
 

@@ -61,7 +61,7 @@ Extent extent_below(double margin, const RollingSurfaces& surfaces, const std::v
     for (const double direction : {-1.0, 1.0}) {
       SurfacePoint p = c.middle;
       double x = c.row.middle;
-      while (p.found && p.gap < margin && std::abs(x - c.row.middle) < farthest) {
+      while (p.found && surfaces.there(x) && p.gap < margin && std::abs(x - c.row.middle) < farthest) {
         x += direction * options.cell_x;
         p = surfaces.point(c.row, x, p.wheel_s);
       }
@@ -111,10 +111,13 @@ SurfaceCells lay_cells(const RollingSurfaces& surfaces, double rail_length, cons
     const NearestCell& c = nearest[static_cast<std::size_t>(row)];
     cells.rows.push_back(c.row);
     if (!c.found) continue;
-    const int middle = std::clamp(nearest_integer((c.row.middle - g.x0) / g.dx), 0, g.nx - 1);
+    // the cell of the row's middle, or the one beside it that lies on the face
+    int middle = nearest_integer((c.row.middle - g.x0) / g.dx);
+    if (!surfaces.there(g.x(middle))) middle += g.x(middle) < c.row.middle ? 1 : -1;
+    middle = std::clamp(middle, 0, g.nx - 1);
     for (const int direction : {1, -1}) {
       SurfacePoint p = c.middle;
-      for (int i = middle; i >= 0 && i < g.nx && p.found; i += direction) {
+      for (int i = middle; i >= 0 && i < g.nx && p.found && surfaces.there(g.x(i)); i += direction) {
         p = surfaces.point(c.row, g.x(i), p.wheel_s);
         cells.points[g.index(i, j)] = p;
       }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../check_rail_points.hpp"
@@ -249,6 +250,139 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   EXPECT_GT(region.normal_force, 0.3 * alone);
 }
 
+/// Where a second rail begins, higher by a step, the wheel climbs it by its circle: it meets the edge from
+/// root(2 r step) before it. Nothing leaps over a micrometre, and contact at the edge is flagged.
+TEST_F(AlongTrack, AWheelClimbsTheEndOfASurface) {
+  constexpr double step_up = 0.5e-3;
+  add(0.0);
+  add(1.0);
+  for (const double distance : {1.0, 2.0}) add(distance, -step_up).surface = 1;
+  give();
+  friction.coefficient = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 1e3;
+  create();
+  const auto height_at = [&](double distance) {
+    input.distance = distance;
+    EXPECT_GE(step(), WRC_OK) << error();
+    return wrench.z;
+  };
+  const double level = height_at(0.5), far = std::sqrt(2.0 * radius * step_up);
+  for (const double before : {0.06, 0.03, 0.02, 0.015, 0.01, 0.005}) {
+    const double z = height_at(1.0 - before), share = std::min(before / far, 1.0);
+    EXPECT_NEAR(level - z, step_up * (1.0 - share * share), 4e-6) << before;
+    const bool on_edge = before < far;
+    EXPECT_EQ((wrench.flags & WRC_FLAG_BIT(WRC_FLAG_PATCH_AT_EDGE)) != 0, on_edge) << before;
+    EXPECT_EQ(error().find("end of surface[1]") != std::string::npos, on_edge) << error();
+    // over a micrometre the height moves as far as the force along the track does work
+    const double along = wrench.force[0], next = height_at(1.0 - before + 1e-6);
+    EXPECT_NEAR((next - z) / 1e-6, along / 1e3, 2e-3) << before;
+  }
+  EXPECT_NEAR(height_at(1.5), level - step_up, 1e-9);
+  EXPECT_EQ(wrench.flags, 0U);
+}
+
+/// The exact solver has no cells beyond the end of a surface either.
+TEST_F(AlongTrack, ExactContactEndsWithItsSurface) {
+  add(0.0);
+  add(1.0);
+  for (const double distance : {0.4, 0.6}) add(distance, -50e-6).surface = 1;
+  give();
+  friction.coefficient = 0.0;
+  wheel.z = 250e-6;
+  create();
+  auto options = wrc_exact_wrench_options_default();
+  options.cell_x = options.cell_s = 0.4e-3;
+  const auto load_at = [&](double distance) {
+    input.distance = distance;
+    EXPECT_GE(wrc_exact_wrench(contact, &input, &options, &wrench), WRC_OK) << error();
+    return wrench.normal_force;
+  };
+  const double both = load_at(0.5), alone = load_at(0.2);
+  EXPECT_NEAR(load_at(0.4 - 15e-3), alone, 1e-6 * alone);
+  EXPECT_EQ(wrench.flags, 0U);
+  EXPECT_NEAR(load_at(0.4 + 15e-3), both, 1e-3 * both);
+  EXPECT_EQ(wrench.flags, 0U);
+  // half of the second surface is under the wheel at its end
+  const double half = load_at(0.4) - alone;
+  EXPECT_GT(half, 0.3 * (both - alone));
+  EXPECT_LT(half, 0.9 * (both - alone));
+  EXPECT_NE(wrench.flags & WRC_FLAG_BIT(WRC_FLAG_PATCH_AT_EDGE), 0U);
+}
+
+/// A rail that moves sideways 1:9 into the flange is met farther ahead than 60 mm.
+TEST_F(AlongTrack, ContactFartherAheadThanIsLookedForIsFlagged) {
+  for (int k = 0; k < 40; ++k) {
+    wrc_rail_section& section = add(0.02 * k, 0.0, k < 20 ? 0.0 : -(k - 20) * 20e-3 / 9.0);
+    section.profile.kind = WRC_PROFILE_60E1;
+  }
+  give();
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.rail_inclination = 0.025;
+  friction.coefficient = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  create();
+  wheel.y = 4e-3;
+  for (const auto& [distance, flagged] : {std::pair{0.2, false}, {0.38, true}, {0.4, true}, {0.6, false}}) {
+    input.distance = distance;
+    ASSERT_GE(step(), WRC_OK) << error();
+    EXPECT_EQ((wrench.flags & WRC_FLAG_BIT(WRC_FLAG_PATCH_AT_EDGE)) != 0, flagged) << distance;
+    EXPECT_EQ(error().find("more than 60 mm ahead") != std::string::npos, flagged) << error();
+  }
+}
+
+/// A dip curved more than the wheel: the wheel goes over from one side to the other, and nothing else leaps.
+TEST_F(AlongTrack, AWheelRollsThroughADipShorterThanItself) {
+  constexpr double deep = 0.2e-3, half = 20e-3;
+  add(-0.3);
+  for (int k = -10; k <= 10; ++k) {
+    const double x = 0.2 * half * k;
+    add(x, std::abs(x) < half ? 0.5 * deep * (1.0 + std::cos(0.5 * turn * x / half)) : 0.0);
+  }
+  add(0.3);
+  give();
+  friction.coefficient = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  create();
+  input.distance = -0.2;
+  ASSERT_EQ(step(), WRC_OK) << error();
+  const double level = wrench.z;
+  double before = level, deepest = 0.0;
+  for (int k = -300; k <= 300; ++k) {
+    input.distance = 1e-4 * k;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    EXPECT_LT(std::abs(wrench.z - before), 10e-6) << input.distance;
+    EXPECT_LT(wrench.peak_pressure, 2e9) << input.distance;
+    before = wrench.z;
+    deepest = std::max(deepest, wrench.z - level);
+  }
+  EXPECT_GT(deepest, 0.7 * deep);
+  EXPECT_LT(deepest, deep);
+}
+
+/// A surface that begins within the rail begins on its ramp: straight from its first section on.
+TEST_F(AlongTrack, ARampThatBeginsWithItsSurfaceIsStraight) {
+  constexpr double slope = 0.02;
+  add(0.0, 10e-3);
+  add(2.0, 10e-3);
+  for (int k = 0; k < 4; ++k) add(0.5 + 0.1 * k, -slope * 0.1 * k).surface = 1;
+  give();
+  friction.coefficient = 0.0;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  create();
+  const auto height_at = [&](double distance) {
+    input.distance = distance;
+    EXPECT_GE(step(), WRC_OK) << error();
+    return wrench.z;
+  };
+  const double at_first = height_at(0.52);
+  EXPECT_NEAR(height_at(0.56) - at_first, -0.04 * slope, 1e-7);
+  EXPECT_NEAR(height_at(0.72) - at_first, -0.2 * slope, 1e-7);
+}
+
 /// A face behind the flange, higher than the rail: what of it looks away from the wheel is not met through
 /// the wheel's body.
 TEST_F(AlongTrack, AFaceThatTheWheelDoesNotReachChangesNothing) {
@@ -425,7 +559,7 @@ TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {
 /// The same input exactly, on cells of 0.4 mm.
 class ExactAlongTrack : public AlongTrack {
  protected:
-  wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+  wrc_exact_wrench_options options = sized<wrc_exact_wrench_options>();
   wrc_wrench exact = sized<wrc_wrench>();
 
   ExactAlongTrack() { options.cell_x = options.cell_s = 4e-4; }

@@ -30,7 +30,7 @@ class Status(s.Choice):
     OK = 0, 'done'
     FLAG_NO_CONTACT = 1, 'the bodies do not touch: all forces are zero'
     FLAG_ITERATION_CAP = 2, 'an iteration reached its cap: the last iterate is returned'
-    FLAG_PATCH_AT_EDGE = 3, 'the patch reaches the edge of the given gap or profile'
+    FLAG_PATCH_AT_EDGE = 3, 'the patch reaches the edge of the given gap, profile or surface'
     FLAG_MORE_PATCHES = 4, 'more contact patches exist than the configuration has room for'
     FLAG_TABLE_RANGE = 5, 'the patch is more slender than the coefficient tables: their end is used'
     FLAG_CREEPAGES_LIMITED = 6, 'nearly at rest, or sliding far faster than rolling: creepages are limited'
@@ -68,7 +68,7 @@ class Flags(enum.IntFlag):
 
     NO_CONTACT: the bodies do not touch: all forces are zero
     ITERATION_CAP: an iteration reached its cap: the last iterate is returned
-    PATCH_AT_EDGE: the patch reaches the edge of the given gap or profile
+    PATCH_AT_EDGE: the patch reaches the edge of the given gap, profile or surface
     MORE_PATCHES: more contact patches exist than the configuration has room for
     TABLE_RANGE: the patch is more slender than the coefficient tables: their end is used
     CREEPAGES_LIMITED: nearly at rest, or sliding far faster than rolling: creepages are limited
@@ -720,8 +720,11 @@ class RailSection(s.Struct):
     """One cross section of a rail that changes along the track. A surface is a stock rail, a blade, a wing rail,
         a nose. Its sections are blended point by point of equal share of their length. The blend is twice
         continuously differentiable in the distance. Marks divide that length: points of equal mark belong
-        together. A surface is there from its first section to its last. It should begin and end where no
-        wheel touches it. Theory manual, section 9.
+        together. A surface is there from its first section to its last; where the whole rail begins or ends
+        its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
+        to 3 mm high. Height and force are continuous there, but up to half too stiff:
+        Status.FLAG_PATCH_AT_EDGE. A hollow that is curved more than the wheel is met on one of its sides:
+        force and place leap where that changes. Theory manual, section 9.
 
     Members:
       distance [m]: along the track. Within a surface it increases by 1 mm at least (-1e7 .. 1e7; default 0)
@@ -3265,7 +3268,8 @@ class ContactCalls(_l.Handle):
 
         C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
             inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
-            _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile.
+            _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile, or of
+            a surface along the track. Or it lies more than 60 mm ahead or behind, where it is not looked for.
             _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
             0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
             config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
@@ -3672,8 +3676,9 @@ class ContactCalls(_l.Handle):
             counted, Contact.region() does not have them; None: a new one
 
         C status: Status.OK; Status.FLAG_NO_CONTACT, _ITERATION_CAP, _PATCH_AT_EDGE (the contact reaches the
-            end of a profile), _CREEPAGES_LIMITED, _BEYOND_SECTIONS; Status.ERROR_NULL, _STRUCT_SIZE,
-            _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY, _CANCELLED.
+            end of a profile or surface), _CREEPAGES_LIMITED, _BEYOND_SECTIONS; Status.ERROR_NULL,
+            _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: more than a million cells), _UNSUPPORTED, _LOAD, _MEMORY,
+            _CANCELLED.
         """
         if out is None:
             out = Wrench._new()

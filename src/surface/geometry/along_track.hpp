@@ -10,6 +10,7 @@
 
 #include <type_traits>
 
+#include "base/golden_section.hpp"
 #include "base/number.hpp"
 #include "surface/geometry/out_of_round.hpp"
 #include "surface/geometry/outline.hpp"
@@ -175,10 +176,44 @@ struct LargestOverlap {
   RayEnd<double> end;
 };
 
+/// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
+inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
+  constexpr int steps = 2;
+  const RayStart<double> from = strip.start(x);
+  for (int n = 0; n < steps; ++n) {
+    end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
+    settle(strip.wheel, end);
+  }
+  return end.depth;
+}
+
+/// The largest overlap near `found` where Newton's method does not settle, as on a rail that is curved to and
+/// fro within millimetres: the best of places 2.5 mm apart, and a golden section about it.
+inline void search_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
+  constexpr double apart = 2.5e-3;  // [m]
+  constexpr int to_a_side = 5, steps = 18;
+  RayEnd<double> end = found.end;
+  double best = -1e300, at = found.x;
+  for (int k = -to_a_side; k <= to_a_side; ++k) {
+    const double x = smaller(larger(found.x + k * apart, low), high);
+    RayEnd<double> here = end;
+    const double depth = depth_at(strip, x, here);
+    if (!(depth > best)) continue;
+    best = depth;
+    at = x;
+  }
+  double before = larger(at - apart, low), behind = smaller(at + apart, high);
+  narrow_to_largest(before, behind, steps, [&](double x) { return depth_at(strip, x, end); });
+  found.x = 0.5 * (before + behind);
+  depth_at(strip, found.x, end);
+  found.end = end;
+}
+
 /// Newton's method for the largest overlap within low..high, from `found`; the rays are turned with it.
 inline void find_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
   constexpr int most_steps = 12;
   constexpr double longest = 10e-3, close = 1e-8;  // [m]
+  const LargestOverlap begin = found;
   for (int n = 0; n < most_steps; ++n) {
     const RayStart<double> from = strip.start(found.x);
     const OverlapAlong<double> o = strip.overlap(from, found.end);
@@ -191,20 +226,11 @@ inline void find_largest(StripOverX<double>& strip, double low, double high, Lar
     const double to = smaller(larger(x, low), high) - found.x;
     found.x += to;
     // both steps square the residual
-    if (magnitude(to) < close && magnitude(moved) < close) break;
+    if (magnitude(to) < close && magnitude(moved) < close) return;
     strip.turn(o, from.x);
   }
-}
-
-/// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
-inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
-  constexpr int steps = 2;
-  const RayStart<double> from = strip.start(x);
-  for (int n = 0; n < steps; ++n) {
-    end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
-    settle(strip.wheel, end);
-  }
-  return end.depth;
+  found = begin;
+  search_largest(strip, low, high, found);
 }
 
 /// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
@@ -267,14 +293,16 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   find_largest(plain, low, high, found);
   StripOverX<Number> s{rail, wheel, pose, strip, distance, plain.blend, plain.ny, plain.nz};
   Number x = found.x;
+  const bool inside = found.x > low && found.x < high,
+             at_end = !inside && magnitude(found.x) < farthest_along;
   RayStart<Number> from = s.start(x);
   RayEnd<Number> end = carried(s, from, found.end);
   OverlapAlong<Number> over = s.overlap(from, end);
   if constexpr (!std::is_same_v<Number, double>) {
     // x moves as the slope there does; at the end of a face with that
-    if (found.x > low && found.x < high)
+    if (inside)
       x = x + over.slope * (1.0 / larger(-value_of(over.bend), least_curvature_left * value_of(over.own)));
-    else if (magnitude(found.x) < farthest_along)
+    else if (at_end)
       x = x + (value_of(distance) - distance);
     from = s.start(x);
     end = s.overlap(from, end).next;
@@ -301,19 +329,42 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   o.wy = from.y + end.depth * s.ny;
   o.wz = from.z + end.depth * s.nz;
   o.grade = s.ny * from.slope_y + s.nz * from.slope_z;
+  if (at_end) o.grade = o.grade + over.slope;  // the wheel's lean: it rolls over an edge that rests
   fit_parabola(end.depth, ahead, behind, half, over.own, o);
   return over.profile_y;
 }
 
-/// A place to begin at: where the overlap is largest of the places along the track, or between these, by the
-/// strip's parabola. Returns that overlap [m].
-inline double look_along(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
-                         const StripOverlap<double>& o, double& x) {
+/// A place to begin at, and the overlap there.
+struct FirstLook {
+  double x, depth;       ///< [m]
+  double farther = 0.0;  ///< where there may be contact farther than farthest_along; 0: nowhere [m]
+};
+
+/// As far ahead a flange is above the rail [m].
+inline constexpr double flange_above = 160e-3;
+
+/// Is there contact farther along the track than farthest_along? `end`: of a ray of the strip below the
+/// wheel.
+inline bool touches_farther(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
+                            const RelativePose& pose, std::int32_t strip, const StripOverlap<double>& o,
+                            const FirstLook& look, const RayEnd<double>& end) {
+  const std::int32_t face = face_of(rail, strip);
+  const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
+  StripOverX<double> s{rail, wheel, pose, strip, placed.distance, placed.blend[face], o.ny, o.nz};
+  LargestOverlap found{look.farther, end};
+  find_largest(s, larger(extent.begin, -flange_above), smaller(extent.end, flange_above), found);
+  return magnitude(found.x) > farthest_along && found.end.depth > 0.0;
+}
+
+/// The place where the overlap is largest of those along the track, or between these, by the strip's
+/// parabola.
+inline FirstLook look_along(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
+                            const StripOverlap<double>& o) {
   constexpr double hardly = 50e-6;  // [m]: a gain for which Newton's method needs no better place
   const std::int32_t face = face_of(rail, strip);
   const double low = placed.low[face], high = placed.high[face];
-  x = smaller(larger(o.centre, low), high);
-  if (placed.gain[strip] < hardly && x == o.centre) return o.depth + placed.gain[strip];
+  const double middle = smaller(larger(o.centre, low), high), most = o.depth + placed.gain[strip];
+  if (placed.gain[strip] < hardly && middle == o.centre) return {middle, most};
   const auto depth_at_place = [&](const PlaceWeights& place) {
     const double off = place.x - o.centre;
     return o.depth - 0.5 * o.curvature * off * off -
@@ -328,15 +379,29 @@ inline double look_along(const PlacedRail& placed, const VaryingRail& rail, std:
     depth[k] = depth_at_place(place);
     if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
   }
-  if (best < 0) return o.depth + placed.gain[strip];
-  x = placed.place[face][best].x;
-  if (best == 0 || best + 1 == track_places) return depth[best];
+  if (best < 0) return {middle, depth_at_place(place_at(rail, rail.face[face], placed.distance, middle))};
+  const double at = placed.place[face][best].x;
+  if (best == 0 || best + 1 == track_places) {
+    // and on, as long as the overlap grows
+    const double step = best == 0 ? -place_apart : place_apart;
+    const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
+    FirstLook look{at, depth[best]};
+    double x = at, farther = depth[best];
+    while (magnitude(x + step) < flange_above && extent.holds(x + step)) {
+      const double next = depth_at_place(place_at(rail, rail.face[face], placed.distance, x + step));
+      if (!(next > farther)) break;
+      farther = next;
+      x += step;
+    }
+    if (x != at && farther > 0.0) look.farther = x;
+    return look;
+  }
   // top of the parabola through the three
   const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
                bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];
-  if (!(bend > magnitude(rise))) return depth[best];
-  x = smaller(larger(x + place_apart * rise / bend, low), high);
-  return depth[best] + 0.5 * rise * rise / bend;
+  const double top = bend > magnitude(rise) ? rise / bend : rise > 0.0 ? 1.0 : -1.0;
+  const double x = smaller(larger(at + place_apart * top, low), high), share = (x - at) / place_apart;
+  return {x, depth[best] + share * (rise - 0.5 * bend * share)};
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

@@ -135,10 +135,14 @@ void find_slopes(const VaryingRail& rail, const RailFace& face, double* outline,
   };
   const std::int32_t end = face.first_section + face.sections;
   for (std::int32_t k = face.first_section; k < end; ++k) {
-    // zero at the face's first and last section
+    // at the face's first and last section that of the secant, at the whole rail's zero
     double* const slope = lists_of(rail, outline, k) + 4 * static_cast<std::int64_t>(stride);
     std::fill_n(slope, 4 * static_cast<std::int64_t>(stride), 0.0);
-    if (k == face.first_section || k + 1 == end) continue;
+    if (k == face.first_section || k + 1 == end) {
+      const bool goes_on = rail.distance[k] == rail.begin || rail.distance[k] == rail.end;
+      if (!goes_on && face.sections > 1) secant(k == face.first_section ? k : k - 1, slope);
+      continue;
+    }
     // 2 a.b / (a.a + b.b) times the mean of the secants a, b, the shorter interval's weighing more
     secant(k - 1, before);
     secant(k, behind);
@@ -305,7 +309,9 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     if (!fault.failed()) fault = check_directions(rail, face, a.outline);
     if (fault.failed()) return fault;
     find_slopes(rail, face, a.outline, a.before, a.behind);
-    face.changes = sections_differ(rail, face, a.outline);
+    const bool ends = rail.distance[face.first_section] > rail.begin ||
+                      rail.distance[face.first_section + face.sections - 1] < rail.end;
+    face.changes = ends || sections_differ(rail, face, a.outline);
   }
   return {};
 }
@@ -363,23 +369,23 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
                : blend_at(rail, face, distance, derivatives);
 }
 
+PlaceWeights place_at(const VaryingRail& rail, const RailFace& face, double distance, double x) {
+  const SectionBlend b = blend_at(rail, face, distance + x, 0);
+  PlaceWeights place{x, b.left, b.right, {}};
+  std::copy_n(b.weight[0], 4, place.weight);
+  return place;
+}
+
 namespace {
 
 /// How far a face reaches to both sides along the track, and the places there.
 void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed) {
-  // where the whole rail begins or ends its last section goes on
   const RailFace& face = rail.face[f];
-  const double first = rail.distance[face.first_section],
-               last = rail.distance[face.first_section + face.sections - 1];
-  placed.low[f] = first > rail.begin ? larger(first - placed.distance, -farthest_along) : -farthest_along;
-  placed.high[f] = last < rail.end ? smaller(last - placed.distance, farthest_along) : farthest_along;
+  const FaceExtent extent = extent_of(rail, face, placed.distance);
+  placed.low[f] = larger(extent.begin, -farthest_along);
+  placed.high[f] = smaller(extent.end, farthest_along);
   for (std::int32_t k = 0; k < track_places; ++k) {
-    PlaceWeights& place = placed.place[f][k];
-    place.x = place_apart * (k - places_to_a_side);
-    const SectionBlend b = blend_at(rail, face, placed.distance + place.x, 0);
-    place.left = b.left;
-    place.right = b.right;
-    std::copy_n(b.weight[0], 4, place.weight);
+    placed.place[f][k] = place_at(rail, face, placed.distance, place_apart * (k - places_to_a_side));
   }
 }
 

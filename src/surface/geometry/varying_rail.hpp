@@ -11,7 +11,8 @@
 /// differentiable along the track, from two neighbours alone. The slopes A_X, B_X at a section are the mean
 /// of the secants a, b to its neighbours times 2 a.b / (a.a + b.b) (0 where that is negative), sums over the
 /// whole outline: a ramp that goes on is straight, where one begins nothing overshoots. At the first and last
-/// section of a face they are zero, as beyond them nothing changes.
+/// section of a face they are those of the secant there, at those of the whole rail zero, as it goes on
+/// unchanged.
 ///
 /// A rail may have several faces (stock rail and blade, wing rail and nose), each an outline with sections of
 /// its own. Faces do not press on each other: their strips are an arc length apart that no influence reaches.
@@ -40,7 +41,7 @@ struct RailSection {
 struct RailFace {
   std::int32_t first = 0, strips = 0;            ///< among the rail's strips
   std::int32_t first_section = 0, sections = 0;  ///< among all sections
-  bool changes = false;                          ///< differ its sections from one another?
+  bool changes = false;  ///< do its sections differ, or does it begin or end within the rail?
 };
 
 struct VaryingRail {
@@ -98,6 +99,9 @@ struct PlaceWeights {
   double weight[4];
 };
 
+/// The place at x of a face, the wheel's reference point at `distance`.
+PlaceWeights place_at(const VaryingRail& rail, const RailFace& face, double distance, double x);
+
 /// One of a strip's lists there: 0 for y, 1 for z [m].
 inline double place_of(const VaryingRail& rail, const PlaceWeights& place, std::int32_t strip,
                        std::int32_t list) {
@@ -121,6 +125,20 @@ struct PlacedRail : RailStrips {
 /// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].
 PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double wheel_radius,
                         const StripArrays& arrays);
+
+/// Where a face begins and ends along the track, from a distance [m]. Where the whole rail does, its last
+/// section goes on.
+struct FaceExtent {
+  double begin, end;
+  bool holds(double x) const { return x >= begin && x <= end; }
+};
+inline FaceExtent extent_of(const VaryingRail& rail, const RailFace& face, double distance) {
+  constexpr double everywhere = 1e9;  // [m]
+  const double first = rail.distance[face.first_section],
+               last = rail.distance[face.first_section + face.sections - 1];
+  return {first > rail.begin ? first - distance : -everywhere,
+          last < rail.end ? last - distance : everywhere};
+}
 
 /// Is the first of two faces a check rail? Both are there everywhere then, at this distance to either side
 /// (model_options.cpp).

@@ -61,6 +61,43 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
             "mm for input.wheel.y, or another gauge?");
 }
 
+/// Flags contact farther along the track than is looked, found or seen to be there.
+Fault beyond_search(const Overlaps& o) {
+  bool beyond = o.beyond;
+  for (std::int32_t i = 0; i < o.count; ++i) beyond = beyond || magnitude(o.centre[i]) >= farthest_along;
+  if (!beyond) return {};
+  return Fault::patch_at_edge("place of contact along the track",
+                              "a surface that moves aside nears the wheel's flange more than 60 mm ahead or "
+                              "behind, where contact is not looked for");
+}
+
+/// Flags a solution that reaches where a surface begins or ends along the track: there strips are solved with
+/// its mirror image beyond the end.
+Fault ends_along(const WheelProblem& problem, const WheelSolution& s) {
+  const VaryingRail& varying = problem.model.varying;
+  for (std::int32_t k = 0; k < s.strips.count; ++k) {
+    const std::int32_t j = s.overlaps.strip[s.strips.candidate[k]], f = face_of(varying, j);
+    const FaceExtent extent = extent_of(varying, varying.face[f], problem.rail.distance);
+    const double behind = s.strips.x[k] - s.strips.half_length[k],
+                 ahead = s.strips.x[k] + s.strips.half_length[k];
+    if (!extent.holds(behind) || !extent.holds(ahead))
+      return Fault::patch_at_edge(
+          {"config.rail_sections: contact at the end of surface", f},
+          {extent.holds(behind) ? ahead : behind, "m", problem.rail.low[f], problem.rail.high[f]},
+          "its pressure is that of a mirror image beyond: let surfaces begin and end "
+          "where no wheel touches them");
+  }
+  return {};
+}
+
+/// Flags of a rail that changes along the track.
+Fault limits_along(const WheelProblem& problem, const WheelSolution& s) {
+  if (!changes(problem.model.varying)) return {};
+  Fault fault = beyond_search(s.overlaps);
+  keep_worst(fault, ends_along(problem, s));
+  return fault;
+}
+
 /// Flags of a solution that reaches beyond the profiles or the deepest overlap, or is of more strips than
 /// fit.
 Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
@@ -220,7 +257,11 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   if (fault.failed()) return fault;
   const LoadSums sums = take_loaded_strips(solver.problem, s);
   // converged or not: there is no force
-  if (s.strips.count == 0) return apart_or_inside(solver.problem, s.overlaps.outline);
+  if (s.strips.count == 0) {
+    fault = apart_or_inside(solver.problem, s.overlaps.outline);
+    keep_worst(fault, limits_along(solver.problem, s));
+    return fault;
+  }
 
   // slips are velocities over the speed of rolling, bounded below near standstill
   s.sums.rolling_speed = rolling_speed_of(s.motion, sums);
@@ -239,6 +280,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   // sums, and flags that say how far they hold
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
+  keep_worst(fault, limits_along(solver.problem, s));
   if (in.friction > 0.0 && reference.reverse_share > 0.0 && !solver.problem.memory)
     keep_worst(fault, Fault::creepages_limited("rolling speed"));
   // methods of whole patches share forces among strips by load: their slips may make the sum negative
