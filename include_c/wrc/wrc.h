@@ -362,7 +362,7 @@ typedef struct wrc_config_track {
  * nose. Its sections are blended point by point of equal share of their length. The blend is twice continuously differentiable in
  * the distance. Marks divide that length: points of equal mark belong together. A surface is there from its first section to its last;
  * where the whole rail begins or ends its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its
- * edge, up to 3 mm high. Height and force are continuous there, but up to half too stiff: WRC_FLAG_PATCH_AT_EDGE. A hollow that is
+ * edge, up to 3 mm high. Height and force are continuous there, but up to 60 % too stiff: WRC_FLAG_PATCH_AT_EDGE. A hollow that is
  * curved more than the wheel is met on one of its sides: force and place leap where that changes. Theory manual, section 9. */
 typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
@@ -957,8 +957,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  *  - _FORCE_JUMPS: a planar normal method on a patch of several lowest points.
  *
  * Or WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
- * zones in a contact frame; friction over temperature of a method without tractions, or with config.surface.memory. @rt hard
- * @thread contact */
+ * zones in a contact frame; friction over temperature of a method without tractions; with config.surface.memory friction over
+ * temperature and a layer. @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench);
 
 /** Marks the contact's last solution of a wheel as accepted. Calls with WRC_START_MARK start from it until the next mark, whatever

@@ -191,6 +191,9 @@ Fault check_memory(const Model& model, const HostWheel& hosted, bool derivatives
     return Fault::unsupported(
         "input.friction.temperature_law",
         "temperatures are those of steady rolling, which config.surface.memory has not");
+  if (hosted.friction.layer.present())
+    return Fault::unsupported("input.friction.layer_thickness, layer_yield",
+                              "config.surface.memory remembers tractions, not how far a layer has flowed");
   return {};
 }
 

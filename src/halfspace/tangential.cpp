@@ -102,9 +102,9 @@ void OnGrid::add_spring() {
 // their own size (2-norms over the cells).
 //
 // A cell would carry z = |p - s dx / C| if it stuck, C its compliance, and more by as much as the bound of
-// the cell ahead has risen: it flows by C (z - tau), less what the rise of tau takes. That is exact for
-// springs. C of the bodies lies between that of one cell alone and that of the row; half of the latter makes
-// the fixed point contract.
+// the cell ahead has risen: it flows by C (z - tau), less the share that the rise of tau takes. It is exact
+// for springs. C of the bodies lies between that of one cell alone and that of the row; half of the latter
+// makes the fixed point contract.
 double OnGrid::follow_flow() {
   const tangential::Layer& layer = problem.layer;
   double moved = 0.0, all = 0.0;

@@ -263,6 +263,10 @@ TEST_F(SurfaceMemory, WhatCannotBeIsRefusedWithASentence) {
   friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
   friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;
+  friction.layer_yield = 1e8;
+  EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
+  ReferenceWheel::expect_words(error(), {"layer_yield", "config.surface.memory"});
+  friction.layer_yield = 0.0;
 
   // a contact without memory
   config.surface.memory = 0;

@@ -623,7 +623,7 @@ class RailSection(s.Struct):
         continuously differentiable in the distance. Marks divide that length: points of equal mark belong
         together. A surface is there from its first section to its last; where the whole rail begins or ends
         its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
-        to 3 mm high. Height and force are continuous there, but up to half too stiff:
+        to 3 mm high. Height and force are continuous there, but up to 60 % too stiff:
         Status.FLAG_PATCH_AT_EDGE. A hollow that is curved more than the wheel is met on one of its sides:
         force and place leap where that changes. Theory manual, section 9.
     """
@@ -3256,8 +3256,8 @@ class ContactCalls(_l.Handle):
             take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
             planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
             _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
-            zones in a contact frame; friction over temperature of a method without tractions, or with
-            config.surface.memory.
+            zones in a contact frame; friction over temperature of a method without tractions; with
+            config.surface.memory friction over temperature and a layer.
         """
     def mark(self) -> None:
         """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until

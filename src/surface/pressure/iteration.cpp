@@ -198,7 +198,7 @@ void extrapolate_loads(const StripSet& s, std::int32_t iteration, std::int32_t u
 double limited(double next, double old, double f, double before, std::int32_t iteration) {
   const double plain = old + f;
   if (!(plain > 0.0)) return 0.0;
-  // The map overshoots: what it asks for lies between both.
+  // The map overshoots: its solution lies between both lengths.
   if (iteration > late_iterations && f * before < 0.0 && magnitude(f) > settled * old)
     return smaller(larger(next, smaller(old, plain)), larger(old, plain));
   // At most twice or half of the plain one: without, strips that enter hold up the rest.

@@ -240,6 +240,7 @@ void PatchStep::set_bounds(double exponent) {
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
     whole += strip.bound[0] * sum * strip.area;
   }
+  // bounds at the cells [Pa]; strips shared among patches take the blended bounds and growths
   const double per = limit_ / std::max(whole, least);
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
@@ -278,6 +279,7 @@ void PatchStep::place_strips(double done) {
 }
 
 void PatchStep::set_own(double travel) {
+  // displacements of a shared strip's own over this travel [m], its turn on this patch's arm
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.own_x = strip.own_y = strip.own_turn = 0.0;
