@@ -121,7 +121,8 @@ static void show(const wheelset* w, const char* what) {
 static void run(wheelset* w, double seconds, double slope, double brake) {
   w->slope = slope;
   w->brake = brake;
-  for (long i = 0; i < lround(seconds / dt); ++i) step(w);
+  const long steps = (long)(seconds / dt + 0.5);
+  for (long i = 0; i < steps; ++i) step(w);
 }
 
 int main(int argc, char** argv) {

@@ -187,8 +187,8 @@ inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end)
   return end.depth;
 }
 
-/// The largest overlap near `found` where Newton's method does not settle, as on a rail that is curved to and
-/// fro within millimetres: the best of places 2.5 mm apart, and a golden section about it.
+/// The largest overlap near `found` where Newton's method does not settle, as on a rail that is curved back
+/// and forth within millimetres: the best of places 2.5 mm apart, and a golden section about it.
 inline void search_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
   constexpr double apart = 2.5e-3;  // [m]
   constexpr int to_a_side = 5, steps = 18;

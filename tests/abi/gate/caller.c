@@ -265,6 +265,25 @@ static void repeated(wrc_contact* const contacts[2]) {
   free(state);
 }
 
+/* Steps that are committed. */
+static void remembering(void) {
+  wrc_config config = standard();
+  config.surface.memory = 1;
+  wrc_model* const model = model_of(&config);
+  wrc_contact* const contact = contact_of(model, WRC_SIDE_RIGHT);
+  wrc_wheel_input input = rolling();
+  input.wheel.z = 0.3e-3;
+  wrc_wrench wrench = {sizeof wrench};
+  for (int i = 0; i < 2; ++i) {
+    OF(contact, wrc_contact_wrench(contact, &input, &wrench));
+    SHOW(wrench, force[0], steepest_angle);
+    OF(contact, wrc_contact_commit(contact));
+    input.time_step = 1e-4;
+  }
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
 static void wheel_on_a_rail(void) {
   const wrc_config config = standard();
   wrc_model* const model = model_of(&config);
@@ -776,6 +795,7 @@ static void experimental(void) {
 int main(void) {
   about();
   wheel_on_a_rail();
+  remembering();
   other_rails();
   posed();
   given();

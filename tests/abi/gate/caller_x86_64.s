@@ -1395,15 +1395,15 @@ rolling:
 	movq	%rdi, %rbx
 	movq	%rsp, %r12
 	movl	$0, %r13d
-	movl	$89, %ecx
+	movl	$90, %ecx
 	movq	%r12, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$712, (%rsp)
+	movl	$720, (%rsp)
 	movq	%r12, %rdi
 	call	wrc_wheel_input_init@PLT
 	leaq	1200(%rsp), %rdi
-	movl	$89, %ecx
+	movl	$90, %ecx
 	movq	%r12, %rsi
 	rep movsq
 	movsd	56(%rsp), %xmm0
@@ -1535,7 +1535,7 @@ rolling:
 	movq	%rax, 1576(%rsp)
 	movsd	%xmm1, 1632(%rsp)
 	leaq	1200(%rsp), %rsi
-	movl	$89, %ecx
+	movl	$90, %ecx
 	movq	%rbx, %rdi
 	rep movsq
 	movq	%rbx, %rax
@@ -1617,8 +1617,8 @@ wheel_on_a_rail:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$6328, %rsp
-	leaq	5136(%rsp), %rbx
+	subq	$6344, %rsp
+	leaq	5152(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -1628,14 +1628,14 @@ wheel_on_a_rail:
 	movl	$0, %esi
 	movq	%rax, %rdi
 	call	contact_of
-	movq	%rax, 5120(%rsp)
+	movq	%rax, 5136(%rsp)
 	movl	$1, %esi
 	movq	%rbx, %rdi
 	call	contact_of
-	movq	%rax, 5128(%rsp)
-	leaq	5088(%rsp), %rcx
-	leaq	5048(%rsp), %r9
-	leaq	5056(%rsp), %r8
+	movq	%rax, 5144(%rsp)
+	leaq	5104(%rsp), %rcx
+	leaq	5064(%rsp), %r9
+	leaq	5072(%rsp), %r8
 	movl	$1, %edx
 	movl	$1, %esi
 	movq	%rbx, %rdi
@@ -1643,15 +1643,15 @@ wheel_on_a_rail:
 	movl	%eax, %edi
 	leaq	.LC78(%rip), %rsi
 	call	done
-	movq	5096(%rsp), %rax
+	movq	5112(%rsp), %rax
 	shrq	$2, %rax
-	movq	5056(%rsp), %rdx
+	movq	5072(%rsp), %rdx
 	leaq	(%rdx,%rax,8), %rsi
 	movl	$1, %edx
 	leaq	.LC79(%rip), %rdi
 	call	show
-	leaq	5120(%rsp), %r12
-	leaq	5136(%rsp), %rax
+	leaq	5136(%rsp), %r12
+	leaq	5152(%rsp), %rax
 	movq	%rax, (%rsp)
 .L62:
 	movq	(%r12), %rbx
@@ -1770,7 +1770,7 @@ wheel_on_a_rail:
 	movq	%rbx, %rdi
 	call	rolling
 	leaq	2336(%rsp), %rdi
-	movl	$89, %ecx
+	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC87(%rip), %r12
@@ -1780,26 +1780,26 @@ wheel_on_a_rail:
 	movl	$184, 784(%rsp)
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	3048(%rsp), %rdi
-	movl	$89, %ecx
+	leaq	3056(%rsp), %rdi
+	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
-	movq	%r12, 3088(%rsp)
+	movq	%r12, 3096(%rsp)
 	movq	.LC57(%rip), %rax
-	movq	%rax, 3080(%rsp)
-	movl	$1, 3056(%rsp)
+	movq	%rax, 3088(%rsp)
+	movl	$1, 3064(%rsp)
 	movl	$184, 968(%rsp)
 	movb	$0, text(%rip)
-	movq	5120(%rsp), %rax
+	movq	5136(%rsp), %rax
 	movq	%rax, spoken(%rip)
 	leaq	2336(%rsp), %rdx
-	leaq	5120(%rsp), %rdi
+	leaq	5136(%rsp), %rdi
 	subq	$8, %rsp
 	leaq	776(%rsp), %rax
 	pushq	%rax
 	movl	$184, %r9d
 	movq	%rbp, %r8
-	movl	$712, %ecx
+	movl	$720, %ecx
 	movl	$2, %esi
 	call	wrc_contact_wrench_batch@PLT
 	movl	%eax, %edi
@@ -1816,18 +1816,18 @@ wheel_on_a_rail:
 	movq	%rbp, %rdi
 	call	show
 	movb	$0, text(%rip)
-	movq	5144(%rsp), %rdi
+	movq	5160(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	call	wrc_contact_mark@PLT
 	movl	%eax, %edi
 	leaq	.LC90(%rip), %rsi
 	call	done
-	movl	$2, 3072(%rsp)
+	movl	$2, 3080(%rsp)
 	movb	$0, text(%rip)
-	movq	5144(%rsp), %rdi
+	movq	5160(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	leaq	984(%rsp), %rdx
-	leaq	3064(%rsp), %rsi
+	leaq	3072(%rsp), %rsi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
 	leaq	.LC91(%rip), %rsi
@@ -1863,7 +1863,7 @@ wheel_on_a_rail:
 	call	malloc@PLT
 	movq	%rax, %r12
 	movb	$0, text(%rip)
-	movq	5136(%rsp), %rdi
+	movq	5152(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	%rbx, %rdx
 	movq	%rbp, %rsi
@@ -1872,7 +1872,7 @@ wheel_on_a_rail:
 	leaq	.LC95(%rip), %rsi
 	call	done
 	movb	$0, text(%rip)
-	movq	5136(%rsp), %rdi
+	movq	5152(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	768(%rsp), %rdx
 	movq	%r12, %rsi
@@ -1888,7 +1888,7 @@ wheel_on_a_rail:
 	jmp	.L67
 .L73:
 	movb	$0, text(%rip)
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	744(%rsp), %rdx
 	movq	%rbp, %rsi
@@ -1902,7 +1902,7 @@ wheel_on_a_rail:
 	movq	.LC97(%rip), %rax
 	movq	%rax, 2376(%rsp)
 	movb	$0, text(%rip)
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	leaq	2336(%rsp), %rsi
 	movq	%r15, %rdx
@@ -1930,7 +1930,7 @@ wheel_on_a_rail:
 	call	rolling
 	movq	.LC87(%rip), %rax
 	movq	%rax, 4376(%rsp)
-	leaq	5136(%rsp), %rdi
+	leaq	5152(%rsp), %rdi
 	movq	%rbx, %rsi
 	call	in_own_memory
 	movl	$900, %edi
@@ -1948,27 +1948,27 @@ wheel_on_a_rail:
 	movq	%rax, 5008(%rsp)
 	leaq	4144(%rsp), %rdx
 	movq	%rbx, %rsi
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	call	*224(%r8)
 	cmpl	$-4, %eax
 	jne	.L75
 	movl	$400, %edx
 	leaq	text(%rip), %rbx
 	movq	%rbx, %rsi
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	call	wrc_contact_last_error@PLT
 	movl	%eax, %edi
 	leaq	.LC103(%rip), %rsi
 	call	done
 	movq	%rbx, %rdi
 	call	puts@PLT
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
-	movq	5128(%rsp), %rdi
+	movq	5144(%rsp), %rdi
 	call	wrc_contact_destroy@PLT
 	movq	8(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$6328, %rsp
+	addq	$6344, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -1978,7 +1978,7 @@ wheel_on_a_rail:
 	ret
 .L74:
 	movb	$0, text(%rip)
-	movq	5120(%rsp), %rdi
+	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
 	movq	752(%rsp), %rdx
 	movq	%r12, %rsi
@@ -2192,7 +2192,7 @@ other_rails:
 	movq	%rax, 9832(%rsp)
 	movq	%rbx, %rdi
 	call	rolling
-	movl	$89, %ecx
+	movl	$90, %ecx
 	movq	%r12, %rdi
 	movq	%rbx, %rsi
 	rep movsq
@@ -2210,176 +2210,253 @@ other_rails:
 	popq	%r12
 	ret
 	.size	other_rails, .-other_rails
+	.section	.rodata.str1.1
+.LC120:
+	.string	"wrc_contact_commit(contact)"
+	.text
+	.type	remembering, @function
+remembering:
+	pushq	%r15
+	pushq	%r14
+	pushq	%r13
+	pushq	%r12
+	pushq	%rbp
+	pushq	%rbx
+	subq	$2104, %rsp
+	leaq	912(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	standard
+	movl	$1, 1628(%rsp)
+	movq	%rbx, %rdi
+	call	model_of
+	movq	%rax, %r12
+	movl	$0, %esi
+	movq	%rax, %rdi
+	call	contact_of
+	movq	%rax, %rbx
+	leaq	192(%rsp), %rdi
+	call	rolling
+	movq	.LC87(%rip), %rax
+	movq	%rax, 232(%rsp)
+	movq	$0, 4(%rsp)
+	movq	$0, 176(%rsp)
+	leaq	8(%rsp), %rdi
+	movl	$22, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$184, (%rsp)
+	movl	$2, %ebp
+	leaq	.LC80(%rip), %r15
+	leaq	.LC35(%rip), %r14
+	leaq	.LC120(%rip), %r13
+.L99:
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rsp, %rdx
+	leaq	192(%rsp), %rsi
+	movq	%rbx, %rdi
+	call	wrc_contact_wrench@PLT
+	movl	%eax, %edi
+	movq	%r15, %rsi
+	call	done
+	leaq	16(%rsp), %rsi
+	movl	$19, %edx
+	movq	%r14, %rdi
+	call	show
+	movb	$0, text(%rip)
+	movq	%rbx, spoken(%rip)
+	movq	%rbx, %rdi
+	call	wrc_contact_commit@PLT
+	movl	%eax, %edi
+	movq	%r13, %rsi
+	call	done
+	movq	.LC75(%rip), %rax
+	movq	%rax, 904(%rsp)
+	subl	$1, %ebp
+	jne	.L99
+	movq	%rbx, %rdi
+	call	wrc_contact_destroy@PLT
+	movq	%r12, %rdi
+	call	wrc_model_destroy@PLT
+	addq	$2104, %rsp
+	popq	%rbx
+	popq	%rbp
+	popq	%r12
+	popq	%r13
+	popq	%r14
+	popq	%r15
+	ret
+	.size	remembering, .-remembering
 	.section	.rodata.str1.8
 	.align 8
-.LC121:
+.LC122:
 	.string	"wrc_contact_wrench(wheel, &down, &wrench)"
 	.align 8
-.LC122:
+.LC123:
 	.string	"wrc_planar_step(planar, &step, NULL)"
 	.align 8
-.LC124:
+.LC125:
 	.string	"wrc_contact_wear(contact, 0, &laws, &wear)"
 	.section	.rodata.str1.1
-.LC125:
+.LC126:
 	.string	"wear.worn_area_rate"
 	.section	.rodata.str1.8
 	.align 8
-.LC127:
+.LC128:
 	.string	"wrc_contact_temperature(contact, 0, &bulk, &temperature)"
 	.section	.rodata.str1.1
-.LC128:
+.LC129:
 	.string	"temperature.at_entry"
 	.section	.rodata.str1.8
 	.align 8
-.LC129:
+.LC130:
 	.string	"wrc_contact_stresses(contact, 0, WRC_BODY_RAIL, depths, 3, levels, &stresses)"
 	.align 8
-.LC133:
+.LC134:
 	.string	"wrc_contact_accumulate(contact, &accumulation, &bins[i], i == 0 ? &bins[2] : NULL, &totals)"
 	.section	.rodata.str1.1
-.LC134:
+.LC135:
 	.string	"totals.sum[0]"
 	.section	.rodata.str1.8
 	.align 8
-.LC135:
+.LC136:
 	.string	"wrc_damage_merge(&bins[0], &bins[1])"
 	.align 8
-.LC136:
+.LC137:
 	.string	"wrc_damage_values(&bins[0], quantity, values)"
 	.section	.rodata.str1.1
-.LC137:
+.LC138:
 	.string	"values"
 	.section	.rodata.str1.8
 	.align 8
-.LC138:
+.LC139:
 	.string	"wrc_damage_values(&bins[2], quantity, values)"
 	.align 8
-.LC139:
+.LC140:
 	.string	"largest in a bin %.17g %.17g, overflow %d\n"
 	.align 8
-.LC141:
+.LC142:
 	.string	"wrc_whole_life_damage(&fatigue, 40.0, &life)"
 	.section	.rodata.str1.1
-.LC142:
+.LC143:
 	.string	"life"
 	.section	.rodata.str1.8
 	.align 8
-.LC146:
+.LC147:
 	.string	"wrc_linear_coefficients(1.5, 0.3, 0.27, &coefficients)"
 	.section	.rodata.str1.1
-.LC147:
+.LC148:
 	.string	"coefficients.c11"
 	.section	.rodata.str1.8
 	.align 8
-.LC148:
+.LC149:
 	.string	"wrc_shakedown_limit(0.2, &limit)"
 	.section	.rodata.str1.1
-.LC149:
+.LC150:
 	.string	"limit"
 	.section	.rodata.str1.8
 	.align 8
-.LC150:
+.LC151:
 	.string	"wrc_shakedown_limit_point(0.2, &limit)"
 	.align 8
-.LC153:
+.LC154:
 	.string	"wrc_flash_temperature(16, 0.5e-3, density, speed, &wheel, &rail, rise)"
 	.section	.rodata.str1.1
-.LC154:
+.LC155:
 	.string	"rise"
 	.section	.rodata.str1.8
 	.align 8
-.LC158:
+.LC159:
 	.string	"wrc_exact_gap(contact, &grid, gap)"
 	.section	.rodata.str1.1
-.LC159:
+.LC160:
 	.string	"gap"
 	.section	.rodata.str1.8
 	.align 8
-.LC160:
+.LC161:
 	.string	"wrc_exact_normal(&press, &pressed, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC161:
-	.string	"pressed.approach"
 .LC162:
+	.string	"pressed.approach"
+.LC163:
 	.string	"pressure"
 	.section	.rodata.str1.8
 	.align 8
-.LC163:
+.LC164:
 	.string	"wrc_exact_rolling(&roll, &rolled, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC164:
-	.string	"rolled.fx"
 .LC165:
-	.string	"traction_x"
+	.string	"rolled.fx"
 .LC166:
+	.string	"traction_x"
+.LC167:
 	.string	"slip_y"
 	.section	.rodata.str1.8
 	.align 8
-.LC167:
+.LC168:
 	.string	"wrc_exact_transient_create(&grid, &wheel, &rail, &bodies, text, sizeof text)"
 	.align 8
-.LC168:
+.LC169:
 	.string	"wrc_exact_transient_step(bodies, &roll, &rolled, text, sizeof text)"
 	.align 8
-.LC169:
+.LC170:
 	.string	"wrc_exact_stress(&loads, points, 2, tensors, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC170:
+.LC171:
 	.string	"tensors"
 	.section	.rodata.str1.8
 	.align 8
-.LC171:
+.LC172:
 	.string	"wrc_exact_largest_stresses(&loads, depths, 2, levels, &stresses, hear, &calls, text, sizeof text)"
 	.align 8
-.LC172:
+.LC173:
 	.string	"wrc_exact_check(planar, &options, &result)"
 	.section	.rodata.str1.1
-.LC173:
+.LC174:
 	.string	"result.fx"
 	.section	.rodata.str1.8
 	.align 8
-.LC175:
+.LC176:
 	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
 	.align 8
-.LC176:
+.LC177:
 	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC177:
-	.string	"radius_difference"
 .LC178:
+	.string	"radius_difference"
+.LC179:
 	.string	"y_wheel"
 	.section	.rodata.str1.8
 	.align 8
-.LC180:
+.LC181:
 	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC181:
-	.string	"conicity"
 .LC182:
+	.string	"conicity"
+.LC183:
 	.string	"wavelength"
 	.section	.rodata.str1.8
 	.align 8
-.LC186:
+.LC187:
 	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
 	.section	.rodata.str1.1
-.LC187:
+.LC188:
 	.string	"z[points / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC190:
+.LC191:
 	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC191:
-	.string	"worn.passages"
 .LC192:
+	.string	"worn.passages"
+.LC193:
 	.string	"worn_z[worn.count / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC194:
+.LC195:
 	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC195:
+.LC196:
 	.string	"flange.height"
 	.text
 	.type	experimental, @function
@@ -2390,12 +2467,12 @@ experimental:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$6888, %rsp
+	subq	$6920, %rsp
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	cmpl	$303, (%rax)
-	jbe	.L117
-	leaq	5696(%rsp), %rbx
+	jbe	.L121
+	leaq	5728(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -2410,40 +2487,40 @@ experimental:
 	movq	%rbx, %rdi
 	call	contact_of
 	movq	%rax, %r14
-	leaq	4976(%rsp), %rbx
+	leaq	5008(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
 	movl	$0, %r13d
-	movq	$0, 4788(%rsp)
-	movq	$0, 4960(%rsp)
-	leaq	4792(%rsp), %rdi
+	movq	$0, 4820(%rsp)
+	movq	$0, 4992(%rsp)
+	leaq	4824(%rsp), %rdi
 	movl	$22, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$184, 4784(%rsp)
-	leaq	4320(%rsp), %rbp
+	movl	$184, 4816(%rsp)
+	leaq	4352(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_planar_input_default
-	movq	.LC120(%rip), %rax
-	movq	%rax, 4328(%rsp)
+	movq	.LC121(%rip), %rax
+	movq	%rax, 4360(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 4392(%rsp)
+	movq	%rax, 4424(%rsp)
 	movq	.LC57(%rip), %r15
-	movq	%r15, 4456(%rsp)
-	leaq	3600(%rsp), %rdi
-	movl	$89, %ecx
+	movq	%r15, 4488(%rsp)
+	leaq	3632(%rsp), %rdi
+	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC87(%rip), %rax
-	movq	%rax, 3640(%rsp)
+	movq	%rax, 3672(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	4784(%rsp), %rdx
-	leaq	3600(%rsp), %rsi
+	leaq	4816(%rsp), %rdx
+	leaq	3632(%rsp), %rsi
 	movq	%r12, %rdi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
-	leaq	.LC121(%rip), %rsi
+	leaq	.LC122(%rip), %rsi
 	call	done
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
@@ -2452,13 +2529,13 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
 	movl	%eax, %edi
-	leaq	.LC122(%rip), %rsi
+	leaq	.LC123(%rip), %rsi
 	call	done
-	leaq	1312(%rsp), %rbp
+	leaq	1344(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_wear_laws_default
-	movq	.LC123(%rip), %rax
-	movq	%rax, 1408(%rsp)
+	movq	.LC124(%rip), %rax
+	movq	%rax, 1440(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
 	leaq	960(%rsp), %rbx
@@ -2468,23 +2545,23 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC124(%rip), %rsi
+	leaq	.LC125(%rip), %rsi
 	call	done
 	movl	$4, %edx
 	movq	%rbx, %rsi
-	leaq	.LC125(%rip), %rdi
+	leaq	.LC126(%rip), %rdi
 	call	show
-	leaq	2416(%rsp), %rbp
+	leaq	2448(%rsp), %rbp
 	pxor	%xmm6, %xmm6
-	movaps	%xmm6, 2416(%rsp)
-	movaps	%xmm6, 2432(%rsp)
+	movaps	%xmm6, 2448(%rsp)
+	movaps	%xmm6, 2464(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_bulk_temperatures_init@PLT
-	movdqa	2416(%rsp), %xmm7
+	movdqa	2448(%rsp), %xmm7
 	movaps	%xmm7, 576(%rsp)
-	movdqa	2432(%rsp), %xmm7
+	movdqa	2464(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movq	.LC126(%rip), %rax
+	movq	.LC127(%rip), %rax
 	movq	%rax, 576(%rsp)
 	pxor	%xmm6, %xmm6
 	movups	%xmm6, 692(%rsp)
@@ -2501,25 +2578,25 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_temperature@PLT
 	movl	%eax, %edi
-	leaq	.LC127(%rip), %rsi
+	leaq	.LC128(%rip), %rsi
 	call	done
 	leaq	696(%rsp), %rsi
 	movl	$8, %edx
-	leaq	.LC128(%rip), %rdi
+	leaq	.LC129(%rip), %rdi
 	call	show
 	movq	%r15, 464(%rsp)
 	movq	.LC38(%rip), %rax
 	movq	%rax, 472(%rsp)
-	movq	.LC120(%rip), %rax
+	movq	.LC121(%rip), %rax
 	movq	%rax, 480(%rsp)
 	movl	$73, %ecx
 	movq	%rbp, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$584, 2416(%rsp)
+	movl	$584, 2448(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	1696(%rsp), %r13
+	leaq	1728(%rsp), %r13
 	leaq	464(%rsp), %rcx
 	subq	$8, %rsp
 	pushq	%rbp
@@ -2530,36 +2607,36 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_stresses@PLT
 	movl	%eax, %edi
-	leaq	.LC129(%rip), %rsi
+	leaq	.LC130(%rip), %rsi
 	call	done
 	movq	%r13, %rdi
 	call	show_peaks
-	leaq	1904(%rsp), %rdi
+	leaq	1936(%rsp), %rdi
 	call	show_peaks
-	leaq	2096(%rsp), %rdi
+	leaq	2128(%rsp), %rdi
 	call	show_peaks
-	leaq	2440(%rsp), %rdi
+	leaq	2472(%rsp), %rdi
 	call	show_peaks
-	leaq	2632(%rsp), %rdi
+	leaq	2664(%rsp), %rdi
 	call	show_peaks
-	leaq	2824(%rsp), %rdi
+	leaq	2856(%rsp), %rdi
 	call	show_peaks
 	pxor	%xmm6, %xmm6
-	movups	%xmm6, 2436(%rsp)
-	movups	%xmm6, 2452(%rsp)
-	movl	$0, 2468(%rsp)
-	movl	$40, 2432(%rsp)
+	movups	%xmm6, 2468(%rsp)
+	movups	%xmm6, 2484(%rsp)
+	movl	$0, 2500(%rsp)
+	movl	$40, 2464(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_fatigue_laws_init@PLT
-	movdqa	2432(%rsp), %xmm7
+	movdqa	2464(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movdqa	2448(%rsp), %xmm7
+	movdqa	2480(%rsp), %xmm7
 	movaps	%xmm7, 608(%rsp)
-	movq	2464(%rsp), %rax
+	movq	2496(%rsp), %rax
 	movq	%rax, 624(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
-	movq	.LC130(%rip), %rax
+	movq	.LC131(%rip), %rax
 	movq	%rax, 600(%rsp)
 	leaq	bin.12(%rip), %rbp
 	movl	$38376, %edx
@@ -2568,26 +2645,26 @@ experimental:
 	call	memset@PLT
 	leaq	1144(%rsp), %r13
 	addq	$16, %rsp
-	leaq	2416(%rsp), %r15
-.L100:
+	leaq	2448(%rsp), %r15
+.L104:
 	pxor	%xmm3, %xmm3
-	movups	%xmm3, 2420(%rsp)
-	movups	%xmm3, 2436(%rsp)
 	movups	%xmm3, 2452(%rsp)
-	movl	$0, 2468(%rsp)
-	movl	$56, 2416(%rsp)
+	movups	%xmm3, 2468(%rsp)
+	movups	%xmm3, 2484(%rsp)
+	movl	$0, 2500(%rsp)
+	movl	$56, 2448(%rsp)
 	movq	%r15, %rdi
 	call	wrc_damage_bins_init@PLT
-	movl	2416(%rsp), %eax
+	movl	2448(%rsp), %eax
 	movl	%eax, (%rbx)
-	movl	2440(%rsp), %eax
+	movl	2472(%rsp), %eax
 	movl	%eax, 24(%rbx)
-	movsd	2448(%rsp), %xmm0
+	movsd	2480(%rsp), %xmm0
 	movsd	%xmm0, 32(%rbx)
-	movsd	2456(%rsp), %xmm0
+	movsd	2488(%rsp), %xmm0
 	movsd	%xmm0, 40(%rbx)
 	movl	$40, 4(%rbx)
-	movq	.LC131(%rip), %rax
+	movq	.LC132(%rip), %rax
 	movq	%rax, 8(%rbx)
 	movq	.LC38(%rip), %rax
 	movq	%rax, 16(%rbx)
@@ -2596,20 +2673,20 @@ experimental:
 	addq	$56, %rbx
 	addq	$12792, %rbp
 	cmpq	%r13, %rbx
-	jne	.L100
+	jne	.L104
 	pxor	%xmm0, %xmm0
 	movups	%xmm0, 692(%rsp)
 	movl	$0, 708(%rsp)
 	movl	$40, 688(%rsp)
-	movq	.LC132(%rip), %rax
+	movq	.LC133(%rip), %rax
 	movq	%rax, 696(%rsp)
-	leaq	1696(%rsp), %rax
+	leaq	1728(%rsp), %rax
 	movq	%rax, 712(%rsp)
 	leaq	576(%rsp), %rax
 	movq	%rax, 720(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	1312(%rsp), %rbx
+	leaq	1344(%rsp), %rbx
 	leaq	960(%rsp), %r15
 	leaq	1072(%rsp), %rcx
 	leaq	688(%rsp), %r13
@@ -2619,11 +2696,11 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_accumulate@PLT
 	movl	%eax, %edi
-	leaq	.LC133(%rip), %rsi
+	leaq	.LC134(%rip), %rsi
 	call	done
 	movl	$18, %edx
 	movq	%rbx, %rsi
-	leaq	.LC134(%rip), %rdi
+	leaq	.LC135(%rip), %rdi
 	call	show
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
@@ -2635,23 +2712,23 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_contact_accumulate@PLT
 	movl	%eax, %edi
-	leaq	.LC133(%rip), %rsi
+	leaq	.LC134(%rip), %rsi
 	call	done
 	movl	$18, %edx
 	movq	%rbx, %rsi
-	leaq	.LC134(%rip), %rdi
+	leaq	.LC135(%rip), %rdi
 	call	show
 	movq	%rbp, %rsi
 	movq	%r15, %rdi
 	call	wrc_damage_merge@PLT
 	movl	%eax, %edi
-	leaq	.LC135(%rip), %rsi
+	leaq	.LC136(%rip), %rsi
 	call	done
 	movl	$0, %ebx
-	leaq	2416(%rsp), %rbp
-	leaq	.LC136(%rip), %r15
-	leaq	.LC137(%rip), %r13
-.L101:
+	leaq	2448(%rsp), %rbp
+	leaq	.LC137(%rip), %r15
+	leaq	.LC138(%rip), %r13
+.L105:
 	leaq	960(%rsp), %rdi
 	movq	%rbp, %rdx
 	movl	%ebx, %esi
@@ -2668,7 +2745,7 @@ experimental:
 	movl	%ebx, %esi
 	call	wrc_damage_values@PLT
 	movl	%eax, %edi
-	leaq	.LC138(%rip), %rsi
+	leaq	.LC139(%rip), %rsi
 	call	done
 	movl	$41, %edx
 	movq	%rbp, %rsi
@@ -2676,48 +2753,48 @@ experimental:
 	call	show
 	addl	$1, %ebx
 	cmpl	$8, %ebx
-	jne	.L101
+	jne	.L105
 	movl	12752+bin.12(%rip), %esi
 	movsd	6504+bin.12(%rip), %xmm1
 	movsd	6496+bin.12(%rip), %xmm0
-	leaq	.LC139(%rip), %rdi
+	leaq	.LC140(%rip), %rdi
 	movl	$2, %eax
 	call	printf@PLT
 	leaq	464(%rsp), %rbx
 	leaq	576(%rsp), %rdi
 	movq	%rbx, %rsi
-	movsd	.LC140(%rip), %xmm0
+	movsd	.LC141(%rip), %xmm0
 	call	wrc_whole_life_damage@PLT
 	movl	%eax, %edi
-	leaq	.LC141(%rip), %rsi
+	leaq	.LC142(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
-	leaq	.LC142(%rip), %rdi
+	leaq	.LC143(%rip), %rdi
 	call	show
 	leaq	960(%rsp), %rbp
 	movq	%rbp, %rdi
-	movsd	.LC143(%rip), %xmm2
-	movsd	.LC144(%rip), %xmm1
-	movsd	.LC145(%rip), %xmm0
+	movsd	.LC144(%rip), %xmm2
+	movsd	.LC145(%rip), %xmm1
+	movsd	.LC146(%rip), %xmm0
 	call	wrc_linear_coefficients@PLT
 	movl	%eax, %edi
-	leaq	.LC146(%rip), %rsi
+	leaq	.LC147(%rip), %rsi
 	call	done
 	movl	$7, %edx
 	movq	%rbp, %rsi
-	leaq	.LC147(%rip), %rdi
+	leaq	.LC148(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	movq	.LC68(%rip), %rax
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit@PLT
 	movl	%eax, %edi
-	leaq	.LC148(%rip), %rsi
+	leaq	.LC149(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
-	leaq	.LC149(%rip), %rbp
+	leaq	.LC150(%rip), %rbp
 	movq	%rbp, %rdi
 	call	show
 	movq	%rbx, %rdi
@@ -2725,16 +2802,16 @@ experimental:
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit_point@PLT
 	movl	%eax, %edi
-	leaq	.LC150(%rip), %rsi
+	leaq	.LC151(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
 	movq	%rbp, %rdi
 	call	show
 	movl	$0, %eax
-	movsd	.LC151(%rip), %xmm2
+	movsd	.LC152(%rip), %xmm2
 	movl	$16, %ecx
-.L102:
+.L106:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -2743,26 +2820,26 @@ experimental:
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%edx, %xmm1
 	mulsd	%xmm1, %xmm0
-	movsd	%xmm0, 1312(%rsp,%rax,8)
+	movsd	%xmm0, 1344(%rsp,%rax,8)
 	addq	$1, %rax
 	cmpq	$16, %rax
-	jne	.L102
-	leaq	2416(%rsp), %rdi
+	jne	.L106
+	leaq	2448(%rsp), %rdi
 	call	wrc_config_default
-	movq	2712(%rsp), %r8
-	movq	2720(%rsp), %r9
+	movq	2744(%rsp), %r8
+	movq	2752(%rsp), %r9
 	movq	%r8, 576(%rsp)
 	movq	%r9, 584(%rsp)
-	movq	2728(%rsp), %rsi
-	movq	2736(%rsp), %rdi
+	movq	2760(%rsp), %rsi
+	movq	2768(%rsp), %rdi
 	movq	%rsi, 592(%rsp)
 	movq	%rdi, 600(%rsp)
-	movq	2744(%rsp), %rcx
-	movq	2752(%rsp), %rbx
+	movq	2776(%rsp), %rcx
+	movq	2784(%rsp), %rbx
 	movq	%rcx, 608(%rsp)
 	movq	%rbx, 616(%rsp)
-	movq	2760(%rsp), %rax
-	movq	2768(%rsp), %rdx
+	movq	2792(%rsp), %rax
+	movq	2800(%rsp), %rdx
 	movq	%rax, 624(%rsp)
 	movq	%rdx, 632(%rsp)
 	movq	%r8, 688(%rsp)
@@ -2772,12 +2849,12 @@ experimental:
 	movq	%rbx, 728(%rsp)
 	movq	%rax, 736(%rsp)
 	movq	%rdx, 744(%rsp)
-	movq	.LC152(%rip), %rax
+	movq	.LC153(%rip), %rax
 	movq	%rax, 696(%rsp)
-	leaq	1696(%rsp), %rbx
+	leaq	1728(%rsp), %rbx
 	leaq	688(%rsp), %rbp
 	leaq	576(%rsp), %rdx
-	leaq	1312(%rsp), %rsi
+	leaq	1344(%rsp), %rsi
 	movq	%rbx, %r8
 	movq	%rbp, %rcx
 	movsd	.LC41(%rip), %xmm1
@@ -2785,34 +2862,34 @@ experimental:
 	movl	$16, %edi
 	call	wrc_flash_temperature@PLT
 	movl	%eax, %edi
-	leaq	.LC153(%rip), %rsi
+	leaq	.LC154(%rip), %rsi
 	call	done
 	movl	$16, %edx
 	movq	%rbx, %rsi
-	leaq	.LC154(%rip), %rdi
+	leaq	.LC155(%rip), %rdi
 	call	show
 	movl	$0, 20(%rsp)
 	pxor	%xmm4, %xmm4
-	movups	%xmm4, 1736(%rsp)
-	movups	%xmm4, 1752(%rsp)
-	movl	$12, 1696(%rsp)
-	movl	$14, 1700(%rsp)
-	movsd	.LC155(%rip), %xmm0
-	movsd	%xmm0, 1704(%rsp)
-	movsd	%xmm0, 1712(%rsp)
-	movq	.LC156(%rip), %rax
-	movq	%rax, 1720(%rsp)
+	movups	%xmm4, 1768(%rsp)
+	movups	%xmm4, 1784(%rsp)
+	movl	$12, 1728(%rsp)
+	movl	$14, 1732(%rsp)
+	movsd	.LC156(%rip), %xmm0
+	movsd	%xmm0, 1736(%rsp)
+	movsd	%xmm0, 1744(%rsp)
 	movq	.LC157(%rip), %rax
-	movq	%rax, 1728(%rsp)
-	movdqa	1696(%rsp), %xmm7
-	movaps	%xmm7, 288(%rsp)
-	movdqa	1712(%rsp), %xmm7
-	movaps	%xmm7, 304(%rsp)
+	movq	%rax, 1752(%rsp)
+	movq	.LC158(%rip), %rax
+	movq	%rax, 1760(%rsp)
 	movdqa	1728(%rsp), %xmm7
+	movaps	%xmm7, 288(%rsp)
+	movdqa	1744(%rsp), %xmm7
+	movaps	%xmm7, 304(%rsp)
+	movdqa	1760(%rsp), %xmm7
 	movaps	%xmm7, 320(%rsp)
-	movdqa	1744(%rsp), %xmm6
+	movdqa	1776(%rsp), %xmm6
 	movaps	%xmm6, 336(%rsp)
-	movq	1760(%rsp), %rax
+	movq	1792(%rsp), %rax
 	movq	%rax, 352(%rsp)
 	leaq	text(%rip), %r15
 	movb	$0, text(%rip)
@@ -2825,17 +2902,17 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_exact_gap@PLT
 	movl	%eax, %edi
-	leaq	.LC158(%rip), %rsi
+	leaq	.LC159(%rip), %rsi
 	call	done
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC159(%rip), %rdi
+	leaq	.LC160(%rip), %rdi
 	call	show
 	movl	$33, %ecx
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$264, 1696(%rsp)
+	movl	$264, 1728(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_normal_problem_init@PLT
 	movl	$33, %ecx
@@ -2873,25 +2950,25 @@ experimental:
 	movq	%rbp, %rdi
 	call	wrc_exact_normal@PLT
 	movl	%eax, %edi
-	leaq	.LC160(%rip), %rsi
+	leaq	.LC161(%rip), %rsi
 	call	done
 	leaq	112(%rsp), %rsi
 	movl	$5, %edx
-	leaq	.LC161(%rip), %rdi
+	leaq	.LC162(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC162(%rip), %rdi
+	leaq	.LC163(%rip), %rdi
 	call	show
-	movl	$43, %ecx
+	movl	$47, %ecx
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$344, 1696(%rsp)
+	movl	$376, 1728(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_rolling_problem_init@PLT
 	leaq	960(%rsp), %rdi
-	movl	$43, %ecx
+	movl	$47, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	pxor	%xmm4, %xmm4
@@ -2930,19 +3007,19 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_exact_rolling@PLT
 	movl	%eax, %edi
-	leaq	.LC163(%rip), %rsi
+	leaq	.LC164(%rip), %rsi
 	call	done
 	leaq	480(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC164(%rip), %rdi
-	call	show
-	movl	$168, %edx
-	movq	%rbp, %rsi
 	leaq	.LC165(%rip), %rdi
 	call	show
 	movl	$168, %edx
-	movq	%rbx, %rsi
+	movq	%rbp, %rsi
 	leaq	.LC166(%rip), %rdi
+	call	show
+	movl	$168, %edx
+	movq	%rbx, %rsi
+	leaq	.LC167(%rip), %rdi
 	call	show
 	movq	$0, 24(%rsp)
 	movdqu	984(%rsp), %xmm7
@@ -2969,13 +3046,13 @@ experimental:
 	movq	8(%rsp), %rdi
 	call	wrc_exact_transient_create@PLT
 	movl	%eax, %edi
-	leaq	.LC167(%rip), %rsi
+	leaq	.LC168(%rip), %rsi
 	call	done
 	movl	$2, %ebx
 	leaq	464(%rsp), %r13
 	movq	%r15, %rbp
-	leaq	.LC168(%rip), %r15
-.L103:
+	leaq	.LC169(%rip), %r15
+.L107:
 	leaq	960(%rsp), %rsi
 	movl	$400, %r8d
 	movq	%rbp, %rcx
@@ -2987,26 +3064,26 @@ experimental:
 	call	done
 	leaq	480(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC164(%rip), %rdi
+	leaq	.LC165(%rip), %rdi
 	call	show
 	subl	$1, %ebx
-	jne	.L103
+	jne	.L107
 	movq	24(%rsp), %rdi
 	call	wrc_exact_transient_destroy@PLT
-	leaq	1696(%rsp), %rbx
+	leaq	1728(%rsp), %rbx
 	movl	$0, %r15d
-	movq	$0, 1700(%rsp)
-	movq	$0, 1800(%rsp)
-	leaq	1704(%rsp), %rdi
+	movq	$0, 1732(%rsp)
+	movq	$0, 1832(%rsp)
+	leaq	1736(%rsp), %rdi
 	movl	$13, %ecx
 	movq	%r15, %rax
 	rep stosq
-	movl	$112, 1696(%rsp)
+	movl	$112, 1728(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_loads_init@PLT
-	movdqa	1696(%rsp), %xmm4
+	movdqa	1728(%rsp), %xmm4
 	movaps	%xmm4, 576(%rsp)
-	movdqa	1792(%rsp), %xmm5
+	movdqa	1824(%rsp), %xmm5
 	movaps	%xmm5, 672(%rsp)
 	movdqa	288(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
@@ -3043,18 +3120,18 @@ experimental:
 	movq	%r13, %rdi
 	call	wrc_exact_stress@PLT
 	movl	%eax, %edi
-	leaq	.LC169(%rip), %rsi
+	leaq	.LC170(%rip), %rsi
 	call	done
 	movl	$12, %edx
 	movq	%rbp, %rsi
-	leaq	.LC170(%rip), %rdi
+	leaq	.LC171(%rip), %rdi
 	call	show
 	movl	$73, %ecx
 	movq	%rbx, %rdi
 	movq	%r15, %rax
 	rep stosq
-	movl	$584, 1696(%rsp)
-	leaq	1312(%rsp), %rbp
+	movl	$584, 1728(%rsp)
+	leaq	1344(%rsp), %rbp
 	leaq	32(%rsp), %rsi
 	subq	$8, %rsp
 	pushq	$400
@@ -3070,36 +3147,36 @@ experimental:
 	call	wrc_exact_largest_stresses@PLT
 	movl	%eax, %edi
 	addq	$32, %rsp
-	leaq	.LC171(%rip), %rsi
+	leaq	.LC172(%rip), %rsi
 	call	done
 	movq	%rbp, %rdi
 	call	show_peaks
-	leaq	1504(%rsp), %rdi
+	leaq	1536(%rsp), %rdi
 	call	show_peaks
-	leaq	1704(%rsp), %rdi
+	leaq	1736(%rsp), %rdi
 	call	show_peaks
-	leaq	1896(%rsp), %rdi
+	leaq	1928(%rsp), %rdi
 	call	show_peaks
-	leaq	2088(%rsp), %rdi
+	leaq	2120(%rsp), %rdi
 	call	show_peaks
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	4320(%rsp), %rsi
+	leaq	4352(%rsp), %rsi
 	movl	$0, %edx
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
 	movl	%eax, %edi
-	leaq	.LC122(%rip), %rsi
+	leaq	.LC123(%rip), %rsi
 	call	done
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 1700(%rsp)
-	movups	%xmm5, 1712(%rsp)
-	movl	$32, 1696(%rsp)
+	movups	%xmm5, 1732(%rsp)
+	movups	%xmm5, 1744(%rsp)
+	movl	$32, 1728(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_check_options_init@PLT
-	movdqa	1696(%rsp), %xmm7
+	movdqa	1728(%rsp), %xmm7
 	movaps	%xmm7, 576(%rsp)
-	movdqa	1712(%rsp), %xmm6
+	movdqa	1744(%rsp), %xmm6
 	movaps	%xmm6, 592(%rsp)
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 964(%rsp)
@@ -3116,39 +3193,39 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_exact_check@PLT
 	movl	%eax, %edi
-	leaq	.LC172(%rip), %rsi
+	leaq	.LC173(%rip), %rsi
 	call	done
 	leaq	968(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC173(%rip), %rdi
+	leaq	.LC174(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	1316(%rsp), %r13
+	leaq	1348(%rsp), %r13
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 1316(%rsp)
-	movups	%xmm5, 1332(%rsp)
-	movups	%xmm5, 1344(%rsp)
-	movl	$48, 1312(%rsp)
+	movups	%xmm5, 1348(%rsp)
+	movups	%xmm5, 1364(%rsp)
+	movups	%xmm5, 1376(%rsp)
+	movl	$48, 1344(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_exact_wrench_options_init@PLT
-	movdqa	1312(%rsp), %xmm5
+	movdqa	1344(%rsp), %xmm5
 	movaps	%xmm5, 688(%rsp)
-	movdqa	1344(%rsp), %xmm3
+	movdqa	1376(%rsp), %xmm3
 	movaps	%xmm3, 720(%rsp)
-	movq	$0, 1316(%rsp)
-	movq	$0, 1488(%rsp)
-	leaq	1320(%rsp), %rdi
+	movq	$0, 1348(%rsp)
+	movq	$0, 1520(%rsp)
+	leaq	1352(%rsp), %rdi
 	subq	%rdi, %r13
 	leal	180(%r13), %ecx
 	shrl	$3, %ecx
 	movl	%ecx, %ecx
 	movq	%r15, %rax
 	rep stosq
-	movl	$184, 1312(%rsp)
+	movl	$184, 1344(%rsp)
 	movq	.LC119(%rip), %rax
-	movq	%rax, 1736(%rsp)
-	movsd	.LC174(%rip), %xmm0
+	movq	%rax, 1768(%rsp)
+	movsd	.LC175(%rip), %xmm0
 	movsd	%xmm0, 712(%rsp)
 	movsd	%xmm0, 704(%rsp)
 	movb	$0, text(%rip)
@@ -3159,9 +3236,9 @@ experimental:
 	movq	%r12, %rdi
 	call	wrc_exact_wrench@PLT
 	movl	%eax, %edi
-	leaq	.LC175(%rip), %rsi
+	leaq	.LC176(%rip), %rsi
 	call	done
-	leaq	1328(%rsp), %rsi
+	leaq	1360(%rsp), %rsi
 	movl	$19, %edx
 	leaq	.LC35(%rip), %rdi
 	call	show
@@ -3169,7 +3246,7 @@ experimental:
 	leaq	536(%rsp), %rcx
 	movl	$-4, %edx
 	movsd	.LC57(%rip), %xmm1
-.L104:
+.L108:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%edx, %xmm0
 	mulsd	%xmm1, %xmm0
@@ -3177,24 +3254,24 @@ experimental:
 	addl	$1, %edx
 	addq	$8, %rax
 	cmpq	%rcx, %rax
-	jne	.L104
+	jne	.L108
 	movq	$0, 176(%rsp)
 	movl	$24, 160(%rsp)
 	movl	$9, 164(%rsp)
 	leaq	464(%rsp), %rbp
 	movq	%rbp, 168(%rsp)
-	movq	$0, 1700(%rsp)
-	movq	$0, 1784(%rsp)
-	leaq	1704(%rsp), %rdi
+	movq	$0, 1732(%rsp)
+	movq	$0, 1816(%rsp)
+	leaq	1736(%rsp), %rdi
 	movl	$11, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$96, 1696(%rsp)
+	movl	$96, 1728(%rsp)
 	leaq	576(%rsp), %rbx
-	movq	%rbx, 1720(%rsp)
+	movq	%rbx, 1752(%rsp)
 	leaq	688(%rsp), %r13
-	movq	%r13, 1760(%rsp)
-	leaq	1696(%rsp), %rdx
+	movq	%r13, 1792(%rsp)
+	leaq	1728(%rsp), %rdx
 	leaq	160(%rsp), %rsi
 	movl	$400, %r8d
 	leaq	text(%rip), %r15
@@ -3202,33 +3279,33 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_profile_wheelset_geometry@PLT
 	movl	%eax, %edi
-	leaq	.LC176(%rip), %rsi
+	leaq	.LC177(%rip), %rsi
 	call	done
 	movl	$9, %edx
 	movq	%rbx, %rsi
-	leaq	.LC177(%rip), %rdi
+	leaq	.LC178(%rip), %rdi
 	call	show
 	movl	$9, %edx
 	movq	%r13, %rsi
-	leaq	.LC178(%rip), %rdi
+	leaq	.LC179(%rip), %rdi
 	call	show
 	movq	.LC57(%rip), %rax
 	movq	%rax, 96(%rsp)
-	movq	.LC179(%rip), %rax
+	movq	.LC180(%rip), %rax
 	movq	%rax, 104(%rsp)
-	leaq	1312(%rsp), %rdi
+	leaq	1344(%rsp), %rdi
 	pxor	%xmm7, %xmm7
-	movups	%xmm7, 1316(%rsp)
-	movups	%xmm7, 1332(%rsp)
 	movups	%xmm7, 1348(%rsp)
-	movl	$0, 1364(%rsp)
-	movl	$56, 1312(%rsp)
+	movups	%xmm7, 1364(%rsp)
+	movups	%xmm7, 1380(%rsp)
+	movl	$0, 1396(%rsp)
+	movl	$56, 1344(%rsp)
 	call	wrc_conicity_problem_init@PLT
-	movdqa	1312(%rsp), %xmm4
+	movdqa	1344(%rsp), %xmm4
 	movaps	%xmm4, 368(%rsp)
-	movdqa	1344(%rsp), %xmm5
+	movdqa	1376(%rsp), %xmm5
 	movaps	%xmm5, 400(%rsp)
-	movq	1360(%rsp), %rax
+	movq	1392(%rsp), %rax
 	movq	%rax, 416(%rsp)
 	movl	$9, 376(%rsp)
 	movq	%rbp, 384(%rsp)
@@ -3250,21 +3327,21 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_equivalent_conicity@PLT
 	movl	%eax, %edi
-	leaq	.LC180(%rip), %rsi
+	leaq	.LC181(%rip), %rsi
 	call	done
 	movl	$2, %edx
 	movq	%rbp, %rsi
-	leaq	.LC181(%rip), %rdi
+	leaq	.LC182(%rip), %rdi
 	call	show
 	movl	$2, %edx
 	movq	%rbx, %rsi
-	leaq	.LC182(%rip), %rdi
+	leaq	.LC183(%rip), %rdi
 	call	show
 	movl	$0, %eax
 	leaq	arc.5(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
-	movsd	.LC183(%rip), %xmm1
-.L105:
+	movsd	.LC184(%rip), %xmm1
+.L109:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -3272,17 +3349,17 @@ experimental:
 	movsd	%xmm0, (%rdx,%rax,8)
 	addq	$1, %rax
 	cmpq	$240, %rax
-	jne	.L105
+	jne	.L109
 	leaq	depth.4(%rip), %rdx
 	movl	$-81, %eax
-.L109:
+.L113:
 	cmpl	$38, %eax
-	jbe	.L118
+	jbe	.L122
 	movq	$0x000000000, (%rdx)
 	addl	$1, %eax
 	addq	$8, %rdx
 	cmpl	$119, %eax
-	jne	.L109
+	jne	.L113
 	leaq	z.2(%rip), %r9
 	leaq	y.3(%rip), %r8
 	leaq	arc.5(%rip), %rcx
@@ -3291,29 +3368,29 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_model_arc_places@PLT
 	movl	%eax, %edi
-	leaq	.LC186(%rip), %rsi
+	leaq	.LC187(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	leaq	960+z.2(%rip), %rsi
-	leaq	.LC187(%rip), %rdi
+	leaq	.LC188(%rip), %rdi
 	call	show
-	leaq	1312(%rsp), %r15
-	movq	$0, 1316(%rsp)
-	movq	$0, 1392(%rsp)
-	leaq	1320(%rsp), %rdi
+	leaq	1344(%rsp), %r15
+	movq	$0, 1348(%rsp)
+	movq	$0, 1424(%rsp)
+	leaq	1352(%rsp), %rdi
 	movl	$10, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$88, 1312(%rsp)
+	movl	$88, 1344(%rsp)
 	movq	%r15, %rdi
 	call	wrc_profile_wear_init@PLT
-	movdqa	1312(%rsp), %xmm7
+	movdqa	1344(%rsp), %xmm7
 	movaps	%xmm7, 960(%rsp)
-	movdqa	1360(%rsp), %xmm6
+	movdqa	1392(%rsp), %xmm6
 	movaps	%xmm6, 1008(%rsp)
-	movdqa	1376(%rsp), %xmm3
+	movdqa	1408(%rsp), %xmm3
 	movaps	%xmm3, 1024(%rsp)
-	movq	1392(%rsp), %rax
+	movq	1424(%rsp), %rax
 	movq	%rax, 1040(%rsp)
 	movl	$240, 968(%rsp)
 	leaq	y.3(%rip), %rbx
@@ -3323,54 +3400,54 @@ experimental:
 	movl	$200, 972(%rsp)
 	leaq	depth.4(%rip), %rax
 	movq	%rax, 992(%rsp)
-	movq	.LC188(%rip), %rax
-	movq	%rax, 1000(%rsp)
 	movq	.LC189(%rip), %rax
+	movq	%rax, 1000(%rsp)
+	movq	.LC190(%rip), %rax
 	movq	%rax, 1016(%rsp)
 	pxor	%xmm0, %xmm0
-	movups	%xmm0, 1320(%rsp)
-	movups	%xmm0, 1336(%rsp)
 	movups	%xmm0, 1352(%rsp)
-	movl	$56, 1312(%rsp)
-	movl	$2000, 1316(%rsp)
+	movups	%xmm0, 1368(%rsp)
+	movups	%xmm0, 1384(%rsp)
+	movl	$56, 1344(%rsp)
+	movl	$2000, 1348(%rsp)
 	leaq	worn_y.1(%rip), %rax
-	movq	%rax, 1328(%rsp)
+	movq	%rax, 1360(%rsp)
 	leaq	worn_z.0(%rip), %r13
-	movq	%r13, 1336(%rsp)
+	movq	%r13, 1368(%rsp)
 	leaq	960(%rsp), %rdi
 	movl	$400, %ecx
 	leaq	text(%rip), %rdx
 	movq	%r15, %rsi
 	call	wrc_profile_remove_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC190(%rip), %rsi
+	leaq	.LC191(%rip), %rsi
 	call	done
-	leaq	1344(%rsp), %rsi
+	leaq	1376(%rsp), %rsi
 	movl	$3, %edx
-	leaq	.LC191(%rip), %rdi
+	leaq	.LC192(%rip), %rdi
 	call	show
-	movl	1320(%rsp), %eax
+	movl	1352(%rsp), %eax
 	shrl	%eax
 	movl	%eax, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
-	leaq	.LC192(%rip), %rdi
+	leaq	.LC193(%rip), %rdi
 	call	show
 	leaq	288(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r13, %rcx
-	movsd	.LC193(%rip), %xmm0
+	movsd	.LC194(%rip), %xmm0
 	movq	%rbp, %rdx
 	movq	%rbx, %rsi
 	movl	$240, %edi
 	call	wrc_flange_dimensions@PLT
 	movl	%eax, %edi
-	leaq	.LC194(%rip), %rsi
+	leaq	.LC195(%rip), %rsi
 	call	done
 	movl	$3, %edx
 	movq	%r13, %rsi
-	leaq	.LC195(%rip), %rdi
+	leaq	.LC196(%rip), %rdi
 	call	show
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
@@ -3378,7 +3455,7 @@ experimental:
 	call	wrc_contact_destroy@PLT
 	movq	(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$6888, %rsp
+	addq	$6920, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -3386,31 +3463,31 @@ experimental:
 	popq	%r14
 	popq	%r15
 	ret
-.L117:
+.L121:
 	movl	$2, %edi
 	call	exit@PLT
-.L118:
+.L122:
 	leal	1(%rax), %esi
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
-	mulsd	.LC184(%rip), %xmm0
+	mulsd	.LC185(%rip), %xmm0
 	movl	$39, %ecx
 	subl	%eax, %ecx
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%ecx, %xmm1
 	mulsd	%xmm1, %xmm0
-	divsd	.LC185(%rip), %xmm0
+	divsd	.LC186(%rip), %xmm0
 	movsd	%xmm0, (%rdx)
 	movl	%esi, %eax
 	addq	$8, %rdx
-	jmp	.L109
+	jmp	.L113
 	.size	experimental, .-experimental
 	.section	.rodata.str1.1
-.LC196:
-	.string	"%s; %s\n"
 .LC197:
-	.string	"%d %d\n"
+	.string	"%s; %s\n"
 .LC198:
+	.string	"%d %d\n"
+.LC199:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -3420,22 +3497,22 @@ main:
 	movl	$900, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	je	.L120
+	je	.L124
 	movq	%rax, %rbx
 	cmpl	$359, (%rax)
-	jbe	.L120
+	jbe	.L124
 	movl	$1, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	jne	.L122
+	jne	.L126
 	call	*8(%rbx)
 	movl	%eax, %ebx
 	call	wrc_version@PLT
 	cmpl	%eax, %ebx
-	jne	.L122
+	jne	.L126
 	call	wrc_abi_version@PLT
 	cmpl	$900, %eax
-	jne	.L122
+	jne	.L126
 	movl	$1, %edi
 	call	wrc_status_text@PLT
 	movq	%rax, %rbx
@@ -3443,7 +3520,7 @@ main:
 	call	wrc_status_name@PLT
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
-	leaq	.LC196(%rip), %rdi
+	leaq	.LC197(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -3456,30 +3533,31 @@ main:
 	setne	%sil
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
-	leaq	.LC197(%rip), %rdi
+	leaq	.LC198(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
+	call	remembering
 	call	other_rails
 	call	posed
 	call	given
 	movl	blocks(%rip), %esi
-	leaq	.LC198(%rip), %rdi
+	leaq	.LC199(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	testq	%rax, %rax
-	je	.L124
+	je	.L128
 	call	experimental
-.L124:
+.L128:
 	movl	$0, %eax
 	popq	%rbx
 	ret
-.L120:
+.L124:
 	movl	$2, %edi
 	call	exit@PLT
-.L122:
+.L126:
 	movl	$2, %edi
 	call	exit@PLT
 	.size	main, .-main
@@ -3715,95 +3793,95 @@ main:
 	.long	-350469331
 	.long	1059731170
 	.align 8
-.LC120:
+.LC121:
 	.long	-755914244
 	.long	1064329805
 	.align 8
-.LC123:
+.LC124:
 	.long	-2147483648
 	.long	1105517715
 	.align 8
-.LC126:
+.LC127:
 	.long	0
 	.long	1078853632
 	.align 8
-.LC130:
+.LC131:
 	.long	0
 	.long	1076625408
 	.align 8
-.LC131:
+.LC132:
 	.long	1202590843
 	.long	-1079739679
 	.align 8
-.LC132:
+.LC133:
 	.long	0
 	.long	1071644672
 	.align 8
-.LC140:
+.LC141:
 	.long	0
 	.long	1078198272
 	.align 8
-.LC143:
+.LC144:
 	.long	343597384
 	.long	1070679982
 	.align 8
-.LC144:
+.LC145:
 	.long	858993459
 	.long	1070805811
 	.align 8
-.LC145:
+.LC146:
 	.long	0
 	.long	1073217536
 	.align 8
-.LC151:
+.LC152:
 	.long	0
 	.long	1100470148
 	.align 8
-.LC152:
+.LC153:
 	.long	0
 	.long	1086224384
 	.align 8
-.LC155:
+.LC156:
 	.long	-350469331
 	.long	1062876898
 	.align 8
-.LC156:
+.LC157:
 	.long	27487791
 	.long	-1081997892
 	.align 8
-.LC157:
+.LC158:
 	.long	1594291861
 	.long	-1081783144
 	.align 8
-.LC174:
+.LC175:
 	.long	-1133871366
 	.long	1062769524
 	.align 8
-.LC179:
+.LC180:
 	.long	1202590843
 	.long	1063549665
 	.align 8
-.LC183:
+.LC184:
 	.long	-652835029
 	.long	1068758990
 	.align 8
-.LC184:
+.LC185:
 	.long	-500134854
 	.long	1044740494
 	.align 8
-.LC185:
+.LC186:
 	.long	0
 	.long	1081671680
 	.align 8
-.LC188:
+.LC189:
 	.long	-1717986918
 	.long	-1078355559
 	.align 8
-.LC189:
+.LC190:
 	.long	0
 	.long	1084178432
 	.align 8
-.LC193:
+.LC194:
 	.long	515396076
 	.long	1068624773
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
