@@ -230,7 +230,7 @@ TEST_F(PlaneOfANewerHeader, SetsNoNumberThatIsKeptForLater) {
   for (double* const each :
        {&config.wheel.reserved[0], &config.rail_material.reserved[4], &config.wheel_heat.reserved[1],
         &config.wheelset.reserved[5], &config.track.reserved[0], &config.normal.reserved[2],
-        &config.tangential.reserved[3], &config.surface.reserved[9], &config.planar.reserved[7],
+        &config.tangential.reserved[3], &config.surface.reserved[8], &config.planar.reserved[7],
         &config.roundness.reserved[0], &config.check_rail.profile.reserved[5],
         &config.check_rail.reserved[1]}) {
     *each = 1.0;
