@@ -204,7 +204,9 @@ auto step_layer(const LayeredStrip<Number>& strip, const LayerCell& cell, LayerS
   const Number ux = s.ux - cell.step * strip.of[Of::stick_x];
   const Number uy = s.uy - cell.step * (strip.of[Of::stick_y] + strip.of[Of::stick_turn] * cell.place);
   const LayerTrial<Number> trial(spring, ux, uy);
-  const auto sticks = (value_of(trial.size) < value_of(spring.limit)) & (value_of(trial.reached) < 1.0);
+  const auto below = value_of(trial.size) < value_of(spring.limit),
+             short_of_end = value_of(trial.reached) < 1.0;
+  const auto sticks = below & short_of_end;
   // those that do not stick end where slip or flow leaves them
   LayerState<Number> slid = s;
   slip_x = slip_y = zero;
