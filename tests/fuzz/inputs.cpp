@@ -420,12 +420,15 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &rail.roll,
                              &rail.z_velocity,
                              &friction.coefficient,
+                             &friction.layer_thickness,
+                             &friction.layer_yield,
+                             &input.time_step,
                              turning[1],
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
   double* const kept_for_later[] = {&wheel.reserved[choices.below(6)], &rail.reserved[choices.below(6)],
-                                    &friction.reserved[choices.below(12)],
+                                    &friction.reserved[choices.below(8)],
                                     &input.frame.reserved[choices.below(4)]};
   if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
