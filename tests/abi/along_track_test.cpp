@@ -54,6 +54,19 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     sentence = text;
     return status;
   }
+  /// A contact without friction, under a load [N].
+  void create_under(double load) {
+    friction.coefficient = 0.0;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = load;
+    create();
+  }
+  /// The height under the load, at a distance along the track [m].
+  double height_at(double distance) {
+    input.distance = distance;
+    EXPECT_GE(step(), WRC_OK) << error();
+    return wrench.z;
+  }
   /// Level up to 2 m and from 5 m on, between them 1:50 downwards: straight from 3 to 4 m, rounded beside
   /// that.
   void give_ramp() {
@@ -131,10 +144,7 @@ TEST_F(AlongTrack, EqualSectionsAreTheConstantRail) {
 
 TEST_F(AlongTrack, OnASlopeThePressureHasAPartAlongTheTrack) {
   give_ramp();
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 80e3;
-  create();
+  create_under(80e3);
   input.distance = 0.5;
   ASSERT_EQ(step(), WRC_OK);
   EXPECT_NEAR(wrench.force[0], 0.0, 1e-6);
@@ -205,10 +215,7 @@ TEST_F(AlongTrack, AFlatLowersTheWheelAsItsSupportFunctionSays) {
     return std::abs(from) < half ? -0.5 * deep * (1.0 + std::cos(0.5 * turn * from / half)) : 0.0;
   };
   give_wheel(4000, flat);
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 1e3;
-  create();
+  create_under(1e3);
   input.angle = 0.5 * turn;
   ASSERT_EQ(step(), WRC_OK);
   const double round = wrench.z;
@@ -258,15 +265,7 @@ TEST_F(AlongTrack, AWheelClimbsTheEndOfASurface) {
   add(1.0);
   for (const double distance : {1.0, 2.0}) add(distance, -step_up).surface = 1;
   give();
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 1e3;
-  create();
-  const auto height_at = [&](double distance) {
-    input.distance = distance;
-    EXPECT_GE(step(), WRC_OK) << error();
-    return wrench.z;
-  };
+  create_under(1e3);
   const double level = height_at(0.5), far = std::sqrt(2.0 * radius * step_up);
   for (const double before : {0.06, 0.03, 0.02, 0.015, 0.01, 0.005}) {
     const double z = height_at(1.0 - before), share = std::min(before / far, 1.0);
@@ -319,10 +318,7 @@ TEST_F(AlongTrack, ContactFartherAheadThanIsLookedForIsFlagged) {
   give();
   config.rail.kind = WRC_PROFILE_60E1;
   config.track.rail_inclination = 0.025;
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  create();
+  create_under(60e3);
   wheel.y = 4e-3;
   for (const auto& [distance, flagged] : {std::pair{0.2, false}, {0.38, true}, {0.4, true}, {0.6, false}}) {
     input.distance = distance;
@@ -342,10 +338,7 @@ TEST_F(AlongTrack, AWheelRollsThroughADipShorterThanItself) {
   }
   add(0.3);
   give();
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  create();
+  create_under(60e3);
   input.distance = -0.2;
   ASSERT_EQ(step(), WRC_OK) << error();
   const double level = wrench.z;
@@ -369,15 +362,7 @@ TEST_F(AlongTrack, ARampThatBeginsWithItsSurfaceIsStraight) {
   add(2.0, 10e-3);
   for (int k = 0; k < 4; ++k) add(0.5 + 0.1 * k, -slope * 0.1 * k).surface = 1;
   give();
-  friction.coefficient = 0.0;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
-  create();
-  const auto height_at = [&](double distance) {
-    input.distance = distance;
-    EXPECT_GE(step(), WRC_OK) << error();
-    return wrench.z;
-  };
+  create_under(60e3);
   const double at_first = height_at(0.52);
   EXPECT_NEAR(height_at(0.56) - at_first, -0.04 * slope, 1e-7);
   EXPECT_NEAR(height_at(0.72) - at_first, -0.2 * slope, 1e-7);

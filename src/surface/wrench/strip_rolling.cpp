@@ -126,17 +126,14 @@ Fault remember_strips(const WheelProblem& problem, const Overlaps& overlaps, con
     scratch.slip_x[k] = direction * strips.slip_x[k];
     scratch.spin[k] = direction * strips.spin[k];
     scratch.x[k] = direction * strips.x[k];
-    scratch.heat_share[k] = overlaps.strip[strips.candidate[k]];
+    scratch.number[k] = overlaps.strip[strips.candidate[k]];
   }
   rolls.slip_x = scratch.slip_x;
   rolls.spin = scratch.spin;
   const double time = problem.in.time;
-  const RememberingInput step{rolls,
-                              scratch.x,
-                              scratch.heat_share,
-                              *model.methods.linear_theory,
-                              divisor * time,
-                              std::abs(rolling_speed) * time,
+  const RememberingInput step{rolls,          scratch.x,
+                              scratch.number, *model.methods.linear_theory,
+                              divisor * time, std::abs(rolling_speed) * time,
                               direction};
   const RememberingResult result =
       roll_remembering(step, *problem.memory, arena, {strips.fx, strips.fy, strips.mz});

@@ -63,6 +63,7 @@ struct RollingScratch {
   double *cold_friction,
       *heat_share;     ///< shares of friction over temperature (tangential/friction/heated_friction.hpp)
   double *x, *region;  ///< methods that roll whole patches, and memory: x along the direction of rolling [m]
+  double* number;      ///< memory: numbers of the rail's strips
 };
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);

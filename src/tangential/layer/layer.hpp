@@ -1,13 +1,14 @@
 /// An elasto-plastic layer between the bodies: a spring along the surface that yields.
 ///
-/// Along each strip particles carry tractions p, the displacement u of the bodies and of the layer's spring,
-/// the traction tau at which the layer yields, and how far it has flowed:
+/// Along each strip particles carry tractions p, and the displacement u of the bodies and of the layer's
+/// spring. They carry the traction tau at which the layer yields, and how far it has flowed.
 ///
 ///     u = (bodies' part) + F p,                          F = thickness / shear modulus,
 ///     |p| <= min(mu p_n, tau),   tau = tau_0 + k lambda,  lambda the length of all flow, tau >= tau_0 / 10,
 ///
-/// fresh at the leading edge: p = 0, tau = tau_0. Flow goes along the traction, sliding against it. The model
-/// is that of Vollebregt's CONTACT (interfacial layer, M = 4); see theory.md, "A layer between the bodies".
+/// The layer is fresh at the leading edge: p = 0, tau = tau_0. Flow goes along the traction, sliding against
+/// it. The model is that of Vollebregt's CONTACT (interfacial layer, M = 4); see theory.md, "A layer between
+/// the bodies".
 #pragma once
 
 #include <cstdint>
