@@ -180,13 +180,8 @@ Fault commit_wheel(Contact& contact) {
 namespace {
 
 /// Refuses inputs that a model that remembers cannot take.
-Fault check_memory(const Model& model, const HostWheel& hosted, bool derivatives) {
+Fault check_memory(const Model& model, const HostWheel& hosted) {
   if (!model.options.surface_memory) return {};
-  if (derivatives)
-    return Fault::unsupported(
-        "config.surface.memory",
-        "derivatives with memory do not exist yet: take differences of trial steps, which "
-        "leave the committed step as it is");
   if (hosted.friction.law.heated())
     return Fault::unsupported(
         "input.friction.temperature_law",
@@ -221,7 +216,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
                               "it is of the stages: wrc_contact_wrench remembers with config.surface.memory");
   }
 
-  fault = check_memory(model, hosted, slopes != nullptr);
+  fault = check_memory(model, hosted);
   if (fault.failed()) return fault;
 
   // solved as right-hand bodies

@@ -19,7 +19,7 @@ VERSION_MINOR = 9
 VERSION_PATCH = 0
 ABI_VERSION = 900
 EXPERIMENTAL_VERSION = 1
-WRENCH_INPUTS = 23
+WRENCH_INPUTS = 24
 ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 
@@ -464,6 +464,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE: rail.z_slope [-]; 0 of a roller
     ROLLER_RATE: roller_rate [rad/s]; 0 of a rail that is no roller
     FRICTION: a factor, here 1, on all coefficients of friction [-]
+    TIME_STEP: time_step [s], of config.surface.memory; where it is 0, to the side of time
     """
 
     Y = 0, 'wheel.y [m]'
@@ -489,6 +490,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE = 20, 'rail.z_slope [-]; 0 of a roller'
     ROLLER_RATE = 21, 'roller_rate [rad/s]; 0 of a rail that is no roller'
     FRICTION = 22, 'a factor, here 1, on all coefficients of friction [-]'
+    TIME_STEP = 23, 'time_step [s], of config.surface.memory; where it is 0, to the side of time'
 
 
 class DamageQuantity(s.Choice):
@@ -3321,8 +3323,9 @@ class ContactCalls(_l.Handle):
 
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
-            equations, not differences. Over temperature the part of the tractions is a difference. Two to
-            three times the time of the wrench, over temperature four to five times. Theory manual, section 9.
+            equations, not differences. Over temperature and with config.surface.memory the part of the
+            tractions is a difference. Two to three times the time of the wrench, over temperature four to
+            five times, with memory ten, four where a load is given. Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one

@@ -421,7 +421,9 @@ class WrenchInput(s.Choice):
     """roller_rate [rad/s]; 0 of a rail that is no roller"""
     FRICTION = 22
     """a factor, here 1, on all coefficients of friction [-]"""
-WrenchInputLike = Union[WrenchInput, Literal['Y', 'Z', 'ROLL', 'YAW', 'VELOCITY_X', 'VELOCITY_Y', 'VELOCITY_Z', 'ANGULAR_VELOCITY_X', 'ANGULAR_VELOCITY_Y', 'ANGULAR_VELOCITY_Z', 'RAIL_Y', 'RAIL_Z', 'RAIL_ROLL', 'RAIL_Y_VELOCITY', 'RAIL_Z_VELOCITY', 'RAIL_ROLL_RATE', 'VERTICAL_LOAD', 'DISTANCE', 'ANGLE', 'RAIL_Y_SLOPE', 'RAIL_Z_SLOPE', 'ROLLER_RATE', 'FRICTION']]
+    TIME_STEP = 23
+    """time_step [s], of config.surface.memory; where it is 0, to the side of time"""
+WrenchInputLike = Union[WrenchInput, Literal['Y', 'Z', 'ROLL', 'YAW', 'VELOCITY_X', 'VELOCITY_Y', 'VELOCITY_Z', 'ANGULAR_VELOCITY_X', 'ANGULAR_VELOCITY_Y', 'ANGULAR_VELOCITY_Z', 'RAIL_Y', 'RAIL_Z', 'RAIL_ROLL', 'RAIL_Y_VELOCITY', 'RAIL_Z_VELOCITY', 'RAIL_ROLL_RATE', 'VERTICAL_LOAD', 'DISTANCE', 'ANGLE', 'RAIL_Y_SLOPE', 'RAIL_Z_SLOPE', 'ROLLER_RATE', 'FRICTION', 'TIME_STEP']]
 
 class DamageQuantity(s.Choice):
     WORK = 0
@@ -3280,8 +3282,9 @@ class ContactCalls(_l.Handle):
         """
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
-            equations, not differences. Over temperature the part of the tractions is a difference. Two to
-            three times the time of the wrench, over temperature four to five times. Theory manual, section 9.
+            equations, not differences. Over temperature and with config.surface.memory the part of the
+            tractions is a difference. Two to three times the time of the wrench, over temperature four to
+            five times, with memory ten, four where a load is given. Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one

@@ -227,9 +227,10 @@ inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_RAIL_Z_SLOPE", WRC_BY_RAIL_Z_SLOPE},
     {"WRC_BY_ROLLER_RATE", WRC_BY_ROLLER_RATE},
     {"WRC_BY_FRICTION", WRC_BY_FRICTION},
+    {"WRC_BY_TIME_STEP", WRC_BY_TIME_STEP},
 };
-inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 23,
-    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_RATE (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18), _RAIL_Y_SLOPE (19), _RAIL_Z_SLOPE (20), _ROLLER_RATE (21), _FRICTION (22)"};
+inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 24,
+    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_RATE (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18), _RAIL_Y_SLOPE (19), _RAIL_Z_SLOPE (20), _ROLLER_RATE (21), _FRICTION (22), _TIME_STEP (23)"};
 
 inline constexpr Enumerator wrc_damage_quantity_values[] = {
     {"WRC_DAMAGE_WORK", WRC_DAMAGE_WORK},
