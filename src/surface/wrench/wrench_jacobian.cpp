@@ -52,7 +52,7 @@ struct DifferencesScratch {
   double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
   RollingScratch rolling;               ///< friction over temperature
-  Arena remembering;                    ///< of solve_remembered_tractions()
+  Arena remembering;                    ///< scratch of steps that remember
 };
 
 struct Scratch {
