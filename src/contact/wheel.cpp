@@ -87,7 +87,7 @@ Fault check_read(const Model& model, const HostWheel& hosted) {
   if (roller && !(std::abs(hosted.distance) <= beside_roller))
     return Fault::range(
         "input.distance", {hosted.distance, "m", -beside_roller, beside_roller},
-        "the wheel does not stand on the roller: this distance counts from above the roller's axle");
+        "the wheel does not stand on the roller: this distance counts from the place above its axle");
   if (hosted.distance != 0.0 && !reads_distance(model))
     return Fault::unsupported("input.distance", {hosted.distance, "m"},
                               "the rail is the same everywhere: give config.rail_sections, or leave it 0");
