@@ -24,6 +24,9 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
   unsigned number_of_line = 0;
   while (fgets(line, sizeof line, file) != NULL) {
     ++number_of_line;
+    if (number_of_line == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0) {
+      memmove(line, line + 3, strlen(line) - 2); /* a byte order mark is no part of the first number */
+    }
     if (strchr(line, '\n') ==
         NULL) { /* too long for a point: a comment; the rest of it is not a line of its own */
       for (int c = fgetc(file); c != '\n' && c != EOF;) c = fgetc(file);
@@ -64,6 +67,29 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
     exit(EXIT_FAILURE);
   }
   return count;
+}
+
+/* Warns of points that leave the line between their neighbours by 0.3 mm and by half of the neighbours'
+ * distance. */
+static void warn_of_spikes(const char* path, uint32_t count, const double* y, const double* z) {
+  for (uint32_t k = 1; k + 1 < count; ++k) {
+    const double width = y[k + 1] - y[k - 1], rise = z[k + 1] - z[k - 1];
+    const double off = z[k] - z[k - 1] - rise * (y[k] - y[k - 1]) / width,
+                 chord2 = width * width + rise * rise;
+    if (chord2 < 25e-6 && off * off > 0.09e-6 && off * off > 0.25 * chord2) {
+      fprintf(stderr, "warning: %s: z leaves its neighbours by %.2f mm at y = %.3f mm: a spike?\n", path,
+              1e3 * off, 1e3 * y[k]);
+    }
+  }
+}
+
+/* Says so where the width fits the other unit. The library takes profiles of 20 to 500 mm. */
+static void warn_of_unit(const char* path, uint32_t count, const double* y, int metres) {
+  const double width = y[count - 1] - y[0], other = metres ? 1e-3 * width : 1e3 * width;
+  if ((width < 0.02 || width > 0.5) && other >= 0.02 && other <= 0.5) {
+    fprintf(stderr, "warning: %s is %g %s wide: are its points in %s? pass --unit %s\n", path,
+            metres ? width : 1e3 * width, metres ? "m" : "mm", metres ? "mm" : "m", metres ? "mm" : "m");
+  }
 }
 
 /* -----------------------------------------------------------------------------------------------------
@@ -161,6 +187,8 @@ static wrc_profile profile_from(const char* source, const options* given, double
     profile.y = y;
     profile.z = z;
     profile.smoothing = given->smoothing;
+    warn_of_unit(source, profile.count, y, given->scale == 1.0);
+    warn_of_spikes(source, profile.count, y, z);
   }
   return profile;
 }

@@ -229,17 +229,17 @@ enum wrc_prescribed {
 
 /** Where iterations begin. */
 enum wrc_start {
-  WRC_START_COLD = 0, /**< anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving */
+  WRC_START_COLD = 0, /**< from nothing: results depend on the inputs of the call alone, to the last bit. Nothing needs saving */
   WRC_START_WARM = 1, /**< from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit
                            integrators and fixed steps, not for implicit ones */
-  WRC_START_MARK = 2  /**< of wrc_contact_wrench() alone: from the solution that wrc_contact_mark() marked; anew before the first
+  WRC_START_MARK = 2  /**< of wrc_contact_wrench() alone: from the solution that wrc_contact_mark() marked; cold before the first
                            mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every
                            integrator that accepts its steps */
 };
 
-/** What a result holds besides what it always has. */
+/** Optional parts of a result. */
 enum wrc_available {
-  WRC_AVAILABLE_TRACTIONS = 1, /**< what is made of tractions and slip: not with a method that gives forces alone */
+  WRC_AVAILABLE_TRACTIONS = 1, /**< results that need tractions and slip: not with a method that gives forces alone */
   WRC_AVAILABLE_PLACE = 2      /**< places in the track frame: not with a gap, strips or an ellipse of the caller */
 };
 
@@ -254,7 +254,7 @@ enum wrc_field {
   WRC_FIELD_SLIP_Y = 5,           /**< cells: the same along the rail's arc, or along y of the contact plane [-] */
   WRC_FIELD_POWER_DENSITY = 6,    /**< cells: frictional power per area, paper eq. 10 [W/m^2] */
   WRC_FIELD_FATIGUE_INDEX = 7,    /**< cells: local surface fatigue index, paper eq. 12 [-] */
-  WRC_FIELD_TEMPERATURE_RISE = 8, /**< cells: rise of both surfaces by friction over what they have at first touch [K] */
+  WRC_FIELD_TEMPERATURE_RISE = 8, /**< cells: temperature rise of both surfaces by friction, from that at first touch [K] */
   WRC_FIELD_STRIP_Y = 9,          /**< strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m] */
   WRC_FIELD_STRIP_WIDTH = 10,     /**< strips: width [m] */
   WRC_FIELD_STRIP_CENTRE = 11,    /**< strips: x of the middle, as WRC_FIELD_X [m] */
@@ -272,7 +272,7 @@ enum wrc_field {
   WRC_FIELD_GAP_CURVATURE = 23    /**< rows of a planar gap: d2h/dx2 [1/m] */
 };
 
-/** What a wrench depends on: the columns of wrc_wrench_derivatives. */
+/** Inputs of a wrench: the columns of wrc_wrench_derivatives. */
 enum wrc_wrench_input {
   WRC_BY_Y = 0,                  /**< wheel.y [m] */
   WRC_BY_Z = 1,                  /**< wheel.z [m], where the height is prescribed */
@@ -291,7 +291,7 @@ enum wrc_wrench_input {
   WRC_BY_RAIL_Z_VELOCITY = 14,   /**< rail.z_velocity [m/s] */
   WRC_BY_RAIL_ROLL_RATE = 15,    /**< rail.roll_rate [rad/s] */
   WRC_BY_VERTICAL_LOAD = 16,     /**< vertical_load [N], where it is prescribed */
-  WRC_BY_DISTANCE = 17,          /**< distance [m], without what strips grow wider or narrower along the track */
+  WRC_BY_DISTANCE = 17,          /**< distance [m], without the change of the strips' width along the track */
   WRC_BY_ANGLE = 18,             /**< angle [rad] */
   WRC_BY_RAIL_Y_SLOPE = 19,      /**< rail.y_slope [-]; 0 of a roller */
   WRC_BY_RAIL_Z_SLOPE = 20,      /**< rail.z_slope [-]; 0 of a roller */
@@ -584,7 +584,7 @@ typedef struct wrc_frame_motion {
   double reserved[4];        /**< 0 */
 } wrc_frame_motion;
 
-/** What wrc_contact_wrench() reads. What pointers within point to is the caller's and only read during the call. */
+/** Input of wrc_contact_wrench(). Data behind its pointers belong to the caller and are only read during the call. */
 typedef struct wrc_wheel_input {
   uint32_t struct_size;  /**< sizeof this struct, 712 or more */
   int32_t prescribed;    /**< enum wrc_prescribed: WRC_PRESCRIBE_HEIGHT or _VERTICAL_LOAD [WRC_PRESCRIBE_HEIGHT] */
@@ -606,7 +606,7 @@ typedef struct wrc_wheel_input {
                               config.surface.memory [0] */
 } wrc_wheel_input;
 
-/** What passes between a wheel and its rail. All zero but for z and clearance where they do not touch. */
+/** Forces and moments between a wheel and its rail. All are zero but z and clearance where they do not touch. */
 typedef struct wrc_wrench {
   uint32_t struct_size;  /**< sizeof this struct, 168 or more */
   uint32_t flags;        /**< bit 1 << flag for each WRC_FLAG_... met */
@@ -667,8 +667,8 @@ typedef struct wrc_ellipse {
  * where regions are divided. */
 typedef struct wrc_region {
   uint32_t struct_size;  /**< sizeof this struct, 408 or more */
-  uint32_t available;    /**< bits of enum wrc_available; where one is missing, 0 stands */
-  int32_t strip_count;   /**< strips it is made of */
+  uint32_t available;    /**< bits of enum wrc_available; members without their bit are 0 */
+  int32_t strip_count;   /**< number of its strips */
   int32_t cell_count;    /**< cells along each of them */
   int32_t surface;       /**< of the rail, as wrc_rail_section.surface. With a check rail 0 is that and 1 the rail */
   uint32_t reserved0;    /**< 0 */
@@ -709,7 +709,7 @@ typedef struct wrc_damage {
   double shakedown_limit;     /**< of load_factor at mu_a, line contact; ratcheting above [-] */
   double fatigue_index;       /**< FI = mu_a - k / p0, paper eq. 11; damage when positive [-] */
   double local_fatigue_index; /**< largest local index over the region, paper eq. 12 [-]; WRC_AVAILABLE_TRACTIONS */
-  uint32_t available;         /**< bits of enum wrc_available; where one is missing, 0 stands */
+  uint32_t available;         /**< bits of enum wrc_available; members without their bit are 0 */
   uint32_t reserved0;         /**< 0 */
   double reserved[6];         /**< 0 */
 } wrc_damage;
@@ -724,7 +724,7 @@ WRC_API uint32_t wrc_abi_version(void);
  * @param requested WRC_ABI_VERSION of the header the caller was compiled with
  * @return a sentence; static storage, never NULL. @rt hard @thread free */
 WRC_API const char* wrc_version_text(uint32_t requested);
-/** What to put into a question to support: version, both interfaces, commit, compiler, flags, and the instruction set that this
+/** Text for a question to support: version, both interfaces, commit, compiler, flags, and the instruction set that this
  * processor gets by default. @return one line; static storage, never NULL. @rt init @thread free */
 WRC_API const char* wrc_build_info(void);
 /** Name of a status. @param status any number @return for example "WRC_ERROR_RANGE", or "unknown status"; static
@@ -803,7 +803,7 @@ WRC_API int32_t wrc_model_size(const wrc_config* config, uint64_t* bytes, uint64
  * @param memory aligned as wrc_model_size() says
  * @param bytes of memory, at least what wrc_model_size() says
  * @param[out] model the model; NULL on failure
- * @param[out] text why not, as wrc_config_check(); NULL: not wanted
+ * @param[out] text the sentence of a failure, as wrc_config_check(); NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_FLAG_DISSIMILAR_MATERIALS; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _PROFILE, _UNSUPPORTED,
  * _BUFFER, _FILE. @rt init @thread free */
@@ -814,7 +814,7 @@ WRC_API int32_t wrc_model_init(const wrc_config* config, void* memory, uint64_t 
  * @param config configuration of the model
  * @param allocator where memory comes from; NULL: malloc and free
  * @param[out] model the model, to be released with wrc_model_destroy(); NULL on failure
- * @param[out] text why not, as wrc_config_check(); NULL: not wanted
+ * @param[out] text the sentence of a failure, as wrc_config_check(); NULL: not wanted
  * @param size bytes of text
  * @return as wrc_model_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
 WRC_API int32_t wrc_model_create(const wrc_config* config, const wrc_allocator* allocator, wrc_model** model, char* text,
@@ -851,7 +851,7 @@ WRC_API int32_t wrc_contact_size(const wrc_model* model, uint64_t* bytes, uint64
  * @param memory aligned as wrc_contact_size() says
  * @param bytes of memory, at least what wrc_contact_size() says
  * @param[out] contact the contact; NULL on failure
- * @param[out] text why not; NULL: not wanted
+ * @param[out] text the sentence of a failure; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK, WRC_ERROR_NULL, _UNSUPPORTED (no such side), _BUFFER. @rt hard, long @thread free */
 WRC_API int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* memory, uint64_t bytes, wrc_contact** contact,
@@ -862,7 +862,7 @@ WRC_API int32_t wrc_contact_init(const wrc_model* model, int32_t side, void* mem
  * @param side enum wrc_side: which wheel of the wheelset, and the rail it is on
  * @param allocator where memory comes from; NULL: malloc and free
  * @param[out] contact the contact, to be released with wrc_contact_destroy(); NULL on failure
- * @param[out] text why not; NULL: not wanted
+ * @param[out] text the sentence of a failure; NULL: not wanted
  * @param size bytes of text
  * @return as wrc_contact_init(), and WRC_ERROR_MEMORY. @rt init @thread free */
 WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const wrc_allocator* allocator, wrc_contact** contact,

@@ -109,7 +109,7 @@ typedef struct wrc_stress_peak {
 typedef struct wrc_stress_peaks {
   wrc_stress_peak von_mises; /**< sqrt(3 J2) */
   wrc_stress_peak shear;     /**< (s1 - s3) / 2: half of Tresca's stress */
-  wrc_stress_peak tension;   /**< s1, the most tensile principal stress; below 0 where all is pressed together */
+  wrc_stress_peak tension;   /**< s1, the most tensile principal stress; < 0 where all three are compressive */
   wrc_stress_peak reserved;  /**< room for one more of these */
 } wrc_stress_peaks;
 
@@ -136,7 +136,7 @@ typedef struct wrc_temperature {
   double rail_heat;     /**< the same of the rail; both together are the frictional power [W] */
 } wrc_temperature;
 
-/** What bins collect. Sums: a bin's volume over its width (and over a wheel's circumference, or a rail's length) is a depth;
+/** Quantities of a bin. Sums: a bin's volume over its width (and over a wheel's circumference, or a rail's length) is a depth;
  * a fatigue sum over its width and over the length rolled (or a rail's length) is the index of each passage, added up. Each
  * range is that of a sum; single contributions may be half of it. */
 enum wrc_damage_quantity {
@@ -195,7 +195,7 @@ typedef struct wrc_fatigue_laws {
   double whole_life_peak;    /**< damage of a passage at whole_life_peak_at, 0..1; 1 is a crack [1e-5] */
 } wrc_fatigue_laws;
 
-/** What wrc_contact_accumulate() adds. */
+/** Input of wrc_contact_accumulate(). */
 typedef struct wrc_accumulation {
   uint32_t struct_size;            /**< sizeof this struct, 40 or more */
   uint32_t reserved0;              /**< 0 */
@@ -206,7 +206,7 @@ typedef struct wrc_accumulation {
   const wrc_fatigue_laws* fatigue; /**< NULL: the published ones [NULL] */
 } wrc_accumulation;
 
-/** What one wrc_contact_accumulate() added to each of its sets of bins. */
+/** Amounts that one wrc_contact_accumulate() added to each of its sets of bins. */
 typedef struct wrc_damage_totals {
   double sum[16];          /**< by enum wrc_damage_quantity, units there */
   double largest_pressure; /**< [Pa] */
@@ -307,7 +307,7 @@ WRC_API int32_t wrc_contact_accumulate(wrc_contact* contact, const wrc_accumulat
  * @rt hard @thread free */
 WRC_API int32_t wrc_damage_merge(wrc_damage_bins* into, const wrc_damage_bins* from);
 
-/** What bins hold, as numbers.
+/** Contents of bins as numbers.
  * @param bins the bins
  * @param quantity enum wrc_damage_quantity
  * @param[out] values row_count * count + 1 of them, in the bins' order

@@ -25,11 +25,11 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_STRIP_FASTSIM = 2,    /**< FASTSIM in the shape of strip theory on the patch as it is, calibrated on
                                             exact solutions */
   WRC_TANGENTIAL_FORCE_TABLE = 3       /**< total forces from config.tangential.force_table, exact solutions for double
-                                            ellipses: no tractions, no slip, and nothing that is made of them */
+                                            ellipses: no tractions, no slip, and no results that need them */
 };
 
-/** What FASTSIM and FaStrip take for the patch: the strips tractions live on, and the shape whose coefficients of linear
- * theory they have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of wrc_ellipse. */
+/** Patch of FASTSIM and FaStrip: the strips that carry tractions, and the shape whose coefficients of linear theory they
+ * have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of wrc_ellipse. */
 enum wrc_patch_model {
   WRC_PATCH_MODEL_PATCH_SDEC = 0,        /**< the patch; coefficients of its equivalent double ellipse */
   WRC_PATCH_MODEL_PATCH_ELLIPSE = 1,     /**< the patch; coefficients of the equivalent ellipse */

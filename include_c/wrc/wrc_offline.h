@@ -31,7 +31,7 @@
 extern "C" {
 #endif
 
-/** What adhesion means. */
+/** Definition of adhesion. */
 enum wrc_adhesion {
   WRC_ADHESION_COULOMB = 0, /**< tractions up to friction * pressure, then slip */
   WRC_ADHESION_FULL = 1     /**< no slip anywhere: linear theory; friction is unused */
@@ -131,7 +131,7 @@ typedef struct wrc_exact_rolling_solution {
   double* slip_y;             /**< [-] */
 } wrc_exact_rolling_solution;
 
-/** What presses and rubs on one of the bodies, constant on each cell of a grid. */
+/** Pressure and tractions on one of the bodies, constant on each cell of a grid. */
 typedef struct wrc_exact_loads {
   uint32_t struct_size;     /**< sizeof this struct, 112 or more */
   int32_t body;             /**< enum wrc_body: in which the stresses are wanted [WRC_BODY_RAIL] */
@@ -143,7 +143,7 @@ typedef struct wrc_exact_loads {
   const double* traction_y; /**< nx * ny, the same along y, -1e11..1e11 Pa; NULL: none [NULL] */
 } wrc_exact_loads;
 
-/** What half-space coefficients on a curved surface are. */
+/** Half-space coefficients on a curved surface. */
 enum wrc_surface_influence {
   WRC_INFLUENCE_TURNED = 0, /**< turned between the normals of the two cells: the choice for answers */
   WRC_INFLUENCE_PLAIN = 1   /**< a plane's over arc length, the plain conformal setting of CONTACT: for comparisons */
@@ -316,7 +316,7 @@ WRC_API void wrc_exact_transient_destroy(wrc_exact_transient* transient);
 WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_options* options,
                                 wrc_exact_check_result* result);
 
-/** What wrc_contact_wrench() finds, exactly: normal contact and steady rolling over cells on the rail's curved surface. Every cell has
+/** Exact counterpart of wrc_contact_wrench(): normal contact and steady rolling over cells on the rail's curved surface. Every cell has
  * its gap along its own normal and the sliding of its own surface points. Half-space coefficients are those over arc length between
  * frames turned against each other, so that pressure and tractions act on one another.
  *  - Friction zones and falling friction are each row of cells'. Both ways of rolling near standstill are as in wrc_contact_wrench().

@@ -82,7 +82,7 @@ typedef struct wrc_planar_gap {
   double reserved[4];      /**< 0 */
 } wrc_planar_gap;
 
-/** What presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445: every pressure is the
+/** Load that presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445: every pressure is the
  * elastic one times 1 + 3/2 damping * approach_velocity, never below 0. An impact at v m/s rebounds with about (1 - damping v) of
  * its velocity. */
 typedef struct wrc_planar_load {
@@ -135,7 +135,7 @@ typedef struct wrc_planar_forces {
   double mz;                /**< spin moment [N m] */
   double power;             /**< frictional power at the given speed, >= 0 [W] */
   double adhesion_fraction; /**< share of the patch's area that sticks [-]; WRC_AVAILABLE_TRACTIONS */
-  uint32_t available;       /**< bits of enum wrc_available; where one is missing, 0 stands */
+  uint32_t available;       /**< bits of enum wrc_available; members without their bit are 0 */
   uint32_t flags;           /**< bit 1 << flag for each WRC_FLAG_... met */
   double reserved[4];       /**< 0 */
 } wrc_planar_forces;
@@ -148,18 +148,18 @@ typedef struct wrc_planar_derivatives {
                              patch, factor on friction [-], the rest 0 */
 } wrc_planar_derivatives;
 
-/** What wrc_planar_step() reads. What pointers within point to is the caller's and only read during the call. */
+/** Input of wrc_planar_step(). Data behind its pointers belong to the caller and are only read during the call. */
 typedef struct wrc_planar_input {
   uint32_t struct_size;      /**< sizeof this struct, 456 or more */
   uint32_t reserved0;        /**< 0 */
   wrc_planar_pose pose;      /**< of the wheelset; not used with `gap`, but within its ranges */
   const wrc_planar_gap* gap; /**< a gap of the caller in place of the pose; NULL: the pose [NULL] */
-  wrc_planar_load load;      /**< what presses the bodies together */
+  wrc_planar_load load;      /**< load that presses the bodies together */
   wrc_creepage creepage;     /**< rigid slip at the origin of the contact frame */
   wrc_friction friction;     /**< between the bodies */
 } wrc_planar_input;
 
-/** What wrc_planar_step() fills. */
+/** Results of wrc_planar_step(). */
 typedef struct wrc_planar_output {
   uint32_t struct_size;              /**< sizeof this struct, 512 or more */
   uint32_t flags;                    /**< bit 1 << flag for each WRC_FLAG_... met, of all stages */

@@ -24,7 +24,7 @@ enum wrc_conicity_method {
                                     weighing alike */
 };
 
-/** Where contact functions are asked for. */
+/** Lateral displacements and load for contact functions. */
 typedef struct wrc_wheelset_geometry_problem {
   uint32_t struct_size;  /**< sizeof this struct, 24 or more */
   uint32_t count;        /**< lateral displacements, 1..100000 [0] */

@@ -3,9 +3,9 @@
  * The enum below, the texts of wrc_status_text(), the Fortran parameters and the table in the manual all come
  * from WRC_STATUS_LIST. Values are pinned: a value is never reused or renumbered.
  *
- *   0   done
- *   >0  done and usable, with something worth knowing (a flag)
- *   <0  not done: every output of the call is zeroed and the object stays usable for the next call
+ *   0   done.
+ *   >0  a flag: done and usable, with a remark.
+ *   <0  not done: every output of the call is zeroed, and the object stays usable for the next call.
  */
 #ifndef WRC_STATUS_H
 #define WRC_STATUS_H

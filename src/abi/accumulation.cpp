@@ -32,7 +32,7 @@ Fault read_bins(const wrc_damage_bins* theirs, const char* name, damage::DamageB
                         "these are too many bins");
   if (bins.along.count > 1 && !(bins.along.length > 0.0))
     return Fault::range({name, "row_length"}, {ours.row_length, "m", 1e-3, 1e9},
-                        "more rows than one need a length");
+                        "more than one row needs a length");
   bins.first = reinterpret_cast<damage::DamageBin*>(ours.bins);
   bins.stride = static_cast<std::int64_t>(ours.bin_size);
   return {};

@@ -65,7 +65,9 @@ Fault init_model(const contact::ModelOptions& options, void* memory, std::uint64
 
 Fault check_contact(const wrc_model* model, std::int32_t side, wrc_contact** contact) {
   if (contact == nullptr) return Fault::null("contact");
-  if (!valid(model)) return Fault::null("model", "it is NULL or no model: was it made?");
+  if (!valid(model))
+    return Fault::null("model",
+                       "it is NULL, or it is not a model: was wrc_model_create called, and did it succeed?");
   if (side == WRC_SIDE_RIGHT || side == WRC_SIDE_LEFT) return {};
   return Fault::unsupported("side", {side, ""}, enumerations::wrc_side.names);
 }

@@ -150,8 +150,9 @@ Fault check_unread(const wrc_config& config, const contact::ModelOptions& option
   if (has_profiles(config)) return {};
   for (const Member* const member : read_with_profiles)
     if (changed(*member))
-      return refused(
-          *member, "the model has no profiles to place or cut: what the caller hands over is taken as it is");
+      return refused(*member,
+                     "the model has no profiles to place or cut: gaps, strips and ellipses of the caller are "
+                     "used unchanged");
   return {};
 }
 
@@ -229,13 +230,15 @@ Fault check_section(const wrc_config& config, std::int32_t k) {
     return Fault::range(
         {name, "distance"},
         {ours.distance, "m", before.distance + nearest, MEMBER(wrc_rail_section, "distance").high},
-        "the sections of a surface stand in order, 1 mm or more from each other");
+        "sections of a surface must be in order, at least 1 mm apart");
   if (ours.surface == before.surface && ours.mark_count != before.mark_count)
-    return Fault::profile({name, "mark_count"}, {ours.mark_count, ""},
-                          "all sections of a surface have as many: marks of equal number belong together");
+    return Fault::profile(
+        {name, "mark_count"}, {ours.mark_count, ""},
+        "all sections of a surface need the same number of marks: marks of equal number belong together");
   if (ours.surface != before.surface && ours.surface != before.surface + 1)
-    return Fault::range({name, "surface"}, {ours.surface, "", before.surface, before.surface + 1.0},
-                        "all sections of a surface stand side by side, and surfaces in order");
+    return Fault::range(
+        {name, "surface"}, {ours.surface, "", before.surface, before.surface + 1.0},
+        "sections must be in order of their surfaces, all sections of a surface side by side");
   return {};
 }
 
@@ -268,17 +271,18 @@ Fault read_roundness(const wrc_config_roundness& theirs, surface::RadiusTable& t
     return refuse_angle(0, 0.0, tolerance, "angles begin with 0");
   if (!(std::abs(theirs.angles[angles - 1] - turn) <= tolerance))
     return refuse_angle(angles - 1, turn - tolerance, turn + tolerance,
-                        "angles end with 2 pi, where the wheel closes");
+                        "the last angle must be 2 pi, where the wheel closes");
   for (std::uint32_t i = 1; i < angles; ++i)
     if (!(theirs.angles[i] >= theirs.angles[i - 1] + 1e-5))
-      return refuse_angle(i, theirs.angles[i - 1] + 1e-5, turn, "angles increase, by 1e-5 rad or more");
+      return refuse_angle(i, theirs.angles[i - 1] + 1e-5, turn, "angles must increase, by 1e-5 rad or more");
   const std::uint32_t rows = theirs.row_count;
   if (rows > 1 && theirs.y == nullptr)
-    return Fault::null("config.roundness.y", "where more than one row is given, so is where they are");
+    return Fault::null("config.roundness.y",
+                       "more than one row needs the places of the rows across the tread");
   for (std::uint32_t r = 1; r < rows; ++r)
     if (!(theirs.y[r] >= theirs.y[r - 1] + 1e-4))
       return Fault::range({"config.roundness.y", r}, {theirs.y[r], "m", theirs.y[r - 1] + 1e-4, 0.5},
-                          "rows increase, by 0.1 mm or more");
+                          "places of rows must increase, by 0.1 mm or more");
   constexpr double most = 0.005;
   const Fault fault =
       check_all(theirs.deviations, static_cast<std::size_t>(rows) * angles, "config.roundness.deviations",
@@ -289,7 +293,7 @@ Fault read_roundness(const wrc_config_roundness& theirs, surface::RadiusTable& t
     if (!(std::abs(row[angles - 1] - row[0]) <= tolerance))
       return Fault::range({"config.roundness.deviations", (r + 1) * angles - 1},
                           {row[angles - 1], "m", row[0] - tolerance, row[0] + tolerance},
-                          "the radius does not close: the last of a row is the first");
+                          "the radius does not close: the last value of a row must equal the first");
   }
   table = {static_cast<std::int32_t>(angles), static_cast<std::int32_t>(rows), theirs.angles, theirs.y,
            theirs.deviations};
@@ -319,9 +323,10 @@ Fault read_check_rail(const wrc_config* theirs, const wrc_config& config, contac
   const wrc_profile& profile = config.check_rail.profile;
   if (config.rail_section_count > 0)
     return Fault::unsupported("config.check_rail",
-                              "beside config.rail_sections a check rail is one of their surfaces");
+                              "with config.rail_sections give the check rail as one of their surfaces");
   if (config.roller_curvature != 0.0)
-    return Fault::unsupported("config.check_rail", "a roller has none: leave config.roller_curvature 0");
+    return Fault::unsupported("config.check_rail",
+                              "a roller has no check rail: leave config.roller_curvature 0");
   contact::ProfileSource source;
   RETURN_IF_FAILED(read_profile(profile, name, source));
   if (!is_rail(source.kind)) return Fault::profile(name, "this is a wheel profile");

@@ -69,8 +69,9 @@ Fault find_conicity(const wrc_conicity_problem* theirs, wrc_conicity* conicity) 
   const double widest = 0.5 * (problem.lateral[problem.count - 1] - problem.lateral[0]);
   for (std::uint32_t i = 0; i < problem.amplitude_count; ++i) {
     if (problem.amplitudes[i] > widest * (1.0 + 1e-12))
-      return Fault::range({"problem.amplitudes", i}, {problem.amplitudes[i], "m", 1e-6, widest},
-                          "the displacements do not reach that far: it is half the way from side to side");
+      return Fault::range(
+          {"problem.amplitudes", i}, {problem.amplitudes[i], "m", 1e-6, widest},
+          "the displacements do not reach that far: an amplitude is half the distance from side to side");
   }
   std::vector<double> potential(problem.count);
   const profiles::RadiusDifference of{problem.count, problem.lateral, problem.radius_difference,

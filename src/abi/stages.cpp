@@ -55,8 +55,9 @@ Fault check_increasing(const double* y, std::uint32_t count, const char* of, con
                        const char* spacing, const char* cause) {
   for (std::uint32_t j = 1; j < count; ++j) {
     if (y[j] > y[j - 1] && y[j] - y[j - 1] < patch::row_spacing_least) {
-      return Fault::gap({of, spacing, j}, {y[j] - y[j - 1], "m", patch::row_spacing_least, 0.6},
-                        "so close together, slopes are made of the errors of heights: leave one out");
+      return Fault::gap(
+          {of, spacing, j}, {y[j] - y[j - 1], "m", patch::row_spacing_least, 0.6},
+          "they are so close together that slopes come from errors of the heights: leave one out");
     }
     if (!(y[j] > y[j - 1])) {
       return Fault::gap({of, field, j}, {y[j], "m"}, cause);

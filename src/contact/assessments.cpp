@@ -58,7 +58,7 @@ Fault region_tractions_needed(const Contact& contact, std::int32_t index, const 
   if (contact.newest == Solution::stages) return tractions_needed(contact, why_not);
   if (has_tractions(contact)) return {};
   return Fault::unsupported("config.tangential.method",
-                            "whole patches rolled: their strips have no tractions");
+                            "patches rolled as a whole: their strips have no tractions");
 }
 
 // ----------------------------------------------------------------------------------------------------------

@@ -203,8 +203,7 @@ std::int32_t cells_of_newest(const Contact& contact) {
 
 Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
   const bool wheel = contact.newest == Solution::wheel;
-  if (wheel && !contact.wheel_solved)
-    return Fault::sequence("contact", "the last wheel on a rail has failed");
+  if (wheel && !contact.wheel_solved) return Fault::sequence("contact", "the last wrc_contact_wrench failed");
   if (!wheel && contact.reached < Stage::patch)
     return Fault::sequence("contact",
                            "nothing has been solved yet: call wrc_contact_wrench or wrc_planar_normal first");

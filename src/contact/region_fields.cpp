@@ -42,7 +42,7 @@ Fault check_needs(const Contact& contact, FieldNeeds needs) {
   if (!wheel) return tractions_needed(contact, "this method has no tractions over the patch: choose another");
   return has_tractions(contact)
              ? Fault{}
-             : Fault::unsupported("field", "whole patches rolled: their strips have no tractions");
+             : Fault::unsupported("field", "patches rolled as a whole: their strips have no tractions");
 }
 
 /// Position of a field in a run of fields that begins with `first`.

@@ -79,14 +79,15 @@ Fault check_read(const Model& model, const HostWheel& hosted) {
                               "the rail is no roller: give config.roller_curvature, or leave it 0");
   const surface::RailMotion& rail = hosted.rail;
   if (roller && (rail.slope_y != 0.0 || rail.slope_z != 0.0))
-    return Fault::unsupported(
-        rail.slope_y != 0.0 ? "input.rail.y_slope" : "input.rail.z_slope",
-        {rail.slope_y != 0.0 ? rail.slope_y : rail.slope_z, ""},
-        "a roller leads nowhere along the track: turn its axle by the wheel's yaw, and leave it 0");
+    return Fault::unsupported(rail.slope_y != 0.0 ? "input.rail.y_slope" : "input.rail.z_slope",
+                              {rail.slope_y != 0.0 ? rail.slope_y : rail.slope_z, ""},
+                              "a roller has no slope along the track: give the angle of its axle by the "
+                              "wheel's yaw, and leave it 0");
   constexpr double beside_roller = 0.2;  // [m]
   if (roller && !(std::abs(hosted.distance) <= beside_roller))
-    return Fault::range("input.distance", {hosted.distance, "m", -beside_roller, beside_roller},
-                        "the wheel does not stand on the roller: it is counted from above its axle");
+    return Fault::range(
+        "input.distance", {hosted.distance, "m", -beside_roller, beside_roller},
+        "the wheel does not stand on the roller: this distance counts from the place above its axle");
   if (hosted.distance != 0.0 && !reads_distance(model))
     return Fault::unsupported("input.distance", {hosted.distance, "m"},
                               "the rail is the same everywhere: give config.rail_sections, or leave it 0");
@@ -96,7 +97,7 @@ Fault check_read(const Model& model, const HostWheel& hosted) {
   if (hosted.time != 0.0 && !model.options.surface_memory)
     return Fault::unsupported(
         "input.time_step", {hosted.time, "s"},
-        "nothing is remembered from a step to the next: give config.surface.memory, or leave it 0");
+        "the model remembers nothing between steps: set config.surface.memory to 1, or leave it 0");
   return {};
 }
 
@@ -185,7 +186,7 @@ Fault check_memory(const Model& model, const HostWheel& hosted) {
   if (hosted.friction.law.heated())
     return Fault::unsupported(
         "input.friction.temperature_law",
-        "temperatures are those of steady rolling, which config.surface.memory has not");
+        "temperatures are those of steady rolling, which config.surface.memory does not solve");
   if (hosted.friction.layer.present())
     return Fault::unsupported("input.friction.layer_thickness, layer_yield",
                               "config.surface.memory remembers tractions, not how far a layer has flowed");
@@ -212,8 +213,9 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
                : "derivatives of a wrench are those of WRC_TANGENTIAL_STRIP_FASTSIM alone");
   }
   if (model.options.non_steady && !model.options.surface_memory) {
-    return Fault::unsupported("config.planar.non_steady",
-                              "it is of the stages: wrc_contact_wrench remembers with config.surface.memory");
+    return Fault::unsupported(
+        "config.planar.non_steady",
+        "only the planar stages read it: for wrc_contact_wrench set config.surface.memory");
   }
 
   fault = check_memory(model, hosted);
@@ -235,7 +237,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
     result = {};
     if (fault.failed()) return fault;
     return Fault::load("input.vertical_load", {hosted.vertical_load, "N"},
-                       "at no height does the rail carry this: is the wheel beside it?");
+                       "the rail carries this load at no height: is the wheel beside the rail?");
   }
 
   // back to the host: places while the wrench is still that of right-hand bodies

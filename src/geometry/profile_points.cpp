@@ -59,7 +59,7 @@ Fault check_rail_orientation(std::int32_t count, const double* y, const double* 
   const double mean = mean_height(count, y, z);
   if (mean - *top > *bottom - mean) {
     return Fault::profile({"rail profile z", bottom - z}, {*bottom, "m"},
-                          "the head is upside down: z must point down, turn its sign");
+                          "the head is upside down: z must point down; change the sign of all z");
   }
   if (top == z || top == z + count - 1) {
     return Fault::profile(
@@ -87,7 +87,7 @@ Fault check_wheel_orientation(std::int32_t count, const double* y, const double*
   const auto flange = static_cast<std::int32_t>((upside_down ? least : most) - z);
   if (upside_down) {
     return Fault::profile({"wheel profile z", flange}, {z[flange], "m"},
-                          "the flange points up: z must point down, turn its sign");
+                          "the flange points up: z must point down; change the sign of all z");
   }
   if (y[flange] > 0.5 * (y[0] + y[count - 1])) {
     return Fault::profile(

@@ -198,7 +198,7 @@ SurfaceSolution SurfaceContact::at_load(const SurfaceProblem& problem) const {
   }
   if (!s.fault.failed() && s.row_forces.empty()) {
     s.fault = Fault::load("input.vertical_load", {load, "N"},
-                          "the wheel meets no rail at this pose, whatever its height");
+                          "the wheel meets no rail at this pose, at any height");
   }
   s.heights = heights;
   return s;

@@ -423,7 +423,7 @@ TEST(ForceTableFile, WithNumbersOfNoForceIsRefusedEvenIfItsChecksumIsRight) {
   header.checksum = file_checksum(bytes.data() + sizeof header, bytes.size() - sizeof header,
                                   file_checksum(&header, sizeof header));
   std::memcpy(bytes.data(), &header, sizeof header);
-  expect_mentions(complaint(bytes), "absurd");
+  expect_mentions(complaint(bytes), "out of range");
 }
 
 TEST(ForceTableFile, IsClosedWhateverHappens) {

