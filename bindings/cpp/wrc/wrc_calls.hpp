@@ -41,6 +41,8 @@ template <>
 inline wrc_conicity_problem defaults() noexcept { return wrc_conicity_problem_default(); }
 template <>
 inline wrc_profile_wear defaults() noexcept { return wrc_profile_wear_default(); }
+template <>
+inline wrc_rail_faces_problem defaults() noexcept { return wrc_rail_faces_problem_default(); }
 
 /** wrc_config_use() */
 inline status config_use(wrc_config& config, const char* name, span<char> text) noexcept { return wrc_config_use(&config, name, text.data(), text.size()); }
@@ -98,6 +100,12 @@ inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conic
 inline status profile_remove_wear(const wrc_profile_wear& wear, wrc_worn_profile& worn, span<char> text) noexcept { return wrc_profile_remove_wear(&wear, &worn, text.data(), text.size()); }
 /** wrc_flange_dimensions(); may change in a minor version */
 inline status flange_dimensions(std::uint32_t count, const double* y, const double* z, double flange_back_to_origin, wrc_flange& flange, span<char> text) noexcept { return wrc_flange_dimensions(count, y, z, flange_back_to_origin, &flange, text.data(), text.size()); }
+/** wrc_rail_faces_create(); may change in a minor version */
+inline status rail_faces_create(const wrc_rail_faces_problem& problem, wrc_rail_faces** faces, span<char> text) noexcept { return wrc_rail_faces_create(&problem, faces, text.data(), text.size()); }
+/** wrc_rail_faces_found(); may change in a minor version */
+inline status rail_faces_found(const wrc_rail_faces& faces, wrc_found_faces& found) noexcept { return wrc_rail_faces_found(&faces, &found); }
+/** wrc_rail_faces_outline(); may change in a minor version */
+inline status rail_faces_outline(const wrc_rail_faces& faces, std::uint32_t index, wrc_face_outline& outline) noexcept { return wrc_rail_faces_outline(&faces, index, &outline); }
 
 namespace detail {
 

@@ -116,7 +116,7 @@ def changed(number, **members):
     (dict(y=lambda y: np.r_[y[:60], y[59] + np.array([4e-3, 2e-3, 2e-3]), y[60:]], z=lambda z: np.r_[z[:60], z[59] + np.array([0.0, -3e-3, 3e-3]), z[60:]]),
      "section 3 at -0.4 m: the line crosses itself at y = .* mm"),
     (dict(y=lambda y: y - 0.004 * np.exp(-((np.arange(len(y)) - 60) / 4.0) ** 2)), "section 3 at -0.4 m: it overhangs: y goes back from"),
-    (dict(y=lambda y: y[:3], z=lambda z: z[:3]), "section 3 at -0.4 m: 3 values of y and 3 of z"),
+    (dict(y=lambda y: y[:3], z=lambda z: z[:3]), "section 3 at -0.4 m: 3 points that were measured"),
     (dict(y=lambda y: y[:-1]), "section 3 at -0.4 m: .* values of y and .* of z"),
 ])
 def test_unsound_sections(change, sentence):
