@@ -188,6 +188,9 @@ typedef struct wrc_face_outline {
 /** Faces that wrc_rail_faces_create() found. */
 typedef struct wrc_rail_faces wrc_rail_faces;
 
+/** Sections that wrc_section_file_read() read. */
+typedef struct wrc_section_file wrc_section_file;
+
 /** @name Defaults
  * As in wrc.h.
  * @rt hard @thread free
@@ -289,6 +292,47 @@ WRC_API int32_t wrc_rail_faces_outline(const wrc_rail_faces* faces, uint32_t ind
 /** Frees what wrc_rail_faces_create() made; NULL is ignored. Models made of its sections go on. @param faces the faces
  * @rt init @thread free */
 WRC_API void wrc_rail_faces_destroy(wrc_rail_faces* faces);
+
+/** Reads measured sections. The file's ending and content say which it is:
+ *  - .slcs, slices of CONTACT: places and a file of points each, .prr of Simpack, .ban of MiniProf, any other in columns y, z;
+ *  - columns x, y, z: a point a line, those of a section together;
+ *  - columns number, place: the points of section 7 are in NAME_7.txt, where SectionPositionNAME.txt is the table's name, beside it
+ *    or in a folder NAME.
+ * Distances of the first are in the file's unit, of the last in m.
+ * @param path the file
+ * @param unit of the points, 1e-6..1 m; 0: mm or m, whichever fits
+ * @param mirror_y 1: turn y round, as the gauge side must be at y < 0; 0: leave it
+ * @param mirror_z 1: turn z round, as it must point down; 0: leave it
+ * @param[out] file the caller's, for wrc_section_file_destroy(); NULL on failure
+ * @param[out] text what went wrong, with the line; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _FILE, _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_section_file_read(const char* path, double unit, int32_t mirror_y, int32_t mirror_z, wrc_section_file** file,
+                                      char* text, uint64_t size);
+
+/** One of the sections. Its arrays are the handle's and end with it.
+ * @param file of wrc_section_file_read()
+ * @param index from 0
+ * @param[out] line the section; zero on failure
+ * @return WRC_OK; WRC_ERROR_NULL; _RANGE (there are no more).
+ * @rt init @thread free */
+WRC_API int32_t wrc_section_file_line(const wrc_section_file* file, uint32_t index, wrc_section_line* line);
+
+/** Frees what wrc_section_file_read() made; NULL is ignored. @param file the sections
+ * @rt init @thread free */
+WRC_API void wrc_section_file_destroy(wrc_section_file* file);
+
+/** Writes sections. A path that ends in .slcs gets slices of CONTACT, their points [mm] in NAME_1.txt and so on beside it, without
+ * gaps. Any other path gets columns x, y, z [m].
+ * @param path the file
+ * @param lines the sections, count of them
+ * @param count 1..100000
+ * @param[out] text what went wrong; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _FILE, _MEMORY.
+ * @rt init @thread free */
+WRC_API int32_t wrc_section_file_write(const char* path, const wrc_section_line* lines, uint32_t count, char* text, uint64_t size);
 /** @} */
 
 #ifdef __cplusplus

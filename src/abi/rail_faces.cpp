@@ -7,6 +7,7 @@
 
 #include "abi/guarded.hpp"
 #include "abi/structs.hpp"
+#include "profiles/section_file.hpp"
 #include "wrc/wrc_profiles.h"
 
 /// Faces, and the sections of a model that point into them.
@@ -16,23 +17,32 @@ struct wrc_rail_faces {
   std::vector<wrc_rail_section> sections;
 };
 
+/// Sections of a file.
+struct wrc_section_file {
+  std::uint64_t tag;
+  std::vector<wrc::profiles::MeasuredSection> sections;
+};
+
 namespace wrc::abi {
 namespace {
 
-constexpr std::uint64_t faces_tag = 0x7365636166;  // "faces"
+constexpr std::uint64_t faces_tag = 0x7365636166;     // "faces"
+constexpr std::uint64_t file_tag = 0x6e6f6974636573;  // "section"
 
 bool is_faces(const wrc_rail_faces* handle) { return handle != nullptr && handle->tag == faces_tag; }
+bool is_file(const wrc_section_file* handle) { return handle != nullptr && handle->tag == file_tag; }
 
 using profiles::FaceKind;
 static_assert(same<WRC_FACE_RAIL>(FaceKind::rail) && same<WRC_FACE_STOCK>(FaceKind::stock) &&
               same<WRC_FACE_BLADE>(FaceKind::blade) && same<WRC_FACE_WING>(FaceKind::wing) &&
               same<WRC_FACE_NOSE>(FaceKind::nose) && same<WRC_FACE_CHECK>(FaceKind::check));
 
-/// Lines of the caller, which may have gaps.
-Fault read_lines(const wrc_rail_faces_problem& ours, std::vector<profiles::MeasuredSection>& sections) {
-  for (std::uint32_t k = 0; k < ours.section_count; ++k) {
+/// Lines of the caller, which may have gaps. `name`: of the argument.
+Fault read_lines(const wrc_section_line* lines, std::uint32_t count, const char* name,
+                 std::vector<profiles::MeasuredSection>& sections) {
+  for (std::uint32_t k = 0; k < count; ++k) {
     wrc_section_line section;
-    Fault fault = read(&ours.sections[k], "problem.sections", section);
+    Fault fault = read(&lines[k], name, section);
     fault.index = static_cast<std::int32_t>(k);
     fault.distance = section.distance;
     if (fault.failed()) return fault;
@@ -71,7 +81,7 @@ Fault create_faces(const wrc_rail_faces_problem* theirs, wrc_rail_faces*& handle
   wrc_rail_faces_problem ours;
   RETURN_IF_FAILED(read(theirs, "problem", ours));
   profiles::FacesProblem problem;
-  RETURN_IF_FAILED(read_lines(ours, problem.sections));
+  RETURN_IF_FAILED(read_lines(ours.sections, ours.section_count, "problem.sections", problem.sections));
   problem.interruptions.assign(ours.interruptions, ours.interruptions + ours.interruption_count);
   problem.first = ours.first;
   problem.last = ours.last;
@@ -131,6 +141,43 @@ Fault face_outline(const wrc_rail_faces* handle, std::uint32_t index, wrc_face_o
   return {};
 }
 
+/// `why`: sentence of a file that cannot be used, which outlives the fault.
+Fault read_file(const char* path, const profiles::FileAxes& axes, wrc_section_file*& handle,
+                std::string& why) {
+  if (path == nullptr) return Fault::null("path");
+  if (axes.unit != 0.0) RETURN_IF_FAILED(check(axes.unit, "unit", "m", 1e-6, 1.0));
+  auto made = std::make_unique<wrc_section_file>();
+  made->tag = file_tag;
+  RETURN_IF_FAILED(profiles::read_section_file(path, axes, made->sections, why));
+  handle = made.release();
+  return {};
+}
+
+Fault file_line(const wrc_section_file* handle, std::uint32_t index, wrc_section_line* line) {
+  if (line == nullptr) return Fault::null("line");
+  *line = {};
+  if (!is_file(handle)) return Fault::null("file");
+  if (index >= handle->sections.size())
+    return Fault::range("index", {index, ""}, "there are no more sections");
+  const profiles::MeasuredSection& section = handle->sections[index];
+  line->distance = section.distance;
+  line->count = static_cast<std::uint32_t>(section.line.size());
+  line->y = section.line.y.data();
+  line->z = section.line.z.data();
+  return {};
+}
+
+Fault write_file(const char* path, const wrc_section_line* lines, std::uint32_t count, std::string& why) {
+  if (path == nullptr) return Fault::null("path");
+  if (lines == nullptr) return Fault::null("lines");
+  RETURN_IF_FAILED(check(count, "count", "", 1.0, 1e5));
+  std::vector<profiles::MeasuredSection> sections;
+  RETURN_IF_FAILED(read_lines(lines, count, "lines", sections));
+  return profiles::write_section_file(path, sections, why);
+}
+
+constexpr const char* too_many = "there is not enough memory for so many points";
+
 }  // namespace
 }  // namespace wrc::abi
 
@@ -145,8 +192,7 @@ int32_t wrc_rail_faces_create(const wrc_rail_faces_problem* problem, wrc_rail_fa
   const auto create = [&] {
     return faces == nullptr ? wrc::Fault::null("faces") : abi::create_faces(problem, *faces, why);
   };
-  return abi::finish(__func__, abi::guarded(create, "problem.section_count", "there is not enough memory"),
-                     text, size);
+  return abi::finish(__func__, abi::guarded(create, "problem.sections", abi::too_many), text, size);
 }
 
 int32_t wrc_rail_faces_found(const wrc_rail_faces* faces, wrc_found_faces* found) {
@@ -161,6 +207,36 @@ void wrc_rail_faces_destroy(wrc_rail_faces* faces) {
   if (!abi::is_faces(faces)) return;
   faces->tag = 0;
   delete faces;
+}
+
+int32_t wrc_section_file_read(const char* path, double unit, int32_t mirror_y, int32_t mirror_z,
+                              wrc_section_file** file, char* text, uint64_t size) {
+  if (file != nullptr) *file = nullptr;
+  std::string why;
+  const auto read = [&]() -> wrc::Fault {
+    if (file == nullptr) return wrc::Fault::null("file");
+    RETURN_IF_FAILED(abi::check(mirror_y, "mirror_y", "", 0.0, 1.0));
+    RETURN_IF_FAILED(abi::check(mirror_z, "mirror_z", "", 0.0, 1.0));
+    return abi::read_file(path, {unit, mirror_y == 1, mirror_z == 1}, *file, why);
+  };
+  return abi::finish(__func__, abi::guarded(read, "path", abi::too_many), text, size, path);
+}
+
+int32_t wrc_section_file_line(const wrc_section_file* file, uint32_t index, wrc_section_line* line) {
+  return abi::file_line(file, index, line).status;
+}
+
+void wrc_section_file_destroy(wrc_section_file* file) {
+  if (!abi::is_file(file)) return;
+  file->tag = 0;
+  delete file;
+}
+
+int32_t wrc_section_file_write(const char* path, const wrc_section_line* lines, uint32_t count, char* text,
+                               uint64_t size) {
+  std::string why;
+  const auto write = [&] { return abi::write_file(path, lines, count, why); };
+  return abi::finish(__func__, abi::guarded(write, "lines", abi::too_many), text, size, path);
 }
 
 }  // extern "C"

@@ -3433,6 +3433,10 @@ _wrc_rail_faces_create = _l.function(FUNCTIONS, 'wrc_rail_faces_create', c.c_int
 _wrc_rail_faces_found = _l.function(FUNCTIONS, 'wrc_rail_faces_found', c.c_int32, [c.c_void_p, c.POINTER(FoundFaces)])
 _wrc_rail_faces_outline = _l.function(FUNCTIONS, 'wrc_rail_faces_outline', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(FaceOutline)])
 _wrc_rail_faces_destroy = _l.function(FUNCTIONS, 'wrc_rail_faces_destroy', None, [c.c_void_p])
+_wrc_section_file_read = _l.function(FUNCTIONS, 'wrc_section_file_read', c.c_int32, [c.c_char_p, c.c_double, c.c_int32, c.c_int32, c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_section_file_line = _l.function(FUNCTIONS, 'wrc_section_file_line', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(SectionLine)])
+_wrc_section_file_destroy = _l.function(FUNCTIONS, 'wrc_section_file_destroy', None, [c.c_void_p])
+_wrc_section_file_write = _l.function(FUNCTIONS, 'wrc_section_file_write', c.c_int32, [c.c_char_p, c.POINTER(SectionLine), c.c_uint32, c.c_char_p, c.c_uint64])
 
 
 class ModelCalls(_l.Handle):

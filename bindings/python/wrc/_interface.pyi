@@ -3430,6 +3430,10 @@ _wrc_rail_faces_create: Callable[..., Any]
 _wrc_rail_faces_found: Callable[..., Any]
 _wrc_rail_faces_outline: Callable[..., Any]
 _wrc_rail_faces_destroy: Callable[..., Any]
+_wrc_section_file_read: Callable[..., Any]
+_wrc_section_file_line: Callable[..., Any]
+_wrc_section_file_destroy: Callable[..., Any]
+_wrc_section_file_write: Callable[..., Any]
 
 class ModelCalls(_l.Handle):
     """What Model has of the C interface as it is."""

@@ -16,7 +16,7 @@ import numpy as np
 
 from . import _interface as i
 from . import _library as _l
-from .profiles import UNITS, _columns, _simpack
+from .profiles import UNITS
 
 _SENTENCE = 1024  # bytes
 
@@ -41,7 +41,6 @@ class MeasuredSection:
     distance: float
     y: np.ndarray
     z: np.ndarray
-    name: str = ""
 
 
 @dataclasses.dataclass
@@ -109,111 +108,25 @@ def read_sections(path: Union[str, "os.PathLike[str]"], *, unit: Optional[str] =
         are in the file's own unit (S_SCALE; m)
     mirror_y, mirror_z: turn that axis: the gauge side must be at y < 0 and z point down
     """
-    path = os.fspath(path)
     if unit is not None and unit not in UNITS:
         raise ValueError(f"there is no unit {unit!r}: choose {', '.join(UNITS)}")
-    with open(path, encoding="utf-8", errors="replace") as file:
-        rows = file.read().splitlines()
-    if path.lower().endswith(".slcs"):
-        found = _read_slcs(path, rows)
-    else:
-        table = np.array([[float(each) for each in re.split(r"[,;\s]+", text)] for row in rows
-                          for text in [re.split(r"[#!%]", row)[0].strip(" ,;\t")] if text and re.match(r"[-+.\d]", text)])
-        if table.ndim != 2 or table.shape[1] not in (2, 3):
-            raise ValueError(f"{path}: neither columns x, y, z nor number and place")
-        found = _read_cloud(path, table) if table.shape[1] == 3 else _read_table(path, table)
-    scale = UNITS[unit] if unit else _fitting(found)
-    for each in found:
-        each.y, each.z = each.y * (-scale if mirror_y else scale), each.z * (-scale if mirror_z else scale)
-        if mirror_y:
-            each.y, each.z = each.y[::-1], each.z[::-1]
-    if path.lower().endswith("slcs") or table.shape[1] == 2:
-        return found
-    for each in found:
-        each.distance *= scale
-    return found
-
-
-def _fitting(sections: Sequence[MeasuredSection]) -> float:
-    width = float(np.median([np.ptp(each.y[np.isfinite(each.y)]) for each in sections]))
-    for name in ("mm", "m"):
-        if 0.02 <= width * UNITS[name] <= 1.0:
-            return UNITS[name]
-    raise ValueError(f"sections are {width:g} wide, which is a rail neither in mm nor in m: pass unit=")
-
-
-def _points(path: str) -> Tuple[np.ndarray, np.ndarray]:
-    with open(path, encoding="utf-8", errors="replace") as file:
-        rows = file.read().splitlines()
-    if path.lower().endswith(".prr"):
-        points, _, _, said = _simpack(path, rows, "rail", [])
-        scale = said * 1e3 if isinstance(said, float) else 1.0  # to mm, in which other files of .prr are
-        return points[:, 0] * scale, points[:, 1] * scale
-    miniprof = path.lower().endswith(".ban")
-    points = _columns(path, rows, miniprof, None if miniprof else (0, 1), [])[0]
-    return points[:, 0], points[:, 1]
-
-
-def _read_slcs(path: str, rows: List[str]) -> List[MeasuredSection]:
-    """Offset and scale, number of slices, of features, kind of interpolation; then places with names of files. Features that
-    follow are not read: the faces are found anew."""
-    lines = [(at, text) for at, row in enumerate(rows, 1) for text in [row.split("%")[0].strip()] if text]
+    handle, text = c.c_void_p(), c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_section_file_read(os.fsencode(path), UNITS[unit] if unit else 0.0, mirror_y, mirror_z, c.byref(handle), text, _SENTENCE), text)
+    found: List[MeasuredSection] = []
     try:
-        offset, scale = (float(each) for each in lines[0][1].split()[:2])
-        count = int(lines[1][1].split()[0])
-    except (IndexError, ValueError):
-        raise ValueError(f"{path}: no heading of slices: offset and scale, then their number") from None
-    named = [(at, re.match(r"([-+.\deEdD]+)\s+'([^']+)'", text)) for at, text in lines[2:]]
-    slices = [(at, float(each.group(1)), each.group(2)) for at, each in named if each]
-    if len(slices) != count:
-        raise ValueError(f"{path}: {count} slices are promised, {len(slices)} named: is the file whole?")
-    found = []
-    for at, place, name in slices:
-        file = os.path.join(os.path.dirname(path), name.replace("\\", "/"))
-        if not os.path.exists(file):
-            raise ValueError(f"{path}:{at}: there is no file {file}")
-        y, z = _points(file)
-        found.append(MeasuredSection(1e-3 * (offset + place) * scale, y, z, name))
+        line = i.SectionLine()
+        while i._wrc_section_file_line(handle, len(found), line) == i.Status.OK:
+            found.append(MeasuredSection(line.distance, line.y.copy(), line.z.copy()))
+    finally:
+        i._wrc_section_file_destroy(handle)
     return found
-
-
-def _read_table(path: str, table: np.ndarray) -> List[MeasuredSection]:
-    stem = re.sub(r"^SectionPosition", "", os.path.splitext(os.path.basename(path))[0])
-    folder = os.path.dirname(path)
-    found = []
-    for number, place in table:
-        name = f"{stem}_{int(number)}.txt"
-        file = next((each for each in (os.path.join(folder, name), os.path.join(folder, stem, name)) if os.path.exists(each)), None)
-        if file is None:
-            raise ValueError(f"{path}: section {int(number)} at {place:g} m has no file {name}")
-        found.append(MeasuredSection(float(place), *_points(file), name))
-    return found
-
-
-def _read_cloud(path: str, table: np.ndarray) -> List[MeasuredSection]:
-    starts = np.flatnonzero(np.r_[True, np.diff(table[:, 0]) != 0.0])
-    return [MeasuredSection(float(part[0, 0]), part[:, 1], part[:, 2], path) for part in np.split(table, starts[1:])]
 
 
 def write_sections(path: Union[str, "os.PathLike[str]"], sections: Sequence[MeasuredSection]) -> None:
-    """Writes sections as .slcs of CONTACT, with their points [mm] in a folder of the same name; as columns x, y, z [m] where the
-    name ends otherwise. Places of .slcs are in m."""
-    path = os.fspath(path)
-    stem, ending = os.path.splitext(path)
-    if ending.lower() != ".slcs":
-        np.savetxt(path, np.vstack([np.column_stack([np.full(len(each.y), each.distance), each.y, each.z]) for each in sections]),
-                   fmt="%.9g", header="x [m] y [m] z [m]")
-        return
-    os.makedirs(stem, exist_ok=True)
-    rows = ["% sections of a rail", "   0.0   1000.0   U_OFFSET [usr], U_SCALE [mm/usr],  usr = m", f"   {len(sections)}   NSLC",
-            "   0   0   0   NFEAT, NKINK, NACCEL", "   1   U_INTPOL (1=intpol, 2=approx)", ""]
-    for number, each in enumerate(sections, 1):
-        name = f"{os.path.basename(stem)}/section_{number}.txt"
-        there = np.isfinite(each.y) & np.isfinite(each.z)
-        np.savetxt(os.path.join(stem, f"section_{number}.txt"), 1e3 * np.column_stack([each.y, each.z])[there], fmt="%.7f")
-        rows.append(f"  {each.distance:.7f}   '{name}'")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write("\n".join(rows) + "\n")
+    """Writes sections as .slcs of CONTACT, with their points [mm] in NAME_1.txt and so on beside it; as columns x, y, z [m] where the
+    path ends otherwise. Places of .slcs are in m."""
+    lines, text = _lines(sections), c.create_string_buffer(_SENTENCE)
+    _l.check(i._wrc_section_file_write(os.fsencode(path), (i.SectionLine * len(lines))(*lines), len(lines), text, _SENTENCE), text)
 
 
 # ------------------------------------------------------------------------------------------------------------- faces
@@ -225,13 +138,7 @@ def rail_faces(sections: Sequence[MeasuredSection], **limits: Any) -> RailFaces:
     limits: members of wrc.RailFacesProblem: interruptions, depth, gap, kink, least_width, tolerance; first and last, the part of the
         track that is wanted [m]
     """
-    given = []
-    for number, each in enumerate(sections, 1):
-        y, z = (np.asarray(values, float) for values in (each.y, each.z))
-        if y.shape != z.shape or y.ndim != 1:
-            raise SectionError(number, each.distance, f"{y.size} values of y and {z.size} of z")
-        given.append(i.SectionLine(distance=each.distance, y=y, z=z))
-    problem = i.RailFacesProblem(sections=given, **limits)
+    problem = i.RailFacesProblem(sections=_lines(sections), **limits)
     handle, text = c.c_void_p(), c.create_string_buffer(_SENTENCE)
     status = i._wrc_rail_faces_create(problem, c.byref(handle), text, _SENTENCE)
     unsound = re.search(r"problem\.sections\[(\d+)\]: [^:]*: (.*?)( \(section \d+ at \S+ m\))?$", text.value.decode())
@@ -243,6 +150,17 @@ def rail_faces(sections: Sequence[MeasuredSection], **limits: Any) -> RailFaces:
         return _faces(handle, sections, limits)
     finally:
         i._wrc_rail_faces_destroy(handle)
+
+
+def _lines(sections: Sequence[MeasuredSection]) -> List[i.SectionLine]:
+    """Sections as the library reads them."""
+    made = []
+    for number, each in enumerate(sections, 1):
+        y, z = (np.asarray(values, float) for values in (each.y, each.z))
+        if y.shape != z.shape or y.ndim != 1:
+            raise SectionError(number, each.distance, f"{y.size} values of y and {z.size} of z")
+        made.append(i.SectionLine(distance=each.distance, y=y, z=z))
+    return made
 
 
 def _faces(handle: c.c_void_p, sections: Sequence[MeasuredSection], limits: Dict[str, Any]) -> RailFaces:
