@@ -885,7 +885,7 @@ static void pass(double t, const double* s, const Vehicle* v, void* user) {
 
 /* Steps of one length by two linearly implicit stages (ROS2, gamma = 1 - 1/sqrt 2): second order, what is
  * fast is damped. No step is taken twice. */
-static double step_through(Vehicle* v, double* s, double until, double step, Look look, void* told) {
+static double step_through(Vehicle* v, double* s, double until, double step, Look tell, void* told) {
   const double gamma = 1.0 - 1.0 / sqrt(2.0);
   SUNContext context;
   if (SUNContext_Create(NULL, &context)) exit(EXIT_FAILURE);
@@ -896,7 +896,7 @@ static double step_through(Vehicle* v, double* s, double until, double step, Loo
   const clock_t began = clock();
   for (int n = 0; n * step < until; ++n) {
     if (motion(n * step, s, rate, matrix, v)) break;
-    if (look) look(n * step, s, v, told);
+    if (tell) tell(n * step, s, v, told);
     for (int i = 0; i < STATES; ++i)
       for (int j = 0; j < STATES; ++j)
         SM_ELEMENT_D(matrix, i, j) = (i == j) - gamma * step * SM_ELEMENT_D(matrix, i, j);

@@ -163,7 +163,7 @@ typedef struct wrc_found_faces {
   uint32_t face_count;         /**< faces */
   uint32_t outline_count;      /**< outlines of all faces, for wrc_rail_faces_outline() */
   uint32_t rail_section_count; /**< for config.rail_section_count, which takes 1000 at most */
-  uint32_t rail_section_size;  /**< for config.rail_section_size */
+  uint32_t rail_section_size;  /**< sizeof(wrc_rail_section), for config.rail_section_size */
   uint32_t reserved0;          /**< 0 */
   const wrc_rail_section* rail_sections; /**< for config.rail_sections, without check rails */
   const char* notes;           /**< what was left out or joined: sentences, each with its end of line */
@@ -269,8 +269,8 @@ WRC_API int32_t wrc_flange_dimensions(uint32_t count, const double* y, const dou
  * @param[out] faces the caller's, for wrc_rail_faces_destroy(); NULL on failure
  * @param[out] text what went wrong, as wrc_contact_last_error writes it, with the section's number and distance; NULL: not wanted
  * @param size bytes of text
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _MEMORY; _PROFILE (a section out of order, measured twice, in
- * another unit, upside down, from the field side, that crosses itself, overhangs, or has nothing above the depth).
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _MEMORY; _PROFILE (a section that is out of order,
+ * in another unit or upside down, crosses itself or overhangs).
  * @rt init @thread free */
 WRC_API int32_t wrc_rail_faces_create(const wrc_rail_faces_problem* problem, wrc_rail_faces** faces, char* text, uint64_t size);
 

@@ -128,7 +128,7 @@ class Follower {
   }
 };
 
-/// An outline without what lies deeper on its steep field side.
+/// An outline without the part that lies deeper on its steep field side.
 Outline shortened_at_end(const Outline& line, double depth) {
   std::size_t last = line.size() - 1;
   while (last > 3 && line.z[last - 1] > depth &&
@@ -156,7 +156,7 @@ Outline mirrored(const Outline& line) {
 /// Ends the steep sides of all outlines equally deep below their tops, as shares of length would shift
 /// otherwise. The gauge side is a wheel's down to 18 mm.
 void even_sides(std::vector<FaceOutline>& outlines) {
-  constexpr double whole[] = {18e-3, 1e-3};  // of the gauge and the field side [m]
+  constexpr double whole[] = {18e-3, 1e-3};  // depths of the gauge and the field side [m]
   for (const int side : {0, 1}) {
     const auto depth_of = [&](const Outline& line) {
       return (side == 0 ? line.z.front() : line.z.back()) - line.top();
@@ -355,7 +355,7 @@ void add_faces(const Run& run, const FacesProblem& problem, FaceKind kind, RailF
 /// Pieces of two faces in the same section, the other further to the field side.
 struct Beside {
   const Piece *own, *other;
-  std::size_t run;  ///< of the other
+  std::size_t run;  ///< number of the other's
 };
 
 std::vector<Beside> fieldwards_of(const std::vector<Run>& runs, std::size_t run) {
@@ -390,7 +390,7 @@ std::optional<FaceKind> kind_of_gauge_face(const std::vector<Run>& runs, std::si
 /// Kind of a face by its place beside the others.
 FaceKind kind_of(const std::vector<Run>& runs, std::size_t run) {
   if (const std::optional<FaceKind> own = kind_of_gauge_face(runs, run)) return *own;
-  // On its field side is none: those that have it on theirs say what it is.
+  // On its field side is none: those that have it on theirs name it.
   bool beside_blade = false, beside_nose = false;
   for (std::size_t other = 0; other < runs.size(); ++other) {
     if (other == run) continue;

@@ -15,7 +15,7 @@ enum class FaceKind { rail, stock, blade, wing, nose, check };
 
 /// A face in one of the sections.
 struct FaceOutline {
-  std::size_t number = 0;      ///< of the section
+  std::size_t number = 0;      ///< number of the section
   double distance = 0.0;       ///< along the track [m]
   Outline line;                ///< as measured
   std::vector<double> marks;   ///< y of corners that belong together, as many in each outline of a face [m]
@@ -32,7 +32,7 @@ struct Face {
 /// Faces from the gauge side; sentences, a line each.
 struct RailFaces {
   std::vector<Face> faces;
-  std::string notes;  ///< what was left out or joined
+  std::string notes;  ///< pieces that were left out or joined
   std::string thin;   ///< where sections are too far apart, or faces too many
 };
 

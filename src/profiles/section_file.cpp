@@ -49,7 +49,7 @@ double key_of(const Keys& keys, const char* name, double otherwise) {
 /// Angle by which it is turned [rad].
 double turn_of(const Keys& keys) { return key_of(keys, "rotate", 0.0) / key_of(keys, "units.ang.f", 1.0); }
 
-/// What the keys ask for, in the order of Simpack's own reader; points in mm.
+/// Applies the keys, in the order of Simpack's own reader; points in mm.
 void apply_keys(const Keys& keys, Outline& points) {
   const auto key = [&](const char* name, double otherwise) { return key_of(keys, name, otherwise); };
   const double nearest = key("point.dist.min", 0.0), turn = turn_of(keys), cosine = sine_cosine(turn).cosine,

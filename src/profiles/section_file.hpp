@@ -12,7 +12,7 @@ namespace wrc::profiles {
 
 /// Unit and directions of a file's points.
 struct FileAxes {
-  double unit = 0.0;  ///< of its points [m]; 0: mm or m, whichever fits
+  double unit = 0.0;  ///< unit of the points [m]; 0: mm or m, whichever fits
   bool mirror_y = false, mirror_z = false;
 };
 

@@ -34,7 +34,7 @@ std::string misplaced(const std::vector<MeasuredSection>& sections, std::size_t 
   if (!std::isfinite(here)) return "its distance is no finite number";
   if (k == 0) return {};
   const double before = sections[k - 1].distance;
-  const auto number = static_cast<std::int32_t>(k);  // of the one before, counted from 1
+  const auto number = static_cast<std::int32_t>(k);  // number of the one before, counted from 1
   if (here == before) return sentence("it lies where section ", number, " does: was it measured twice?");
   if (here < before)
     return sentence("it lies before section ", number, " at ", before,

@@ -26,13 +26,13 @@ struct FacesProblem {
   double gap = 0.0;                   ///< between two points at which a line is parted [m]
   double kink = 0.0;                  ///< turn of a concave corner at which it is parted [rad]
   double least_width = 0.0;           ///< narrower pieces are left out [m]
-  double tolerance = 0.0;             ///< of a section from the mean of its neighbours [m]
+  double tolerance = 0.0;             ///< distance of a section from the mean of its neighbours [m]
   std::size_t most_faces = 0;         ///< that a model holds
 };
 
 /// Part of a section's line between two cuts.
 struct Piece {
-  std::size_t number = 0;  ///< of the section
+  std::size_t number = 0;  ///< number of the section
   Outline line;
 };
 
@@ -42,8 +42,8 @@ Fault unsound(const MeasuredSection& section, std::size_t number, const std::str
 /// Are the sections sound: order along the track, unit, direction, no crossing of themselves?
 Fault check_sections(const std::vector<MeasuredSection>& sections, std::string& why);
 
-/// The pieces of each section above the depth, cut at gaps and concave corners. `notes` receives what is left
-/// out.
+/// The pieces of each section above the depth, cut at gaps and concave corners. `notes` receives those
+/// left out.
 Fault part_sections(const FacesProblem& problem, std::vector<std::vector<Piece>>& pieces, std::string& notes,
                     std::string& why);
 

@@ -3266,7 +3266,6 @@ class FoundFaces(s.Struct):
       face_count: faces
       outline_count: outlines of all faces, for rail_faces()
       rail_section_count: for config.rail_section_count, which takes 1000 at most
-      rail_section_size: for config.rail_section_size
       rail_sections: for config.rail_sections, without check rails
       notes: what was left out or joined: sentences, each with its end of line
       thin: where sections are too far apart, or faces more than a model holds; as notes
@@ -3277,8 +3276,7 @@ class FoundFaces(s.Struct):
     face_count: int
     outline_count: int
     rail_section_count: int
-    rail_section_size: int
-    rail_sections: Optional[RailSection] = s.Reference('rail_sections')  # type: ignore[assignment]
+    rail_sections: Optional[RailSection] = s.Reference('rail_sections', size='rail_section_size')  # type: ignore[assignment]
     notes: Optional[str] = s.Text('notes')  # type: ignore[assignment]
     thin: Optional[str] = s.Text('thin')  # type: ignore[assignment]
     _fields_ = [
@@ -3286,7 +3284,7 @@ class FoundFaces(s.Struct):
         ('face_count', c.c_uint32),
         ('outline_count', c.c_uint32),
         ('rail_section_count', c.c_uint32),
-        ('rail_section_size', c.c_uint32),
+        ('_rail_section_size', c.c_uint32),
         ('_reserved0', c.c_uint32),
         ('_rail_sections', c.POINTER(RailSection)),
         ('_notes', c.c_char_p),

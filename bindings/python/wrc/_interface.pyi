@@ -3257,8 +3257,6 @@ class FoundFaces(s.Struct):
     """outline_count: outlines of all faces, for rail_faces()"""
     rail_section_count: int
     """rail_section_count: for config.rail_section_count, which takes 1000 at most"""
-    rail_section_size: int
-    """rail_section_size: for config.rail_section_size"""
     rail_sections: Optional[RailSection]
     """rail_sections: for config.rail_sections, without check rails"""
     @property
@@ -3271,9 +3269,9 @@ class FoundFaces(s.Struct):
         """thin: where sections are too far apart, or faces more than a model holds; as notes"""
     @thin.setter
     def thin(self, value: Optional[s.Path]) -> None: ...
-    def __init__(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_section_size: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> None:
+    def __init__(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_section_size: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> FoundFaces:  # type: ignore[override]
+    def set(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> FoundFaces:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FoundFacesDict(TypedDict, total=False):
@@ -3281,7 +3279,6 @@ class FoundFacesDict(TypedDict, total=False):
     face_count: int
     outline_count: int
     rail_section_count: int
-    rail_section_size: int
     rail_sections: Optional[RailSection]
     notes: Optional[s.Path]
     thin: Optional[s.Path]

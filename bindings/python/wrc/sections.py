@@ -116,7 +116,7 @@ def read_sections(path: Union[str, "os.PathLike[str]"], *, unit: Optional[str] =
     try:
         line = i.SectionLine()
         while i._wrc_section_file_line(handle, len(found), line) == i.Status.OK:
-            found.append(MeasuredSection(line.distance, line.y.copy(), line.z.copy()))
+            found.append(MeasuredSection(line.distance, np.array(line.y), np.array(line.z)))
     finally:
         i._wrc_section_file_destroy(handle)
     return found
@@ -126,7 +126,8 @@ def write_sections(path: Union[str, "os.PathLike[str]"], sections: Sequence[Meas
     """Writes sections as .slcs of CONTACT, with their points [mm] in NAME_1.txt and so on beside it; as columns x, y, z [m] where the
     path ends otherwise. Places of .slcs are in m."""
     lines, text = _lines(sections), c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_section_file_write(os.fsencode(path), (i.SectionLine * len(lines))(*lines), len(lines), text, _SENTENCE), text)
+    line: Any = i.SectionLine
+    _l.check(i._wrc_section_file_write(os.fsencode(path), (line * len(lines))(*lines), len(lines), text, _SENTENCE), text)
 
 
 # ------------------------------------------------------------------------------------------------------------- faces
@@ -165,7 +166,7 @@ def _lines(sections: Sequence[MeasuredSection]) -> List[i.SectionLine]:
 
 def _faces(handle: c.c_void_p, sections: Sequence[MeasuredSection], limits: Dict[str, Any]) -> RailFaces:
     """What a handle of the library holds, copied."""
-    found = i.FoundFaces._new()
+    found: Any = i.FoundFaces._new()
     _l.check(i._wrc_rail_faces_found(handle, found))
     faces: List[Face] = []
     taken = 0  # of the model's sections, which check rails have none of
@@ -178,7 +179,7 @@ def _faces(handle: c.c_void_p, sections: Sequence[MeasuredSection], limits: Dict
         marks = [] if outline.marks is None else outline.marks.tolist()
         face.numbers.append(outline.number)
         face.distances.append(outline.distance)
-        face.outlines.append((outline.y.copy(), outline.z.copy()))
+        face.outlines.append((np.array(outline.y), np.array(outline.z)))
         face.marks.append(marks)
         face.spacing_errors.append(outline.spacing_error)
         if face.kind != "check":
