@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What the Python tests need from PyPI, in build/venv: numpy, matplotlib, pytest, scikit-build-core, scipy, dask, pyarrow,
-# Exudyn, pandas with its types, mypy, basedpyright; for checks of the house codespell, proselint, conan, py-rattler-build; 800 MB. WRC_HOST_PYTHON names
+# Exudyn, scikit-sundae (CVODE), pandas with its types, mypy, basedpyright; for checks of the house codespell, proselint, conan,
+# py-rattler-build; 800 MB. WRC_HOST_PYTHON names
 # another Python that has them.
 #   environment.sh install                    makes it where something is missing; not with WRC_NO_INSTALL=1
 #   environment.sh test LIBRARY FOLDER [...]  builds the wheel of that libwrc.so, installs it in an empty virtual environment
@@ -39,8 +40,8 @@ case ${1:-} in
     fi
     echo "Installing Python packages from PyPI into build/venv (WRC_NO_INSTALL=1 prevents it)"
     if ! { python3 -m venv "$venv" && "$venv/bin/python" -m pip install -q --disable-pip-version-check numpy matplotlib pytest \
-             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6 pandas pandas-stubs mypy basedpyright codespell proselint conan \
-             py-rattler-build; }; then
+             scikit-build-core scipy dask distributed pyarrow exudyn==1.13.6 scikit-sundae pandas pandas-stubs mypy basedpyright codespell proselint \
+             conan py-rattler-build; }; then
       echo "Python packages could not be installed from PyPI: the tests of the Python package are skipped."
     fi
     ;;

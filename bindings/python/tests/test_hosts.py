@@ -51,3 +51,51 @@ def test_each_host_is_short_and_told(folder):
     files = [EXAMPLES / "wheelset.py", *(EXAMPLES / folder).glob("*.py")]
     assert len(files) == 2 and sum(len(each.read_text().splitlines()) for each in files) <= 100
     assert (EXAMPLES / folder / "README.md").exists()
+
+
+def numbers(pattern, told):
+    return [float(each) for each in re.search(pattern, told).groups()]
+
+
+def test_a_wheelset_that_remembers_stops_rests_and_rolls_off():
+    told = run("memory/parked.py", "--parked", 2)
+    turns, = numbers(r"turns of its speed afterwards: (\d+)", told)
+    force, weight, creeps = numbers(r"parked with (\S+) N \((\S+) N of weight\); creeps (\S+) um", told)
+    off, stands = numbers(r"rolls off to (\S+) m/s, and stops again with (\S+) m/s", told)
+    assert turns < 5 and creeps < 1e-3
+    assert force == pytest.approx(weight, rel=1e-4)
+    assert off < -0.5 and abs(stands) < 1e-9
+
+
+def test_a_locked_wheel_draws_mindlins_loop():
+    told = run("memory/parking_brake.py", "--cells", 20)
+    rows = re.findall(r"loss of a loop +\S+ mJ, closed form +\S+ \((\S+) %\), exact cells +\S+ \((\S+) %\); first loading within (\S+) %", told)
+    assert len(rows) == 3
+    for loss, exact, loading in np.array(rows, float):
+        assert abs(loss) < 10.0 and abs(exact) < 3.0 and loading < 1.0
+
+
+def test_forces_on_corrugation_follow_as_exact_contact_does():
+    told = run("memory/corrugation.py", "--short")
+    remembered = numbers(r"creepage +200 km/h, wave +20.0 mm = +2.0 patches: force (\S+) of steady rolling .* lags by +(\S+) degrees", told)
+    exact = numbers(r"exact .* force (\S+) of steady rolling .* lags by +(\S+) degrees", told)
+    long, lag = numbers(r"height +200 km/h, wave 100.0 mm = 10.2 patches: force (\S+) of steady rolling .* lags by +(\S+) degrees", told)
+    assert remembered[0] == pytest.approx(exact[0], abs=0.04) and remembered[1] == pytest.approx(exact[1], abs=10.0)
+    assert 0.85 < long < 1.0 and 10.0 < lag < 30.0
+
+
+def test_a_commit_for_each_step_that_cvode_accepts():
+    pytest.importorskip("sksundae")
+    told = run("memory/cvode.py", "--seconds", 5)
+    for name, most in (("memory", 800), ("without", 600)):
+        steps, stops = numbers(rf"^{name}: (\d+) steps, .* stops after (\S+) m".replace("^", "(?m)^"), told)
+        assert steps < most and stops == pytest.approx(2.4304, abs=2e-3)
+    rests, = numbers(r"(?m)^memory: .* in the last second it moves (\S+) um", told)
+    assert abs(rests) < 1.0
+
+
+def test_a_commit_before_each_step_of_exudyn():
+    pytest.importorskip("exudyn")
+    told = run("memory/exudyn_loop.py", "--seconds", 0.1)
+    iterations, = numbers(r"memory: no step failed, (\S+) Newton iterations per step", told)
+    assert iterations < 3.0
