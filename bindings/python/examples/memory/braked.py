@@ -3,6 +3,7 @@ mirror image. Speed v and angular velocity w about the axle (rolling forwards < 
 import numpy as np
 import wrc
 
+SLOPE, TORQUE, STIFFNESS, DAMPING = 0.02, 3e3, 1e6, 4e4  # of the track; of both hosts' brake N m, N m/rad, N m s/rad
 MASS, INERTIA, RADIUS, LOAD, GRAVITY = 10e3, 120.0, 0.46, 50e3, 9.81  # kg of a vehicle on it, kg m2, m, N a wheel, m/s2
 
 

@@ -7,11 +7,10 @@ are smooth within a step, not from step to step, so orders above 2 gain nothing.
 import argparse
 
 import numpy as np
-from braked import GRAVITY, INERTIA, MASS, RADIUS, Braked
+from braked import DAMPING, GRAVITY, INERTIA, MASS, RADIUS, SLOPE, STIFFNESS, TORQUE, Braked
 from sksundae.cvode import CVODE
 
 ATOL = np.array([1e-8, 2e-8, 1e-6, 2e-6, 1e-8])
-SLOPE, TORQUE, STIFFNESS, DAMPING = 0.02, 3e3, 1e6, 4e4  # -; of the brake N m, N m/rad, N m s/rad
 
 
 class Host:

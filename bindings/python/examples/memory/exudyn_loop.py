@@ -7,9 +7,9 @@ import argparse
 import exudyn
 import exudyn.itemInterface as items
 import numpy as np
-from braked import GRAVITY, INERTIA, MASS, RADIUS, Braked
+from braked import DAMPING, GRAVITY, INERTIA, MASS, RADIUS, SLOPE, STIFFNESS, TORQUE, Braked
 
-SLOPE, TORQUE, STIFFNESS, DAMPING, STEP = 0.02, 3e3, 1e6, 4e4, 1e-3  # -; of the brake N m, N m/rad, N m s/rad; s
+STEP = 1e-3  # s
 
 
 class Host:

@@ -6,7 +6,7 @@ import argparse
 
 import numpy as np
 import wrc
-from braked import GRAVITY, INERTIA, MASS, RADIUS, Braked
+from braked import GRAVITY, INERTIA, MASS, RADIUS, SLOPE, TORQUE, Braked
 
 STEP = 10e-3  # s
 
@@ -54,7 +54,7 @@ def journey(parked=10.0, memory=True):
     """Rows of time, x [m], v [m/s], w [rad/s], force of both wheels [N]; and when each part of the journey ends."""
     wheelset, speeds = Braked(memory), np.array([2.0, -2.0 / RADIUS])
     rows, ends, x = [], [], 0.0
-    for seconds, slope, brake in ((2.0, 0.0, 0.0), (7.0, 0.0, 3e3), (parked, 0.02, 3e3), (3.0, 0.02, 0.0), (8.0, 0.02, 3e3)):
+    for seconds, slope, brake in ((2.0, 0.0, 0.0), (7.0, 0.0, TORQUE), (parked, SLOPE, TORQUE), (3.0, SLOPE, 0.0), (8.0, SLOPE, TORQUE)):
         for _ in range(round(seconds / STEP)):
             speeds, forces = advance(wheelset, speeds, slope, brake)
             x += STEP * speeds[0]
@@ -100,7 +100,7 @@ def main():
     after = (t > t[np.argmax((w == 0.0) & (t > 2.0))]) & (t <= ends[1])
     turns = int(np.sum((v[after][1:] * v[after][:-1] < 0.0) & (np.abs(v[after][1:]) > 1e-9)))
     print(f"stops after {x[np.argmax((w == 0.0) & (t > 2.0))]:.3f} m; turns of its speed afterwards: {turns}")
-    print(f"parked with {force[still][-1]:.1f} N ({MASS * GRAVITY * 0.02:.1f} N of weight); creeps {1e6 * abs(x[still][-1] - x[still][0]):.2g} um")
+    print(f"parked with {force[still][-1]:.1f} N ({MASS * GRAVITY * SLOPE:.1f} N of weight); creeps {1e6 * abs(x[still][-1] - x[still][0]):.2g} um")
     print(f"released it rolls off to {v[np.argmin(np.abs(t - ends[3]))]:.3f} m/s, and stops again with {v[-1]:.2g} m/s")
     if options.picture:
         draw(rows, journey(options.parked, memory=False)[0], ends, options.picture)
