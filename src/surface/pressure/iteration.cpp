@@ -298,9 +298,11 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
   w.max_work = limits.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0;
-  // An iteration takes the loads and the edges of the strips in contact.
+  // An iteration takes the loads and the edges of the strips in contact; small contacts may take more.
   const auto affordable = [&](std::int32_t k) {
-    return k == 0 || (k < limits.most && w.work + 2.0 * w.active.count * w.active.count <= limits.max_work);
+    const double n = w.active.count, most = larger(n, fewest_budgeted);
+    return k == 0 || (k < limits.most && w.work + 2.0 * n * n <=
+                                             smaller(limits.max_work, limits.in_contact * 2.0 * most * most));
   };
   std::int32_t k = 0;
   for (; affordable(k); ++k) {

@@ -62,7 +62,7 @@ std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
                                            : pressure_doubles(most));
   cut_rolling(rolling, sizes);
   if (sizes.methods.remembers) count_remembering(rolling, most);
-  count_wrench_jacobian(jacobian, sizes);
+  if (sizes.methods.differentiable() && !sizes.methods.remembers) count_wrench_jacobian(jacobian, sizes);
   return std::max({overlaps.bytes(), pressure.bytes(), rolling.bytes(), jacobian.bytes()});
 }
 
