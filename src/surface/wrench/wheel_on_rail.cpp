@@ -126,7 +126,8 @@ bool commit_solution(SurfaceState& state) {
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
                                      const StripWidths& widths, std::int32_t cells, bool varying) {
   return wheel_work_bytes(
-      {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods});
+             {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods})
+      .all();
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,
