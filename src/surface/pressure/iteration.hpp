@@ -10,7 +10,7 @@ namespace wrc::surface {
 inline constexpr double any_change = 1e300;  ///< for `farthest` and `in_contact`
 
 /// Strips that a limit counts at least: small contacts may take more iterations than others.
-inline constexpr double fewest_budgeted = 6.0;
+inline constexpr double fewest_budgeted = 9.0;
 
 inline constexpr std::int32_t usual_iterations = 40;  ///< that nearly every solve ends in
 
