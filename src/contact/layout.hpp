@@ -43,7 +43,7 @@ enum class Array : std::size_t {
   start_shift,
   rolling_memory,
   surface_state,
-  workspace,  ///< of all solutions, behind the state, where copies of it go: nothing in it outlives a call
+  workspace,  ///< behind the state, where copies of it go, for all solutions: nothing in it outlives a call
   count_
 };
 

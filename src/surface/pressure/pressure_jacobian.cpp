@@ -21,7 +21,7 @@ struct Size {
   std::int32_t strips;
   std::int32_t contact;  ///< rows of the contact condition: rows of the unit matrix, then one for each strip
   std::int32_t first;    ///< row and column of the first strip there
-  std::int32_t rows;     ///< of L and c: two for each strip, then rows of the unit matrix
+  std::int32_t rows;     ///< for L and c: two for each strip, then rows of the unit matrix
   std::int64_t reduced;  ///< from row to row of those: by L, by c, and the right-hand sides behind `rows`
   std::int64_t stride;   ///< from row to row with all unknowns: by q, up to `contact`, and the same
 
@@ -46,7 +46,7 @@ struct Scratch {
   double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
   double* kept_rows;  ///< ring of rows as they were before they were blended with their neighbours'
   double* x;          ///< changes of L and c
-  double* share;      ///< of rows in a sum
+  double* share;      ///< shares of rows in a sum
   const double** row;
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
   double* direction;                                  ///< ny, nz, and their derivatives by the inputs; zeros
@@ -346,15 +346,14 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   }
 }
 
-/// Replaces the rows of a number that edges ask for, which begin at `first`, by `factor_of` times those of
-/// its smoothed value, less `load_of` times the change of the strip's own load: by the chain rule sums of the
-/// neighbours' rows and of their loads. A row that is replaced is kept as long as strips behind it need it.
-template <bool line, class Factor, class Load>
-void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, std::int32_t first,
-                 const double* edge, double* value, const Factor& factor_of, const Load& load_of,
-                 const Scratch& w) {
+/// Replaces the rows of lambda*, or with `line` of shift*, by `factor_of` times those of the smoothed value,
+/// for lambda less dq / lambda: by the chain rule sums of the neighbours' rows and of their loads. A row that
+/// is replaced is kept as long as strips behind it need it.
+template <bool line, class Factor>
+void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, const double* edge,
+                 double* value, const Factor& factor_of, const Scratch& w) {
   const std::int64_t stride = size.reduced;
-  double* const rows = w.lengths + first * stride;
+  double* const rows = w.lengths + (line ? s.count * stride : 0);
   Smoothed r;
   for (std::int32_t a = 0; a < s.count; ++a) {
     // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
@@ -372,7 +371,7 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
     for (std::int32_t i = 0; i < r.count; ++i) {
       const std::int32_t b = r.from + i;
       add(factor * r.by_value[i], b <= a ? w.kept_rows + b % most_within_reach * stride : rows + b * stride);
-      const double load = factor * r.by_load[i] - (b == a ? load_of(r.value) : 0.0);
+      const double load = factor * r.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
       add(-load, w.by_lengths + b * stride);
     }
     kernels.surface.blend_rows({count, stride, w.share, w.row, row});
@@ -384,14 +383,12 @@ void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, co
   const std::int32_t n = s.count;
   // L lambda - q = 0 over lambda: dL + L / lambda dlambda - dq / lambda = 0.
   smooth_rows<false>(
-      kernels, s, size, 0, w.edge_lambda, w.lambda,
-      [&w](std::int32_t a, double lambda) { return w.l[a] * w.l[a] / lambda; },
-      [](double lambda) { return 1.0 / lambda; }, w);
+      kernels, s, size, w.edge_lambda, w.lambda,
+      [&w](std::int32_t a, double lambda) { return w.l[a] * w.l[a] / lambda; }, w);
   // c - shift = W; a shift at its limit does not change.
   smooth_rows<true>(
-      kernels, s, size, n, w.edge_shift, w.shift,
-      [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; },
-      [](double) { return 0.0; }, w);
+      kernels, s, size, w.edge_shift, w.shift,
+      [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
   // The equations' own terms, and W on the right.
   for (std::int32_t a = 0; a < n; ++a) {
     double* const shift_row = w.lengths + (n + a) * size.reduced;
