@@ -5,6 +5,8 @@
 ///     pressure_report map                     part of an error in L that the fixed-point map takes away, and part that a
 ///                                             preconditioned step leaves, by the error's wave length: the constants of
 ///                                             precondition() (src/surface/pressure/iteration.cpp) against these
+///     pressure_report memory                  bytes of a contact at each setting: its state, and of a wheel on a rail
+///                                             the results and the scratch of each stage, which share their memory
 ///
 /// The contact is Hertz's, on flat strips of 0.25 mm, so that its load is known.
 #include <algorithm>
@@ -16,11 +18,14 @@
 #include <numbers>
 #include <vector>
 
+#include "abi/handles.hpp"
 #include "base/instruction_set.hpp"
 #include "normal/elasticity/hertz_theory.hpp"
 #include "patch/material.hpp"
 #include "surface/pressure/iteration.hpp"
 #include "surface/pressure/start.hpp"
+#include "surface/wrench/wheel_solution.hpp"
+#include "wrc/wrc.h"
 
 namespace {
 
@@ -176,9 +181,43 @@ void print_map(double A, double B) {
   }
 }
 
+/// Bytes of a contact of S1002 on UIC60 at each setting.
+int print_memory() {
+  std::printf("%-10s", "setting");
+  for (const char* const of :
+       {"contact", "state", "results", "overlaps", "pressure", "rolling", "derivatives", "model"})
+    std::printf(" %11s", of);
+  std::printf("\n");
+#define WRC_RESOLUTION(identifier, name, ...) name,
+  for (const char* const setting : {WRC_RESOLUTION_LIST(WRC_RESOLUTION)}) {
+#undef WRC_RESOLUTION
+    wrc_config config = wrc_config_default();
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    wrc_model* model = nullptr;
+    std::uint64_t contact = 0, state = 0, own = 0, alignment = 0;
+    if (wrc_config_use(&config, setting, nullptr, 0) != WRC_OK ||
+        wrc_model_create(&config, nullptr, &model, nullptr, 0) != WRC_OK)
+      return 1;
+    wrc_contact_size(model, &contact, &alignment);
+    wrc_contact_state_size(model, &state);
+    wrc_model_size(&config, &own, &alignment);
+    const auto b = surface::wheel_work_bytes(surface::work_sizes(*model->model->surface));
+    std::printf("%-10s", setting);
+    for (const auto bytes :
+         {static_cast<std::int64_t>(contact), static_cast<std::int64_t>(state), b.results, b.overlaps,
+          b.pressure, b.rolling, b.derivatives, static_cast<std::int64_t>(own)})
+      std::printf(" %11lld", static_cast<long long>(bytes));
+    std::printf("\n");
+    wrc_model_destroy(model);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+  if (count > 1 && !std::strcmp(arguments[1], "memory")) return print_memory();
   const auto number = [&](int i, double otherwise) {
     return count > i ? std::atof(arguments[i]) : otherwise;
   };
@@ -192,6 +231,6 @@ int main(int count, char** arguments) {
     for (const double ratio : {0.25, 0.5, 1.0, 2.0}) print_map(1.0, 1.0 / ratio);
     return 0;
   }
-  std::puts("pressure_report trace [A B DEGREES UM] | map");
+  std::puts("pressure_report trace [A B DEGREES UM] | map | memory");
   return 2;
 }

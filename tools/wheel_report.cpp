@@ -25,6 +25,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <random>
@@ -271,13 +272,21 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
 
 /// Iterations and times of a way to call.
 struct Taken {
-  std::vector<double> iterations, time;
+  std::vector<double> iterations, work, time;
   int32_t take(wrc_contact* contact, const wrc_wheel_input& input, wrc_wrench& wrench) {
     int32_t status = 0;
     const double took = microseconds_of([&] { status = wrc_contact_wrench(contact, &input, &wrench); });
     time.push_back(took);
     iterations.push_back(wrench.iterations);
+    work.push_back(wrench.work);
     return status;
+  }
+
+  /// Ratios of the work of its calls to that of the others'.
+  std::vector<double> work_over(const Taken& others) const {
+    std::vector<double> ratio(work.size());
+    std::transform(work.begin(), work.end(), others.work.begin(), ratio.begin(), std::divides<>());
+    return ratio;
   }
 };
 
@@ -345,6 +354,12 @@ int loads(Pairs& pairs, long count, unsigned seed) {
                 at_share(taken[way].iterations, 0.5), at_share(taken[way].iterations, 0.99),
                 at_share(taken[way].iterations, 1.0), at_share(taken[way].time, 0.5),
                 at_share(taken[way].time, 0.99));
+  for (const auto& [load, height] :
+       {std::pair{load_anew, height_anew}, std::pair{load_later, height_later}}) {
+    const std::vector<double> ratio = taken[load].work_over(taken[height]);
+    std::printf("work of %s, over that of its height: 50 %% %.2f  75 %% %.2f  95 %% %.1f\n", names[load],
+                at_share(ratio, 0.5), at_share(ratio, 0.75), at_share(ratio, 0.95));
+  }
   std::printf("loads met to %.1e\n", off);
   return statuses.count(wrc_status_name(WRC_FLAG_ITERATION_CAP)) == 0 ? 0 : 1;
 }

@@ -433,7 +433,8 @@ typedef struct wrc_config_surface {
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
                             takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
   double max_iterations; /**< work that the normal problem at one height may take, in iterations over all strips that overlap
-                            there, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The end is that of max_work [1e6] */
+                            there, and twice as many over those in contact, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The end is
+                            that of max_work [1e6] */
   double reserved[9];    /**< 0 */
 } wrc_config_surface;
 

@@ -41,11 +41,9 @@ enum class Array : std::size_t {
   start_width,
   start_length_squared,
   start_shift,
-  normal_workspace,
-  tangential_workspace,
   rolling_memory,
   surface_state,
-  surface_workspace,  ///< behind the state, where copies of it go: nothing in it outlives a call
+  workspace,  ///< behind the state, where copies of it go, for all solutions: nothing in it outlives a call
   count_
 };
 
@@ -53,8 +51,9 @@ inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count
 
 struct ArraySizes {
   std::int32_t strips = 0, cells = 0, gap_rows = 0;
-  std::int64_t normal_workspace_bytes = 0, tangential_workspace_bytes = 0, rolling_memory_bytes = 0;
-  std::int64_t surface_state_bytes = 0, surface_workspace_bytes = 0;
+  std::int64_t rolling_memory_bytes = 0, surface_state_bytes = 0;
+  std::int64_t stage_workspace_bytes = 0;    ///< work space of the stages, of which one at a time is at work
+  std::int64_t surface_workspace_bytes = 0;  ///< the same of a wheel on a rail
 };
 
 struct ArrayLayout {

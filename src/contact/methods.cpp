@@ -27,8 +27,7 @@ namespace {
 Fault solve_from_start(Contact& contact, const normal::NormalProblem& problem, patch::Strips& strips) {
   // Scratch, and the last solution: place, width, squared half length and shift of each strip.
   const ModelOptions& options = contact.model->options;
-  normal::NormalWorkspace workspace{array(contact, Array::normal_workspace),
-                                    options.sizes.normal_workspace_bytes};
+  normal::NormalWorkspace workspace{work_space(contact), options.sizes.stage_workspace_bytes};
   normal::StripHalfspaceStart start{options.sizes.strips,
                                     options.warm_start ? contact.start_strips : 0,
                                     array(contact, Array::start_y),

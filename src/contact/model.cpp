@@ -134,10 +134,12 @@ std::size_t surface_bytes(const ModelOptions& options) {
 
 /// Bytes that contacts carry for the methods and the surface.
 void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
+  // one after the other in the same memory
   if (const auto workspace = options.normal_method->workspace)
-    sizes.normal_workspace_bytes = workspace(options.sizes.strips);
+    sizes.stage_workspace_bytes = workspace(options.sizes.strips);
   if (const auto workspace = options.tangential_method->workspace)
-    sizes.tangential_workspace_bytes = workspace(options.sizes.strips, options.sizes.cells);
+    sizes.stage_workspace_bytes = std::max<std::int64_t>(
+        sizes.stage_workspace_bytes, workspace(options.sizes.strips, options.sizes.cells));
   if (options.non_steady)
     sizes.rolling_memory_bytes =
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));

@@ -24,7 +24,11 @@ patch::Strips strips_at(Contact& contact, Array first, std::int32_t count) {
 std::size_t state_bytes(const Model& model) { return model.layout.bytes; }
 
 std::size_t contact_bytes(const Model& model) {
-  return state_bytes(model) + std::max(state_bytes(model), model.layout.behind);
+  // a copy of the state is followed by its own work space
+  const auto stages = static_cast<std::size_t>(model.options.sizes.stage_workspace_bytes);
+  const std::size_t copy =
+      state_bytes(model) + (stages + block_alignment - 1) / block_alignment * block_alignment;
+  return state_bytes(model) + std::max(copy, model.layout.behind);
 }
 
 Contact& make_contact(const Model& model, geometry::Side side, void* memory) {
@@ -95,7 +99,7 @@ tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch) {
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
 
-double* work_space(Contact& contact) { return array(contact, Array::surface_workspace); }
+double* work_space(Contact& contact) { return array(contact, Array::workspace); }
 
 bool gives_fields(const Contact& contact) {
   return contact.model->options.tangential_method->gives_tractions;

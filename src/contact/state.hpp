@@ -146,7 +146,7 @@ static_assert(sizeof(HostWrench) ==
                   surface::most_surface_regions * (sizeof(surface::SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Bytes of a contact: its state, and behind it the larger of a copy of the state, on which sensitivities are
-/// found, and the work space of a wheel on a rail.
+/// found, with work space of its own, and the work space of a wheel on a rail.
 std::size_t contact_bytes(const Model& model);
 
 /// Bytes of the state, the part that is saved and restored.
@@ -178,8 +178,8 @@ double* cell_block(Contact& contact, Array which, const Patch& patch);
 /// The tractions and slips of one patch.
 tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch);
 
-/// Work space behind the state: as much as a wheel on a rail needs, and state_bytes() at least. Nothing in it
-/// outlives a call.
+/// Work space behind the state: as much as the stages and a wheel on a rail need, and state_bytes() at least.
+/// Nothing in it outlives a call.
 double* work_space(Contact& contact);
 
 /// Does the tangential method give tractions and slip of every cell?

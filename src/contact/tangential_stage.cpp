@@ -191,7 +191,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   rolling.layer = friction.layer;
   rolling.normal_force = patch.extent.normal_force;
   rolling.force_table = &model.force_table;
-  rolling.workspace = array(contact, Array::tangential_workspace);
+  rolling.workspace = work_space(contact);
   if (model.options.non_steady) rolling.memory = memory_of(contact, patch, direction);
 
   // Forces [N], [N m] about the method's origin, and cell fields unless derivatives are asked for.

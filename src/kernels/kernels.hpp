@@ -41,9 +41,8 @@ struct MemoryPassSums;
 struct MemoryMarchTask;
 struct Sums;
 struct SurfaceTables;
-struct SurfaceStrips;
 struct SurfaceSources;
-struct SurfacePairs;
+struct SurfaceFaces;
 struct SurfacePoint;
 struct SurfacePoints;
 struct SurfaceEdges;
@@ -109,17 +108,15 @@ struct TangentialKernels {
 struct SurfaceKernels {
   /// Fills the arrays from loads and means on.
   void (*strip_numbers)(const StripNumbersTask& task);
-  /// Fills a row for each of `rows` over `columns`, of whole vectors from whichever column.
-  void (*pairs)(const SurfaceStrips& rows, const SurfaceStrips& columns, const SurfacePairs& pairs);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, without the effect of a source on itself. `skewed`: not all centres are the same.
-  void (*influence)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePairs& pairs,
+  void (*influence)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                     const SurfacePoints& points, bool skewed, double* rows, std::int64_t stride);
   /// The same of each source on itself, written to the diagonal of rows that are the sources'.
   void (*own_influence)(const SurfaceTables& tables, const SurfaceSources& sources, double* rows,
                         std::int64_t stride);
-  /// Sums of the same, seen from the edges of the sources, whose pairs with themselves are given.
-  void (*edges)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePairs& pairs,
+  /// Sums of the same, seen from the edges of the sources.
+  void (*edges)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                 const SurfaceEdges& edges);
   /// influence and edges, source by source, with their derivatives.
   void (*influence_slopes)(const SurfaceTables& tables, const SurfaceSources& sources,

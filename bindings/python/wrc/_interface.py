@@ -921,7 +921,8 @@ class ConfigSurface(s.Struct):
           takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
           2e7)
       max_iterations: work that the normal problem at one height may take, in iterations over all strips that
-          overlap there; of NormalMethod.STRIP_HALFSPACE. The end is that of max_work (2 .. 1e6; default 1e6)
+          overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The end is
+          that of max_work (2 .. 1e6; default 1e6)
     """
 
     _c_name_ = 'wrc_config_surface'

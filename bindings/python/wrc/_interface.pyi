@@ -850,7 +850,8 @@ class ConfigSurface(s.Struct):
     """
     max_iterations: float
     """max_iterations: work that the normal problem at one height may take, in iterations over all strips that
-        overlap there; of NormalMethod.STRIP_HALFSPACE. The end is that of max_work (2 .. 1e6; default 1e6)
+        overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The end is
+        that of max_work (2 .. 1e6; default 1e6)
     """
     def __init__(self, *, cells: int = ..., memory: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
         """The defaults, and what is given."""

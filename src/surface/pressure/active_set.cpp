@@ -8,8 +8,6 @@ namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
-constexpr std::int32_t paired_with_all = -1,
-                       paired_with_none = -2;  ///< values of PressureScratch::paired_count
 
 /// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
 void list_active(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
@@ -28,19 +26,15 @@ void list_active(const PressureProblem& problem, const StripSet& s, PressureScra
     active.inverse_length[a] = inverse;
     active.half_width[a] = 0.5 * s.width[i] * inverse;
     active.factor[a] = problem.compliance * s.width[i] * inverse;
+    active.width[a] = s.width[i];
+    active.ny[a] = s.ny[i];
+    active.nz[a] = s.nz[i];
   }
   // Kernels read whole packs: strips behind the last displace nothing.
   const std::int64_t end = simd::whole_packs(active.count);
-  for (std::int64_t a = active.count; a < end; ++a)
-    active.place[a] = active.centre[a] = active.inverse_length[a] = active.half_width[a] = active.factor[a] =
-        active.q[a] = 0.0;
-}
-
-/// Strips for the table of pairs, with nothing behind the last.
-simd::SurfaceStrips strips_of(std::int32_t count, double* place, double* width, double* ny, double* nz) {
-  for (double* a : {place, width, ny, nz})
-    std::fill(a + count, a + simd::whole_packs(count) + simd::most_lanes, 0.0);
-  return {count, place, width, ny, nz};
+  for (double* const each : {active.place, active.centre, active.inverse_length, active.half_width,
+                             active.factor, active.q, active.width, active.ny, active.nz})
+    std::fill(each + active.count, each + end, 0.0);
 }
 
 /// Activates the strip with the largest overlap; false where none overlaps.
@@ -68,14 +62,15 @@ bool deactivate(PressureScratch& w) {
 /// symmetric: a column has its strip's length and width, a row only its place.
 void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const std::int32_t n = w.active.count;
-  const simd::SurfaceSources sources = sources_of(w.active);
+  const ActiveStrips& active = w.active;
+  const simd::SurfaceSources sources = sources_of(active);
   w.work += 1.0 * n * n;
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
-  // Rows of M at the strips' own middles; the kernel of pairs leaves the diagonal to the second one.
-  problem.kernels.surface.influence(problem.tables, sources, pairs_of(problem, s, w),
-                                    {n, w.active.index, w.active.place, w.active.centre}, s.skewed, w.matrix,
-                                    stride);
+  // Rows of M at the strips' own middles; the first kernel leaves the diagonal to the second one.
+  problem.kernels.surface.influence(problem.tables, sources, faces_of(active),
+                                    {n, active.place, active.centre, active.ny, active.nz}, s.skewed,
+                                    w.matrix, stride);
   problem.kernels.surface.own_influence(problem.tables, sources, w.matrix, stride);
   // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of four.
   for (std::int32_t a = 0; a < size; ++a) {
@@ -95,35 +90,7 @@ simd::SurfaceSources sources_of(const ActiveStrips& active) {
   return {active.count, active.place, active.centre, active.inverse_length, active.half_width, active.factor};
 }
 
-void forget_pairs(PressureScratch& w) { w.paired_count = paired_with_none; }
-
-simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
-  ActiveStrips& active = w.active;
-  const std::int32_t n = active.count, first = active.index[0];
-  const bool run = active.index[n - 1] - first + 1 == n;
-  const bool known = run ? w.paired_count == paired_with_all
-                         : w.paired_count == n && std::equal(active.index, active.index + n, w.paired);
-  if (!known) {
-    const simd::SurfaceStrips all = strips_of(s.count, s.place, s.width, s.ny, s.nz);
-    if (run) {
-      // Active strips side by side are a window of all strips: one table serves while the window moves.
-      problem.kernels.surface.pairs(all, all, w.pairs);
-    } else {
-      // Columns are the active strips packed together; the table lasts until one enters or leaves.
-      for (std::int32_t a = 0; a < n; ++a) {
-        const std::int32_t i = w.paired[a] = active.index[a];
-        active.width[a] = s.width[i];
-        active.ny[a] = s.ny[i];
-        active.nz[a] = s.nz[i];
-      }
-      problem.kernels.surface.pairs(all, strips_of(n, active.place, active.width, active.ny, active.nz),
-                                    w.pairs);
-    }
-    w.paired_count = run ? paired_with_all : n;
-  }
-  const std::int64_t at = run ? first : 0;
-  return {w.pairs.axis_place + at, w.pairs.cosine + at, w.pairs.correction + at, w.pairs.stride};
-}
+simd::SurfaceFaces faces_of(const ActiveStrips& active) { return {active.width, active.ny, active.nz}; }
 
 bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
   // Strips to ask. Displacements are never negative: nothing enters where there is no overlap.
@@ -133,15 +100,17 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
     if (!everywhere && !(i > 0 && w.in_contact[i - 1]) && !(i + 1 < s.count && w.in_contact[i + 1])) continue;
     w.outside[count] = i;
     w.outside_place[count] = s.place[i];
+    w.outside_ny[count] = s.ny[i];
+    w.outside_nz[count] = s.nz[i];
     w.outside_x[count++] = s.deepest_x[i] + s.shift[i];
   }
   if (count == 0) return false;
   // Displacement at their middles by the active strips, row by row; the system's memory is free by now.
   const std::int32_t n = w.active.count;
   const std::int64_t stride = simd::whole_packs(n);
-  problem.kernels.surface.influence(problem.tables, sources_of(w.active), pairs_of(problem, s, w),
-                                    {count, w.outside, w.outside_place, w.outside_x}, s.skewed, w.matrix,
-                                    stride);
+  problem.kernels.surface.influence(problem.tables, sources_of(w.active), faces_of(w.active),
+                                    {count, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz},
+                                    s.skewed, w.matrix, stride);
   // Their displacement against their overlap [m].
   bool any = false;
   for (std::int32_t b = 0; b < count; ++b) {

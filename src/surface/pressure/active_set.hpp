@@ -20,11 +20,6 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
 
 /// The active strips, for kernels.
 simd::SurfaceSources sources_of(const ActiveStrips& active);
-
-/// The table of pairs without any pair in it.
-void forget_pairs(PressureScratch& w);
-
-/// Pairs of all strips with the active ones; kept from one iteration to the next.
-simd::SurfacePairs pairs_of(const PressureProblem& problem, const StripSet& s, PressureScratch& w);
+simd::SurfaceFaces faces_of(const ActiveStrips& active);
 
 }  // namespace wrc::surface

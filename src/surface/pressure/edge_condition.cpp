@@ -20,9 +20,8 @@ void displace_edges(const PressureProblem& problem, const StripSet& s, PressureS
   sources.factor = active.load_factor;
   w.work += 1.0 * n * n;
   // Without yaw both edges are alike, and half of them are looked at.
-  problem.kernels.surface.edges(
-      problem.tables, sources, pairs_of(problem, s, w),
-      {active.index, active.half_length, w.u_leading, s.skewed ? w.u_trailing : nullptr});
+  problem.kernels.surface.edges(problem.tables, sources, faces_of(active),
+                                {active.half_length, w.u_leading, s.skewed ? w.u_trailing : nullptr});
 }
 
 /// Peaks per length and shifts that each active strip's own edges ask for.

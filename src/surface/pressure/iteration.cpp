@@ -264,7 +264,6 @@ void begin_iterations(StripSet& s, PressureScratch& w) {
   s.skewed = false;
   for (std::int32_t i = 1; i < s.count; ++i) s.skewed = s.skewed || s.deepest_x[i] != s.deepest_x[0];
   for (std::int32_t i = 0; i < s.count; ++i) w.in_contact[i] = s.L[i] > 0.0;
-  forget_pairs(w);
   w.active.count = 0;
   if (s.skewed) {
     std::fill(w.inverse_reach + s.count, w.inverse_reach + simd::whole_packs(s.count), 0.0);
@@ -299,9 +298,11 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
   w.max_work = limits.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0;
-  // An iteration takes the loads and the edges of the strips in contact.
+  // An iteration takes the loads and the edges of the strips in contact; small contacts may take more.
   const auto affordable = [&](std::int32_t k) {
-    return k == 0 || (k < limits.most && w.work + 2.0 * w.active.count * w.active.count <= limits.max_work);
+    const double n = w.active.count, most = larger(n, fewest_budgeted);
+    return k == 0 || (k < limits.most && w.work + 2.0 * n * n <=
+                                             smaller(limits.max_work, limits.in_contact * 2.0 * most * most));
   };
   std::int32_t k = 0;
   for (; affordable(k); ++k) {

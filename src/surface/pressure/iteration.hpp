@@ -7,7 +7,10 @@
 
 namespace wrc::surface {
 
-inline constexpr double any_change = 1e300;  ///< for `farthest`
+inline constexpr double any_change = 1e300;  ///< for `farthest` and `in_contact`
+
+/// Strips that a limit counts at least: small contacts may take more iterations than others.
+inline constexpr double fewest_budgeted = 9.0;
 
 inline constexpr std::int32_t usual_iterations = 40;  ///< that nearly every solve ends in
 
@@ -16,6 +19,7 @@ struct IterationLimits {
   double tolerance;  ///< part of the area that the last one moves
   double farthest;   ///< part that the first one may move; beyond it is the last, without a solution
   double max_work;   ///< that w.work may reach (PressureOptions)
+  double in_contact = any_change;  ///< the same in iterations over the strips in contact
   std::int32_t most = usual_iterations;
 };
 

@@ -85,17 +85,21 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
 
 /// The options with the work that a solve of these overlaps may take.
 PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) {
-  constexpr double fewest = 6.0;  // strips: small contacts may take more iterations than others
   double overlapping = 0.0;
   for (std::int32_t i = 0; i < o.count; ++i) overlapping += o.depth[i] > 0.0 ? 1.0 : 0.0;
-  overlapping = larger(overlapping, fewest);
+  overlapping = larger(overlapping, fewest_budgeted);
   options.max_work = smaller(options.max_work, options.max_iterations * 2.0 * overlapping * overlapping);
   return options;
 }
 
+/// Iterations over the strips in contact that a solve may take: many may overlap where few are in contact.
+double most_in_contact(const PressureOptions& options) { return 2.0 * options.max_iterations; }
+
 /// Is too little work left for another attempt, which takes several iterations?
 bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
-  return w.work + 8.0 * w.active.count * w.active.count > options.max_work;
+  const double several = 8.0 * w.active.count * w.active.count,
+               most = larger(w.active.count, fewest_budgeted);
+  return w.work + several > smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
 }
 
 /// Solves from the overlaps, in one way after the other until one finds the solution.
@@ -111,14 +115,17 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
     spent += start_from_overlaps(problem, o, options.max_work, w);
     if (by != 1.0) {
       // The solution at those overlaps; lengths L in proportion to them begin here.
-      spent += iterate(problem, s, {found_roughly, any_change, options.max_work}, w).iterations;
+      spent += iterate(problem, s, {found_roughly, any_change, options.max_work, most_in_contact(options)}, w)
+                   .iterations;
       for (std::int32_t i = 0; i < s.count; ++i) {
         s.depth[i] = o.depth[i];
         s.L[i] /= by;
       }
     }
     result = iterate(problem, s,
-                     {options.tolerance, any_change, options.max_work, most_iterations[attempt / ways]}, w);
+                     {options.tolerance, any_change, options.max_work, most_in_contact(options),
+                      most_iterations[attempt / ways]},
+                     w);
     result.iterations = spent += result.iterations;
     if (result.converged) return result;
     keep_best(s, result.residual, w);
@@ -157,7 +164,8 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   if (started && from == StartFrom::solution) started = follow_overlaps(w);
   w.best.moved = any_change;
   if (started) {
-    result = iterate(problem, s, {options.tolerance, farthest_start, options.max_work}, w);
+    result = iterate(problem, s,
+                     {options.tolerance, farthest_start, options.max_work, most_in_contact(options)}, w);
     started = result.converged || is_used_up(options, w);
     if (!result.converged && result.residual > 0.0) keep_best(s, result.residual, w);
   }

@@ -16,20 +16,38 @@ static_assert(directions >= 2 + 2 * inputs);
 /// No strip has more others within its reach on one side.
 constexpr std::int32_t most_within_reach = 36;
 
+/// Sizes for a number of strips: of the equations with all unknowns, and of those left for L and c.
 struct Size {
-  std::int32_t rows;    ///< three for each strip, a multiple of four
-  std::int64_t stride;  ///< with the right-hand sides behind
+  std::int32_t strips;
+  std::int32_t contact;  ///< rows of the contact condition: rows of the unit matrix, then one for each strip
+  std::int32_t first;    ///< row and column of the first strip there
+  std::int32_t rows;     ///< for L and c: two for each strip, then rows of the unit matrix
+  std::int64_t reduced;  ///< from row to row of those: by L, by c, and the right-hand sides behind `rows`
+  std::int64_t stride;   ///< from row to row with all unknowns: by q, up to `contact`, and the same
+
+  std::int64_t doubles() const {
+    return std::max(contact * stride, (static_cast<std::int64_t>(strips) + rows) * reduced);
+  }
 };
 
 Size size_of(std::int32_t strips) {
-  const std::int32_t rows = (3 * strips + 3) / 4 * 4;
-  return {rows, (rows + inputs + 7) / 8 * 8};
+  const auto fours = [](std::int32_t n) { return (n + 3) / 4 * 4; };
+  const std::int32_t contact = fours(strips), rows = fours(2 * strips);
+  const std::int64_t reduced = (rows + inputs + 7) / 8 * 8;
+  return {strips, contact, contact - strips, rows, reduced, (contact + reduced + 7) / 8 * 8};
 }
 
-/// Arrays over the strips but for the first three.
+/// Arrays over the strips but for the first block.
 struct Scratch {
-  double *matrix, *x;  ///< rows with right-hand sides; solutions
-  double* kept_rows;   ///< ring of rows as they were before they were blended with their neighbours'
+  /// Equations of contact; then, in the same memory, line loads by L and c (loads_by_lengths()), and behind
+  /// them the equations of L and c.
+  double* matrix;
+  double *by_lengths, *lengths;  ///< these two in it
+  double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
+  double* kept_rows;  ///< ring of rows as they were before they were blended with their neighbours'
+  double* x;          ///< changes of L and c
+  double* share;      ///< shares of rows in a sum
+  const double** row;
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
   double* direction;                                  ///< ny, nz, and their derivatives by the inputs; zeros
   double *l, *dl_dL;                                  ///< [m], [1/m]; 0 where l is the least one
@@ -40,12 +58,17 @@ struct Scratch {
 
 Scratch cut(Arena& arena, std::int32_t most) {
   Scratch w;
-  // Three rows a strip, and a ring of rows for the neighbours on one side.
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
-  w.matrix = arena.take(size.rows * size.stride);
+  w.matrix = w.by_lengths = arena.take(size.doubles());
+  w.lengths = w.by_lengths + most * size.reduced;
+  arena.each(size.stride, w.leading, w.trailing);
+  w.kept_rows = arena.take(most_within_reach * size.reduced);
   w.x = arena.take(static_cast<std::int64_t>(size.rows) * inputs);
-  w.kept_rows = arena.take(most_within_reach * size.stride);
+  // two edges and all of contact, or neighbours on both sides with their loads
+  const std::int32_t summands = std::max(most + 2, 4 * most_within_reach);
+  w.share = arena.take(summands);
+  w.row = arena.take<const double*>(summands);
   w.direction = arena.take(padded * directions);
   arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
              w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.seen.value, w.seen.by_length,
@@ -119,42 +142,123 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   return u;
 }
 
-/// Strip a's rows: of contact, and of the lambda and shift its own edges ask for, which smooth() blends with
-/// its neighbours'. They hold derivatives by the unknowns, and on the right those by the inputs at fixed
-/// unknowns, with the sign of the other side.
-void fill_strip(const PressureModel& model, const PressedStrips& s, const Size& size, std::int32_t a,
-                Scratch& w) {
-  const std::int32_t n = s.count;
-  const Kernels& kernels = model.kernels;
-  const simd::SurfaceTables tables{model.influence.tables(), model.influence.mean_under.data()};
-  const simd::SurfaceSources sources{n, w.place, w.centre, w.inverse_length, w.half_width, w.factor};
-  double* const contact = w.matrix + a * size.stride;
-  double* const lambda = w.matrix + (n + a) * size.stride;
-  double* const shift = w.matrix + (2 * n + a) * size.stride;
-  for (double* row : {contact, lambda, shift}) std::fill_n(row + 3 * n, size.stride - 3 * n, 0.0);
-  const OverlapSlopes& o = s.overlap[a];
-  const double q = s.line_load[a], l = w.l[a], kappa = o.curvature.value;
-  const double aside = s.centre[a] - o.centre.value;
-  const double depth = o.depth.value - 0.5 * kappa * aside * aside;  // at the centre
-  const double depth_by_c = -kappa * aside;
-  const auto point = [&](double x) { return simd::SurfacePoint{w.place[a], x}; };
+/// A strip with its equations, as it is seen by all.
+struct SeenStrip {
+  const OverlapSlopes& o;
+  double q, l, kappa;
+  double aside;              ///< centre of the pressure from that of the overlap [m]
+  double depth, depth_by_c;  ///< overlap at the centre; by the centre
+  double deeper[inputs];     ///< the same by the inputs
 
-  // Contact: u(c) - depth(c) = 0.
-  kernels.surface.influence_slopes(tables, sources, point(w.centre[a]), w.seen);
-  const Displacement middle = fill_row(kernels, s, w, a, contact);
-  contact[2 * n + a] -= depth_by_c;
+  SeenStrip(const PressedStrips& s, const Scratch& w, std::int32_t a)
+      : o(s.overlap[a]),
+        q(s.line_load[a]),
+        l(w.l[a]),
+        kappa(o.curvature.value),
+        aside(s.centre[a] - o.centre.value),
+        depth(o.depth.value - 0.5 * kappa * aside * aside),
+        depth_by_c(-kappa * aside) {
+    for (std::size_t k = 0; k < inputs; ++k)
+      deeper[k] = o.depth.d[k] - 0.5 * o.curvature.d[k] * aside * aside - depth_by_c * o.centre.d[k];
+  }
+};
+
+/// Sources and tables that rows are filled from.
+struct Seeing {
+  const Kernels& kernels;
+  simd::SurfaceTables tables;
+  simd::SurfaceSources sources;
+
+  Seeing(const PressureModel& model, const PressedStrips& s, const Scratch& w)
+      : kernels(model.kernels),
+        tables{model.influence.tables(), model.influence.mean_under.data()},
+        sources{s.count, w.place, w.centre, w.inverse_length, w.half_width, w.factor} {}
+};
+
+/// Strip a's equation of contact, u(c) - depth(c) = 0: derivatives by the unknowns, and on the right those by
+/// the inputs at fixed unknowns, with the sign of the other side.
+void fill_contact(const Seeing& seeing, const PressedStrips& s, const Size& size, std::int32_t a,
+                  const Scratch& w) {
+  const SeenStrip strip(s, w, a);
+  double* const row = w.matrix + (size.first + a) * size.stride;
+  std::fill_n(row, size.stride, 0.0);
+  double* const by_q = row + size.first;
+  seeing.kernels.surface.influence_slopes(seeing.tables, seeing.sources, {w.place[a], w.centre[a]}, w.seen);
+  const Displacement middle = fill_row(seeing.kernels, s, w, a, by_q);
+  by_q[2 * s.count + a] -= strip.depth_by_c;
+  double* const right = row + size.contact + size.rows;
+  for (std::int32_t k = 0; k < inputs; ++k) right[k] = strip.deeper[k] - middle.turned[k];
+}
+
+/// dq = r - G (dL, dc): solves the equations of contact for the line loads. Leaves rows (G | r) in
+/// w.by_lengths.
+void loads_by_lengths(const Kernels& kernels, const Size& size, const Scratch& w) {
+  const std::int64_t stride = size.stride;
+  // Rows of the unit matrix before those of the strips, up to a multiple of four.
+  for (std::int32_t i = 0; i < size.first; ++i) {
+    std::fill_n(w.matrix + i * stride, stride, 0.0);
+    w.matrix[i * stride + i] = 1.0;
+  }
+  kernels.normal.eliminate({size.contact, stride, w.matrix, nullptr, nullptr});
+  // Back substitution, upwards, of all right-hand sides: (row - sum of row_c x_c) / pivot.
+  for (std::int32_t i = size.contact - 1; i >= size.first; --i) {
+    double* const row = w.matrix + i * stride;
+    std::int32_t count = 0;
+    for (std::int32_t c = i; c < size.contact; ++c, ++count) {
+      w.share[count] = c == i ? row[i] : -row[i] * row[c];
+      w.row[count] = w.matrix + c * stride + size.contact;
+    }
+    kernels.surface.blend_rows({count, size.reduced, w.share, w.row, row + size.contact});
+  }
+  // Closed up: the memory behind them is that of the equations of L and c.
+  for (std::int32_t a = 0; a < size.strips; ++a) {
+    const double* const row = w.matrix + (size.first + a) * stride + size.contact;
+    std::copy(row, row + size.reduced, w.by_lengths + a * size.reduced);
+  }
+}
+
+/// A row of L and c from shares of the rows of strip a's edges, which have all unknowns: less its derivatives
+/// by q, that by the strip's own with `own` more, times those of q.
+void blend_edges(const Kernels& kernels, const Size& size, std::int32_t a, double of_leading,
+                 double of_trailing, double own, const Scratch& w, double* to) {
+  w.share[0] = of_leading;
+  w.share[1] = of_trailing;
+  w.row[0] = w.leading + size.contact;
+  w.row[1] = w.trailing + size.contact;
+  const double *const leading = w.leading + size.first, *const trailing = w.trailing + size.first;
+  for (std::int32_t b = 0; b < size.strips; ++b) {
+    w.share[b + 2] = -(of_leading * leading[b] + of_trailing * trailing[b]);
+    w.row[b + 2] = w.by_lengths + b * size.reduced;
+  }
+  w.share[a + 2] -= own;
+  kernels.surface.blend_rows({size.strips + 2, size.reduced, w.share, w.row, to});
+}
+
+/// Strip a's rows of the lambda and shift that its own edges ask for, which smooth() blends with its
+/// neighbours'. They hold derivatives by L and c, and on the right those by the inputs at fixed L and c, with
+/// the sign of the other side.
+void fill_edges(const Seeing& seeing, const PressedStrips& s, const Size& size, std::int32_t a,
+                const Scratch& w) {
+  const std::int32_t n = s.count;
+  const Kernels& kernels = seeing.kernels;
+  const SeenStrip strip(s, w, a);
+  const OverlapSlopes& o = strip.o;
+  const double q = strip.q, l = strip.l, kappa = strip.kappa;
+  for (double* const row : {w.leading, w.trailing}) std::fill_n(row, size.stride, 0.0);
 
   // Rows of u+ at c + l and u- at c - l; these points move with L, too.
-  kernels.surface.edge_slopes(tables, sources, point(w.centre[a] + l), w.seen);
-  const Displacement leading = fill_row(kernels, s, w, a, lambda);
-  lambda[n + a] += leading.by_x * w.dl_dL[a];
-  kernels.surface.edge_slopes(tables, sources, point(w.centre[a] - l), w.seen);
-  const Displacement trailing = fill_row(kernels, s, w, a, shift);
-  shift[n + a] -= trailing.by_x * w.dl_dL[a];
+  const auto see = [&](double x, double* row) {
+    kernels.surface.edge_slopes(seeing.tables, seeing.sources, {w.place[a], x}, w.seen);
+    return fill_row(kernels, s, w, a, row + size.first);
+  };
+  const Displacement leading = see(w.centre[a] + l, w.leading);
+  w.leading[size.contact + a] += leading.by_x * w.dl_dL[a];
+  const Displacement trailing = see(w.centre[a] - l, w.trailing);
+  w.trailing[size.contact + a] -= trailing.by_x * w.dl_dL[a];
 
   // lambda* = q kappa / (2 drop) and shift* = (u- - u+) / (2 l kappa), as read_edges() of edge_condition.cpp
   // has them. At a limit of the ratio lambda* = q / (l^2 ratio) does not change with the drop.
-  const double drop = depth - 0.5 * (leading.value + trailing.value);
+  const double drop = strip.depth - 0.5 * (leading.value + trailing.value);
   const double ratio = drop / (0.5 * kappa * l * l);
   const double kept = smaller(larger(ratio, least_edge_ratio), most_edge_ratio);
   const bool free = kept == ratio;
@@ -164,25 +268,20 @@ void fill_strip(const PressureModel& model, const PressedStrips& s, const Size& 
   const double by_edges = 1.0 / (2.0 * l * kappa);
 
   // Rows of u+ and u- become rows of lambda* and shift*.
-  for (std::int64_t c = 0; c < size.rows; ++c) {
-    const double at_leading = lambda[c], at_trailing = shift[c];
-    lambda[c] = 0.5 * by_drop * (at_leading + at_trailing);
-    shift[c] = by_edges * (at_trailing - at_leading);
-  }
-  lambda[2 * n + a] -= by_drop * depth_by_c;
-  lambda[a] += 1.0 / (l * l * kept);
-  if (!free) lambda[n + a] -= 2.0 * w.edge_lambda[a] / l * w.dl_dL[a];
-  shift[n + a] -= w.edge_shift[a] / l * w.dl_dL[a];
+  double *const lambda = w.lengths + a * size.reduced, *const shift = w.lengths + (n + a) * size.reduced;
+  blend_edges(kernels, size, a, 0.5 * by_drop, 0.5 * by_drop, 1.0 / (l * l * kept), w, lambda);
+  blend_edges(kernels, size, a, -by_edges, by_edges, 0.0, w, shift);
+  lambda[n + a] -= by_drop * strip.depth_by_c;
+  if (!free) lambda[a] -= 2.0 * w.edge_lambda[a] / l * w.dl_dL[a];
+  shift[a] -= w.edge_shift[a] / l * w.dl_dL[a];
 
   // Right-hand sides: the inputs change depth, curvature, deepest point and directions.
+  double *const lambda_right = lambda + size.rows, *const shift_right = shift + size.rows;
   for (std::int32_t k = 0; k < inputs; ++k) {
-    const auto d = static_cast<std::size_t>(k);
-    const double bent = o.curvature.d[d] / kappa;
+    const double bent = o.curvature.d[static_cast<std::size_t>(k)] / kappa;
     const double edges = 0.5 * (leading.turned[k] + trailing.turned[k]);
-    const double deeper = o.depth.d[d] - 0.5 * o.curvature.d[d] * aside * aside - depth_by_c * o.centre.d[d];
-    contact[size.rows + k] = deeper - middle.turned[k];
-    lambda[size.rows + k] = -(free ? w.edge_lambda[a] * bent - by_drop * (deeper - edges) : 0.0);
-    shift[size.rows + k] = -(by_edges * (trailing.turned[k] - leading.turned[k]) - w.edge_shift[a] * bent);
+    lambda_right[k] -= free ? w.edge_lambda[a] * bent - by_drop * (strip.deeper[k] - edges) : 0.0;
+    shift_right[k] -= by_edges * (trailing.turned[k] - leading.turned[k]) - w.edge_shift[a] * bent;
   }
 }
 
@@ -247,14 +346,14 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   }
 }
 
-/// Replaces the rows of a number that edges ask for, which begin at `first`, by `factor_of` times those of
-/// its smoothed value: by the chain rule sums of the neighbours' rows. A row that is replaced is kept as long
-/// as strips behind it need it.
+/// Replaces the rows of lambda*, or with `line` of shift*, by `factor_of` times those of the smoothed value,
+/// for lambda less dq / lambda: by the chain rule sums of the neighbours' rows and of their loads. A row that
+/// is replaced is kept as long as strips behind it need it.
 template <bool line, class Factor>
-void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, std::int32_t first,
-                 const double* edge, double* value, const Factor& factor_of, Scratch& w) {
-  const std::int64_t stride = size.stride;
-  double* const rows = w.matrix + first * stride;
+void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, const double* edge,
+                 double* value, const Factor& factor_of, const Scratch& w) {
+  const std::int64_t stride = size.reduced;
+  double* const rows = w.lengths + (line ? s.count * stride : 0);
   Smoothed r;
   for (std::int32_t a = 0; a < s.count; ++a) {
     // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
@@ -264,53 +363,63 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
     double* const row = rows + a * stride;
     // Rows before this one are replaced already: theirs come from the ring.
     std::copy_n(row, stride, w.kept_rows + a % most_within_reach * stride);
-    const double* of[2 * most_within_reach];
+    std::int32_t count = 0;
+    const auto add = [&](double share, const double* of) {
+      w.share[count] = share;
+      w.row[count++] = of;
+    };
     for (std::int32_t i = 0; i < r.count; ++i) {
       const std::int32_t b = r.from + i;
-      of[i] = b <= a ? w.kept_rows + b % most_within_reach * stride : rows + b * stride;
-      r.by_value[i] *= factor;
+      add(factor * r.by_value[i], b <= a ? w.kept_rows + b % most_within_reach * stride : rows + b * stride);
+      const double load = factor * r.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
+      add(-load, w.by_lengths + b * stride);
     }
-    kernels.surface.blend_rows({r.count, stride, r.by_value, of, row});
-    // The weights' part: line loads are the first unknowns.
-    for (std::int32_t i = 0; i < r.count; ++i) row[r.from + i] += factor * r.by_load[i];
+    kernels.surface.blend_rows({count, stride, w.share, w.row, row});
   }
 }
 
 /// Turns the rows of lambda* and shift* into the equations of L and c.
-void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, Scratch& w) {
+void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, const Scratch& w) {
   const std::int32_t n = s.count;
   // L lambda - q = 0 over lambda: dL + L / lambda dlambda - dq / lambda = 0.
   smooth_rows<false>(
-      kernels, s, size, n, w.edge_lambda, w.lambda,
+      kernels, s, size, w.edge_lambda, w.lambda,
       [&w](std::int32_t a, double lambda) { return w.l[a] * w.l[a] / lambda; }, w);
   // c - shift = W; a shift at its limit does not change.
   smooth_rows<true>(
-      kernels, s, size, 2 * n, w.edge_shift, w.shift,
+      kernels, s, size, w.edge_shift, w.shift,
       [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
   // The equations' own terms, and W on the right.
   for (std::int32_t a = 0; a < n; ++a) {
-    double* const lambda_row = w.matrix + (n + a) * size.stride;
-    double* const shift_row = w.matrix + (2 * n + a) * size.stride;
-    lambda_row[n + a] += 1.0;
-    lambda_row[a] -= 1.0 / w.lambda[a];
-    shift_row[2 * n + a] += 1.0;
+    double* const shift_row = w.lengths + (n + a) * size.reduced;
+    w.lengths[a * size.reduced + a] += 1.0;
+    shift_row[n + a] += 1.0;
     for (std::int32_t k = 0; k < inputs; ++k)
       shift_row[size.rows + k] += s.overlap[a].centre.d[static_cast<std::size_t>(k)];
   }
 }
 
-/// Back substitution for all right-hand sides, after the elimination has left a triangle with the inverses of
-/// its pivots on the diagonal.
-void substitute(const Size& size, Scratch& w) {
-  // x_i = (r_i - sum of a_ic x_c) / a_ii, all inputs at once.
+/// Right-hand sides of a row less its derivatives by L and c, from a column on, times their changes.
+void take_known(const double* row, std::int32_t from, const Size& size, const Scratch& w,
+                double (&sum)[inputs]) {
+  std::copy_n(row + size.rows, inputs, sum);
+  for (std::int32_t c = from; c < 2 * size.strips; ++c)
+    pairwise::add<inputs>(-row[c], w.x + static_cast<std::int64_t>(c) * inputs, sum);
+}
+
+/// Solves the equations of L and c for all inputs: w.x.
+void solve_lengths(const Kernels& kernels, const Size& size, const Scratch& w) {
+  // Rows of the unit matrix up to a multiple of four.
+  for (std::int32_t i = 2 * size.strips; i < size.rows; ++i) {
+    std::fill_n(w.lengths + i * size.reduced, size.reduced, 0.0);
+    w.lengths[i * size.reduced + i] = 1.0;
+  }
+  kernels.normal.eliminate({size.rows, size.reduced, w.lengths, nullptr, nullptr});
+  // x_i = (r_i - sum of a_ic x_c) / a_ii, all inputs at once; inverses of the pivots are on the diagonal.
   for (std::int32_t i = size.rows - 1; i >= 0; --i) {
-    const double* const row = w.matrix + i * size.stride;
+    const double* const row = w.lengths + i * size.reduced;
     double sum[inputs];
-    for (std::int32_t k = 0; k < inputs; ++k) sum[k] = row[size.rows + k];
-    for (std::int32_t c = i + 1; c < size.rows; ++c) {
-      const double* const x = w.x + static_cast<std::int64_t>(c) * inputs;
-      pairwise::add<inputs>(-row[c], x, sum);
-    }
+    take_known(row, i + 1, size, w, sum);
     double* const x = w.x + static_cast<std::int64_t>(i) * inputs;
     for (std::int32_t k = 0; k < inputs; ++k) x[k] = sum[k] * row[i];
   }
@@ -327,30 +436,29 @@ std::int64_t pressure_jacobian_doubles(std::int32_t most) {
 void differentiate_pressures(const PressureModel& model, double* workspace, const PressedStrips& s) noexcept {
   const std::int32_t n = s.count;
   if (n == 0) return;
-  // Equations of all unknowns: contact, lambda and shift of every strip.
   Arena arena(workspace);
   Scratch w = cut(arena, n);
   const Size size = size_of(n);
   list_sources(model, s, w);
-  for (std::int32_t a = 0; a < n; ++a) fill_strip(model, s, size, a, w);
+  const Seeing seeing(model, s, w);
+  // Contact gives the loads by L and c, then lambda and shift of every strip give these.
+  for (std::int32_t a = 0; a < n; ++a) fill_contact(seeing, s, size, a, w);
+  loads_by_lengths(model.kernels, size, w);
+  for (std::int32_t a = 0; a < n; ++a) fill_edges(seeing, s, size, a, w);
   smooth(model.kernels, s, size, w);
-  // Rows of the unit matrix up to a multiple of four.
-  for (std::int32_t a = 3 * n; a < size.rows; ++a) {
-    std::fill_n(w.matrix + a * size.stride, size.stride, 0.0);
-    w.matrix[a * size.stride + a] = 1.0;
-  }
-  model.kernels.normal.eliminate({size.rows, size.stride, w.matrix, nullptr, nullptr});
-  substitute(size, w);
-  // Solutions in the order of the unknowns: q, L, c.
-  const auto dual = [&](std::int32_t row, double value) {
+  solve_lengths(model.kernels, size, w);
+
+  const auto dual = [](double value, const double* d) {
     PlaceDual number = value;
-    std::copy_n(w.x + static_cast<std::int64_t>(row) * inputs, inputs, number.d.begin());
+    std::copy_n(d, inputs, number.d.begin());
     return number;
   };
   for (std::int32_t a = 0; a < n; ++a) {
-    s.line_load_dual[a] = dual(a, s.line_load[a]);
-    s.length_squared_dual[a] = dual(n + a, s.length_squared[a]);
-    s.centre_dual[a] = dual(2 * n + a, s.centre[a]);
+    double load[inputs];
+    take_known(w.by_lengths + a * size.reduced, 0, size, w, load);
+    s.line_load_dual[a] = dual(s.line_load[a], load);
+    s.length_squared_dual[a] = dual(s.length_squared[a], w.x + static_cast<std::int64_t>(a) * inputs);
+    s.centre_dual[a] = dual(s.centre[a], w.x + (static_cast<std::int64_t>(n) + a) * inputs);
   }
 }
 

@@ -8,8 +8,8 @@
 ///     L_a lambda_a - q_a = 0,           lambda_a = mean of q_b kappa_b / (2 (d_b - (E+ q + E- q)_b / 2))
 ///     c_a - shift_a = W_a,              shift_a on the line of ((E- - E+) q)_b / (2 l_b kappa_b)
 ///
-/// with the mean and the line of smoothing.hpp, weighted by q. One elimination gives the changes of all three
-/// for all four ways in which a wheel moves (PlaceInput):
+/// with the mean and the line of smoothing.hpp, weighted by q. Their derivatives give the changes of all
+/// three for all four ways in which a wheel moves (PlaceInput), q by the first rows, then L and c:
 ///
 ///     rows       unknowns  q_1 .. q_n   L_1 .. L_n   c_1 .. c_n  |  right-hand sides, one for each PlaceInput
 ///     contact               M            dM/dL q      dM/dc q        d depth - ...

@@ -16,22 +16,20 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   const std::int64_t stride = simd::elimination_stride(static_cast<std::int32_t>(rows)) + simd::most_lanes;
   w.matrix = arena.take(stride * rows);
   arena.each(stride, w.solution, w.unused);
-  w.pairs.stride = padded;
-  arena.each(padded * most, w.pairs.axis_place, w.pairs.cosine, w.pairs.correction);
   // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;
   arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,
              a.load_factor, a.load, a.width, a.ny, a.nz);
-  arena.each(padded, w.depth_before, w.half_length, w.outside_place, w.outside_x, w.u_leading, w.u_trailing,
-             w.edge_lambda, w.edge_shift, w.inverse_reach, w.rim_weight, w.upper, w.smooth_part,
-             w.residual_before, w.best.q);
+  arena.each(padded, w.depth_before, w.half_length, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz,
+             w.u_leading, w.u_trailing, w.edge_lambda, w.edge_shift, w.inverse_reach, w.rim_weight, w.upper,
+             w.smooth_part, w.residual_before, w.best.q);
   // Vectors of all unknowns: L, then shifts.
   arena.each(2 * padded, w.residual, w.next, w.best.x);
   for (Iterate& iterate : w.iterate) {
     arena.each(2 * padded, iterate.x, iterate.f);
     iterate.q = arena.take(padded);
   }
-  arena.each(padded, a.index, w.in_contact, w.paired, w.outside, w.pair_of);
+  arena.each(padded, a.index, w.in_contact, w.outside, w.pair_of);
   return w;
 }
 

@@ -48,10 +48,10 @@ struct ActiveStrips {
   std::int32_t count = 0;
   std::int32_t* index;  ///< in the StripSet
   double *place, *centre, *half_length, *inverse_length, *half_width, *factor;
-  double* q;                ///< not negative [N/m]
-  double* load_factor;      ///< factor q [m]
-  double* load;             ///< w q [N], weights of the means
-  double *width, *ny, *nz;  ///< where they are not one run, for the table of pairs
+  double* q;            ///< not negative [N/m]
+  double* load_factor;  ///< factor q [m]
+  double* load;         ///< w q [N], weights of the means
+  double *width, *ny, *nz;
 };
 
 /// An iterate and its step.
@@ -75,11 +75,8 @@ struct PressureScratch {
   std::int32_t* in_contact;            ///< each strip: 1 in the active set
   double* half_length;                 ///< each strip: l, at least a part of its width [m]
   double *matrix, *solution, *unused;  ///< elimination, which solves for two right-hand sides
-  simd::SurfacePairs pairs;  ///< table of all strips over all, or over the `paired` first active ones
-  std::int32_t* paired;      ///< active strips the table was made for
-  std::int32_t paired_count;
-  std::int32_t* outside;  ///< strips asked whether they enter
-  double *outside_place, *outside_x;
+  std::int32_t* outside;               ///< strips asked whether they enter
+  double *outside_place, *outside_x, *outside_ny, *outside_nz;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
   double* inverse_reach;                     ///< each strip: one over shift_reach() [1/m]
   double *residual, *residual_before;        ///< L and shifts; L in the iteration before

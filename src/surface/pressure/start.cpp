@@ -71,7 +71,8 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
   if (s.count < 2 * fewest_pairs) return 0;
   pair_up(o, w);
   // An iteration over all strips must be left.
-  const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * s.count * s.count, most};
+  const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * s.count * s.count, any_change,
+                                 most};
   const std::int32_t spent = iterate(problem, w.coarse, on_pairs, w).iterations;
   interpolate_pairs(w);
   return spent;

@@ -1,8 +1,7 @@
 /// Displacement of a curved surface by strips of semi-elliptic pressure: C w / l J(tau, xi) cos by unit q,
 /// with tau, xi the distances along the rail and along x over l (normal/elasticity/influence_tables.hpp).
-/// Constants of a pair of strips are found once (SurfacePairs). Middles are seen a vector of sources at a
-/// time from two points, edges a vector of edges at a time from one source: their sums need not be collected
-/// from lanes.
+/// Middles are seen a vector of sources at a time from two points, edges a vector of edges at a time from one
+/// source: their sums need not be collected from lanes.
 #pragma once
 
 #include "normal/simd/line_tables.hpp"
@@ -30,52 +29,31 @@ WRC_IN_LOOP void two_by_two(std::int32_t from, std::int32_t end, const Take& tak
   for (std::int32_t a = from; a < end; a += 2) take(a, a + 1 < end ? a + 1 : a);
 }
 
-/// SurfaceKernels::pairs.
-inline void surface_pairs(const SurfaceStrips& rows, const SurfaceStrips& columns,
-                          const SurfacePairs& pairs) {
+/// Place of a distance over 1 m on the table's axis of rows: that of distance / l is the difference to the
+/// place of l.
+inline Pack axis_place(Pack distance) {
   constexpr double origin = normal::InfluenceTables::line_rows.origin();
-  // A vector may begin at any column: behind the last a vector of zeros, pairs without effect.
-  for (std::int32_t first = 0; first < columns.count + native_lanes - 1; first += native_lanes) {
-    if (first >= columns.count) {
-      double* const arrays[] = {pairs.axis_place, pairs.cosine, pairs.correction};
-      for (double* const to : arrays)
-        for (std::int32_t a = 0; a < rows.count; ++a)
-          store_lanes(to + a * pairs.stride + first, broadcast(0.0));
-      break;
-    }
-    const Pack place = for_both(columns.place, first), half = 0.5 * for_both(columns.width, first);
-    const Pack ny = for_both(columns.ny, first), nz = for_both(columns.nz, first);
-    two_by_two(0, rows.count, [&](std::int32_t a, std::int32_t b) {
-      const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
-      const auto keep = [&](Pack x, double* to) {
-        store_lanes(to + a * pairs.stride + first, x.a);
-        store_lanes(to + b * pairs.stride + first, x.b);
-      };
-      // Distance on the axis of the table; a strip with itself gets cosine 0, and its own influence
-      // elsewhere.
-      const Pack distance = magnitude(place - both(rows.place));
-      const Mask apart = distance > 0.0;
-      const Mask near = apart & (distance < near_strip * half);
-      keep(place_from_one(distance) + origin, pairs.axis_place);
-      keep(select(apart, both(rows.ny) * ny + both(rows.nz) * nz, 0.0), pairs.cosine);
-      // Width correction of near pairs at unit inverse_to_end; the sources' lengths enter in
-      // influence_rows().
-      Pack correction = 0.0;
-      if (any(near))
-        correction = select(near, width_correction(half / select(near, distance, 1.0), Pack(1.0)), 0.0);
-      keep(correction, pairs.correction);
-    });
-  }
+  return place_from_one(distance) + origin;
+}
+
+/// J on the middle plane of near sources with the effect of their width, on `seen` of the middle lines.
+WRC_IN_LOOP Pack with_widths(Pack seen, Pack distance, Pack width, Pack inverse_to_end) {
+  const Pack half = 0.5 * width;
+  const Mask near = (distance > 0.0) & (distance < near_strip * half);
+  if (!any(near)) return seen;
+  const Pack correction = width_correction(half / select(near, distance, 1.0), Pack(1.0));
+  return seen + select(near, correction, 0.0) * inverse_to_end;
 }
 
 /// Rows of C w / l J cos, a source per lane, two points at a time.
 template <bool skewed>
-void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePairs& pairs,
+void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                     const SurfacePoints& points, double* rows, std::int64_t stride) {
   for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
     const Native inverse = load_lanes(sources.inverse_length + first);
     const Native place = load_lanes(sources.place + first), centre = load_lanes(sources.centre + first);
-    const Native factor = load_lanes(sources.factor + first);
+    const Native factor = load_lanes(sources.factor + first), width = load_lanes(faces.width + first);
+    const Native ny = load_lanes(faces.ny + first), nz = load_lanes(faces.nz + first);
     const Native inverse_place = skewed ? place_from_one({inverse, inverse}).a : inverse;
     const auto twice = [](Native x) { return Pack(x, x); };
     for (std::int32_t base = 0; base < points.count; base += 2 * found_ahead) {
@@ -87,22 +65,20 @@ void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, 
         find_cells(magnitude(twice(place) - at) * twice(inverse), cells[(a - base) / 2]);
       });
       two_by_two(base, end, [&](std::int32_t a, std::int32_t b) {
-        const std::int64_t row_a = points.row[a] * pairs.stride + first;
-        const std::int64_t row_b = points.row[b] * pairs.stride + first;
-        const auto of_pairs = [&](const double* of) {
-          return Pack(load_lanes(of + row_a), load_lanes(of + row_b));
-        };
+        const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
+        const Pack distance = magnitude(twice(place) - both(points.place));
         // J on the middle plane; beside it, where centres differ, J(tau, xi). Then width, factor and cosine.
         const MiddlePlane<Pack> middle = read_middle_plane(tables.line, cells[(a - base) / 2]);
         Pack seen = middle.potential;
         if constexpr (skewed) {
-          const Pack x(broadcast(points.x[a]), broadcast(points.x[b]));
-          seen = line_potential_near(tables.line, middle, magnitude(twice(centre) - x) * twice(inverse), [&] {
-            return line_rows_at(of_pairs(pairs.axis_place) + twice(inverse_place));
+          const Pack xi = magnitude(twice(centre) - both(points.x)) * twice(inverse);
+          seen = line_potential_near(tables.line, middle, xi, [&] {
+            return line_rows_at(axis_place(distance) + twice(inverse_place));
           });
         }
-        seen += of_pairs(pairs.correction) * middle.inverse_to_end;
-        const Pack on = twice(factor) * of_pairs(pairs.cosine) * seen;
+        seen = with_widths(seen, distance, twice(width), middle.inverse_to_end);
+        const Pack cosine = both(points.ny) * twice(ny) + both(points.nz) * twice(nz);
+        const Pack on = twice(factor) * cosine * seen;
         store_lanes(rows + a * stride + first, on.a);
         store_lanes(rows + b * stride + first, on.b);
       });
@@ -112,9 +88,9 @@ void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, 
 
 /// SurfaceKernels::influence.
 inline void surface_influence(const SurfaceTables& tables, const SurfaceSources& sources,
-                              const SurfacePairs& pairs, const SurfacePoints& points, bool skewed,
+                              const SurfaceFaces& faces, const SurfacePoints& points, bool skewed,
                               double* rows, std::int64_t stride) {
-  (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, pairs, points, rows, stride);
+  (skewed ? influence_rows<true> : influence_rows<false>)(tables, sources, faces, points, rows, stride);
 }
 
 /// SurfaceKernels::own_influence.
@@ -130,26 +106,33 @@ inline void surface_own_influence(const SurfaceTables& tables, const SurfaceSour
   }
 }
 
-/// Cells of J(tau, xi) of source j at edges at x, of strips whose pairs with it begin at `pair`.
+/// As many edges as a vector holds, or both edges of half as many strips; their strips, twice each.
+struct EdgePack {
+  Pack x, place, ny, nz;
+};
+
+/// Cells of J(tau, xi) of source j at edges.
 WRC_IN_LOOP void find_source(const SurfaceSources& sources, std::int32_t j, double inverse_place,
-                             const SurfacePairs& pairs, std::int64_t pair, Pack x, LineCells& cells) {
-  const Native axis_place = load_lanes(pairs.axis_place + pair);
-  const LineRows rows = line_rows_at(Pack(axis_place, axis_place) + inverse_place);
-  const Pack xi = magnitude(x - sources.centre[j]) * sources.inverse_length[j];
+                             const EdgePack& edges, LineCells& cells) {
+  const Pack distance = magnitude(edges.place - sources.place[j]);
+  const LineRows rows = line_rows_at(axis_place(distance) + inverse_place);
+  const Pack xi = magnitude(edges.x - sources.centre[j]) * sources.inverse_length[j];
   find_cells(rows, xi - 1.0, cells);
 }
 
-/// Displacement of these edges by source j, from the cells found.
-WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources& sources, std::int32_t j,
-                              const SurfacePairs& pairs, std::int64_t pair, const LineCells& cells) {
-  const Native cosine = load_lanes(pairs.cosine + pair);
+/// Displacement of these edges by source j, from the cells found; none of its own.
+WRC_IN_LOOP Pack displaced_by(const SurfaceTables& tables, const SurfaceSources& sources,
+                              const SurfaceFaces& faces, std::int32_t j, const EdgePack& edges,
+                              const LineCells& cells) {
+  const Mask apart = magnitude(edges.place - sources.place[j]) > 0.0;
+  const Pack cosine = select(apart, faces.ny[j] * edges.ny + faces.nz[j] * edges.nz, 0.0);
   const BetweenColumns between = between_columns(tables.line, cells);
-  return Pack(cosine, cosine) * sources.factor[j] * (between.here + between.fraction * between.rise);
+  return cosine * sources.factor[j] * (between.here + between.fraction * between.rise);
 }
 
 /// SurfaceKernels::edges. Both edges of as many strips as a vector holds.
 inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sources,
-                          const SurfacePairs& pairs, const SurfaceEdges& edges) {
+                          const SurfaceFaces& faces, const SurfaceEdges& edges) {
   // Displacement of a strip's own edges first: alike at both, the mean of J(tau, 1) over half the width.
   for (std::int32_t a = 0; a < sources.count; a += lanes)
     store_pack(edges.leading + a, load_pack(sources.factor + a) *
@@ -167,21 +150,21 @@ inline void surface_edges(const SurfaceTables& tables, const SurfaceSources& sou
     for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
       // Leading edges in one half of a pack, trailing ones in the other.
       const Native centre = load_lanes(sources.centre + first), l = load_lanes(edges.half_length + first);
-      const Pack x(centre + l, edges.trailing ? centre - l : centre + l);
+      const EdgePack at{Pack(centre + l, edges.trailing ? centre - l : centre + l),
+                        for_both(sources.place, first), for_both(faces.ny, first), for_both(faces.nz, first)};
       LineCells cells[found_ahead];
-      const auto pair = [&](std::int32_t j) { return edges.row[j] * pairs.stride + first; };
       for (std::int32_t j = base; j < end; ++j)
-        find_source(sources, j, inverse_place[j - base], pairs, pair(j), x, cells[j - base]);
+        find_source(sources, j, inverse_place[j - base], at, cells[j - base]);
       if (edges.trailing) {
         Pack sum(load_lanes(edges.leading + first), load_lanes(edges.trailing + first));
         for (std::int32_t j = base; j < end; ++j)
-          sum += displaced_by(tables, sources, j, pairs, pair(j), cells[j - base]);
+          sum += displaced_by(tables, sources, faces, j, at, cells[j - base]);
         store_lanes(edges.leading + first, sum.a);
         store_lanes(edges.trailing + first, sum.b);
       } else {
         Native sum = load_lanes(edges.leading + first);
         for (std::int32_t j = base; j < end; ++j)
-          sum = sum + displaced_by(tables, sources, j, pairs, pair(j), cells[j - base]).a;
+          sum = sum + displaced_by(tables, sources, faces, j, at, cells[j - base]).a;
         store_lanes(edges.leading + first, sum);
       }
     }

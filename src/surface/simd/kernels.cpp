@@ -15,7 +15,6 @@ namespace wrc::simd::WRC_SET {
 extern const SurfaceKernels surface_kernels;
 constexpr SurfaceKernels surface_kernels = {
     .strip_numbers = strip_numbers_kernel,
-    .pairs = surface_pairs,
     .influence = surface_influence,
     .own_influence = surface_own_influence,
     .edges = surface_edges,

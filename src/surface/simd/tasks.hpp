@@ -21,26 +21,8 @@ struct Shared;
 
 namespace wrc::simd {
 
-/// Strips as they lie on the surface. Arrays have whole packs of elements and a pack more, zeros behind the
-/// last.
-struct SurfaceStrips {
-  std::int32_t count;
-  const double *place, *width;  ///< arc length of the middle [m]; [m]
-  const double *ny, *nz;        ///< directions
-};
-
-/// Constants of pairs of strips, whatever their lengths and loads: a row for each strip of a list, over
-/// strips.
-struct SurfacePairs {
-  double* axis_place;  ///< place of distance / 1 m on the table's logarithmic axis of rows; that of
-                       ///< distance / l is the difference to the place of l
-  double* cosine;      ///< between the directions; 0 of a strip with itself
-  double* correction;  ///< width_correction() (normal/simd/line_tables.hpp) without its factor inverse_to_end
-  std::int64_t stride;  ///< from row to row
-};
-
 /// Strips that press, seen by points of the surface. Arrays have whole packs of elements, those behind the
-/// last with factor 0 and inverse_length 0.
+/// last with factor 0 and inverse_length 0, in `faces` 0.
 struct SurfaceSources {
   std::int32_t count;
   const double* place;           ///< arc length of the middle [m]
@@ -48,6 +30,12 @@ struct SurfaceSources {
   const double* inverse_length;  ///< 1 / l [1/m]
   const double* half_width;      ///< half the width over l [-]
   const double* factor;          ///< on the influence J: C w / l [1/Pa], or times q [m]
+};
+
+/// How the strips of the sources lie on the surface.
+struct SurfaceFaces {
+  const double* width;    ///< [m]
+  const double *ny, *nz;  ///< directions
 };
 
 /// Tables of the influence function (normal/elasticity/influence_tables.hpp).
@@ -61,16 +49,14 @@ struct SurfacePoint {
   double place, x;
 };
 
-/// Middles of several strips, and their rows of pairs with the sources.
+/// Middles of several strips, and their directions.
 struct SurfacePoints {
   std::int32_t count;
-  const std::int32_t* row;
-  const double *place, *x;
+  const double *place, *x, *ny, *nz;
 };
 
 /// Edges of the sources themselves, x = centre +- half length, and the displacements there. Whole packs.
 struct SurfaceEdges {
-  const std::int32_t* row;     ///< row of each strip's pairs with the sources
   const double* half_length;   ///< [m]
   double *leading, *trailing;  ///< results [m]; trailing nullptr: not wanted
 };

@@ -9,6 +9,7 @@ namespace wrc::surface {
 struct HeightStart {
   PressureStart solution;
   StartFrom from;
+  double stiffness;  ///< growth of the load with the height, as a part of Hertz's (KeptStart)
 };
 
 /// Solves at heights: the problem, where the normal problem starts, and where results go. A solve replaces

@@ -35,6 +35,12 @@ double approach_of(const WheelSolution& s) {
   return most;
 }
 
+/// Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach [N/m]; 0 where nothing overlaps.
+double hertz_stiffness(const WheelSolution& s, double load) {
+  const double approach = approach_of(s);
+  return approach > 0.0 ? 1.5 * load / approach : 0.0;
+}
+
 /// The strips' squared lengths at a height.
 struct Lengths {
   double height = 0.0;
@@ -97,9 +103,10 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     search.take(height, load, tolerance);
     if (search.exhausted() || exhausted(solver)) break;
 
-    // Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach
-    const double last = height, approach = approach_of(solver.solution);
-    height = search.next(step, approach > 0.0 ? 1.5 * load / approach : 0.0);
+    // the stiffness by Hertz's theory, corrected by the part that earlier searches found
+    const double last = height, hertz = hertz_stiffness(solver.solution, load);
+    height = search.next(step, solver.start.stiffness * hertz);
+    if (const double part = search.part_of(hertz); part > 0.0) solver.start.stiffness = part;
     predict_lengths(before, last, height, solver.solution, solver.start);
     before.keep(last, solver.solution);
 
@@ -250,6 +257,34 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
 }
 
 }  // namespace
+
+double predicted_height(const HeightSolver& solver, double height, double load) {
+  constexpr double farthest = 0.1e-3;  // [m]
+  const WheelProblem& problem = solver.problem;
+  const PressureStart& earlier = solver.start.solution;
+  WheelSolution& s = solver.solution;
+  s.motion = motion_at_height(problem.model, problem.in, height);
+  find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);
+  // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
+  const Overlaps& o = s.overlaps;
+  double grown = 0.0, stiffness = 0.0;
+  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
+    const std::int32_t j = o.strip[i];
+    while (b < earlier.count && earlier.strip[b] < j) ++b;
+    if (b == earlier.count) break;
+    if (earlier.strip[b] != j) continue;
+    const double down = downwards(s.motion, o.ny[i], o.nz[i]);
+    const double spring = problem.rail.width[j] * earlier.length_squared[b] * down;
+    grown += spring * (o.depth[i] - earlier.depth[b]);
+    stiffness += spring * down;
+  }
+  double change = stiffness > 0.0 ? -grown / stiffness : 0.0;
+  // And the change of the load, straightened as the search has it.
+  const double asked = straightened(problem.in.vertical_load);
+  const double slope = solver.start.stiffness * hertz_stiffness(s, load) / (1.5 * root(asked));
+  if (slope > 0.0) change += (asked - straightened(load)) / slope;
+  return height + smaller(larger(change, -farthest), farthest);
+}
 
 double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }
 

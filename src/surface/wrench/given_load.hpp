@@ -9,6 +9,10 @@ namespace wrc::surface {
 /// profiles.
 double usual_approach(double load);
 
+/// Height at which the load given is expected [m]: from that of the solution that the solver starts from, as
+/// far as its overlaps have grown since, and its load [N] is another.
+double predicted_height(const HeightSolver& solver, double height, double load);
+
 /// The wrench at the height that carries the load given, searched from `guess` [m].
 ///
 /// Where friction on a steep face can outweigh its slope, the vertical force may fall as the wheel goes down,

@@ -32,6 +32,7 @@ class HeightSearch {
     const double risen = last_.value - earlier.value, known_to = (doubt + earlier.doubt) * target_;
     const double secant = risen / (height - earlier.height);
     if (magnitude(risen) > known_to && secant > 0.0) slope_ = secant;
+    if (magnitude(risen) > 10.0 * known_to) firm_slope_ = slope_;
     slow_ = magnitude(last_.value) > 0.5 * magnitude(earlier.value) ? slow_ + 1 : 0;
   }
 
@@ -40,6 +41,11 @@ class HeightSearch {
   void forget_heights() {
     low_ = high_ = last_ = Place{};
     slow_ = 0;
+  }
+
+  /// The last slope that is known to a tenth, as a part of that by a stiffness [N/m]; 0: none is known.
+  double part_of(double stiffness) const {
+    return stiffness > 0.0 ? firm_slope_ * (1.5 * root(target_)) / stiffness : 0.0;
   }
 
   /// The heights of too little and too much load coincide.
@@ -72,9 +78,9 @@ class HeightSearch {
     bool known() const { return doubt >= 0.0; }
   };
 
-  double load_, target_;  ///< asked for [N], and straightened
-  double slope_ = 0.0;    ///< derivative of the straightened load by the height
-  Place low_, high_;      ///< too little and too much beyond doubt
+  double load_, target_;                   ///< asked for [N], and straightened
+  double slope_ = 0.0, firm_slope_ = 0.0;  ///< derivative of the straightened load by the height
+  Place low_, high_;                       ///< too little and too much beyond doubt
   Place last_;
   std::int32_t slow_ = 0;  ///< steps in a row that brought little
 };

@@ -60,6 +60,8 @@ void fill_free_slips(const tangential::MarchGrid& grid, const ContactStrips& str
 void copy_start(const KeptStart& from, KeptStart& to) {
   to.set = from.set;
   to.height = from.height;
+  to.load = from.load;
+  to.stiffness = from.stiffness;
   to.count = from.count;
   const auto count = static_cast<std::int32_t>(from.count);
   std::copy_n(from.strip, count, to.strip);
@@ -126,7 +128,8 @@ bool commit_solution(SurfaceState& state) {
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
                                      const StripWidths& widths, std::int32_t cells, bool varying) {
   return wheel_work_bytes(
-      {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods});
+             {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods})
+      .all();
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,
@@ -152,18 +155,22 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   const bool warm = from != SolutionStart::anew && last.set > 0.0;
   HeightStart start{
       {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count)},
-      warm ? StartFrom::solution : StartFrom::overlaps};
+      warm ? StartFrom::solution : StartFrom::overlaps,
+      warm && last.stiffness > 0.0 ? last.stiffness : 1.0};
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
   if (in.load_prescribed) {
-    const double guess = warm ? last.height : first_touch(problem, arena) + usual_approach(in.vertical_load);
+    const double guess = warm ? predicted_height(solver, last.height, last.load)
+                              : first_touch(problem, arena) + usual_approach(in.vertical_load);
     fault = solve_given_load(solver, guess);
   } else {
     fault = solve_given_height(solver);
   }
   // the state is that of the wrench: height, lengths (in arrays of `start`), strips
   last.height = out.height;
+  last.load = -out.force[2];
+  last.stiffness = start.stiffness;
   last.count = start.solution.count;
   last.set = start.from == StartFrom::overlaps ? 0.0 : 1.0;
   complete_results(problem, solution, state.kept);

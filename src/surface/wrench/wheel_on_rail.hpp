@@ -93,9 +93,11 @@ struct Wrench {
 
 /// A solution that a later one may start from (PressureStart).
 struct KeptStart {
-  double set = 0.0;     ///< 1: the rest holds a solution
-  double height = 0.0;  ///< position[2] of the wheel [m]
-  double count = 0.0;   ///< strips
+  double set = 0.0;        ///< 1: the rest holds a solution
+  double height = 0.0;     ///< position[2] of the wheel [m]
+  double load = 0.0;       ///< vertical force on the rail [N]
+  double stiffness = 0.0;  ///< dF/dh of the load over Hertz's 1.5 F / approach; 0: not known
+  double count = 0.0;      ///< strips
   double strip[most_overlapping_strips] = {};
   double length_squared[most_overlapping_strips] = {};
   double shift[most_overlapping_strips] = {};

@@ -47,7 +47,7 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
   return r;
 }
 
-std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
+WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   const std::int32_t most = sizes.strips;
   // behind the results of a solve ...
   Arena results;
@@ -62,8 +62,9 @@ std::int64_t wheel_work_bytes(const WorkSizes& sizes) {
                                            : pressure_doubles(most));
   cut_rolling(rolling, sizes);
   if (sizes.methods.remembers) count_remembering(rolling, most);
-  count_wrench_jacobian(jacobian, sizes);
-  return std::max({overlaps.bytes(), pressure.bytes(), rolling.bytes(), jacobian.bytes()});
+  if (sizes.methods.differentiable()) count_wrench_jacobian(jacobian, sizes);
+  const auto behind = [&](const Arena& stage) { return stage.bytes() - results.bytes(); };
+  return {results.bytes(), behind(overlaps), behind(pressure), behind(rolling), behind(jacobian)};
 }
 
 }  // namespace wrc::surface

@@ -4,6 +4,7 @@
 /// handed to each stage as an Arena by value, so that a stage cuts where the one before has.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/arena.hpp"
@@ -71,8 +72,13 @@ WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results);
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
 
-/// A stage of which only the size is asked: bytes of the largest of all of a solve.
-std::int64_t wheel_work_bytes(const WorkSizes& sizes);
+/// Bytes of a solve: results, and behind them the scratch of each stage in the same memory.
+struct WheelWorkBytes {
+  std::int64_t results, overlaps, pressure, rolling, derivatives;
+
+  std::int64_t all() const { return results + std::max({overlaps, pressure, rolling, derivatives}); }
+};
+WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes);
 
 /// Strips nearer than this to the wheel are candidates of the normal problem [m].
 inline double candidate_margin(const SurfaceModel& model) {

@@ -62,7 +62,7 @@ struct Scratch {
   RollingArraysOf<Number> rolling;
   double* values;  ///< for the kernel: its numbers without derivatives
   double* slopes;  ///< from the kernel
-  DifferencesScratch differences;
+  DifferencesScratch differences;  ///< its memory is that of the three above
 };
 
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
@@ -85,18 +85,23 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   arena.each(most, s.place, s.width);
   arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
              s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
+  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory, whose
+  // step has the scratch of the solution's.
+  Arena differences = arena;
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   DifferencesScratch& h = w.differences;
-  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction, h.fx,
-             h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
-  h.remembering = arena;
-  h.rolling = cut_rolling(arena, sizes);
-  if (sizes.methods.remembers) count_remembering(arena, sizes.strips);
+  differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
+                   h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
+  h.remembering = differences;
+  WorkSizes rolling = sizes;
+  if (!sizes.methods.remembers) rolling.strips = most;
+  h.rolling = cut_rolling(differences, rolling);
+  if (sizes.methods.remembers) count_remembering(differences, sizes.strips);
 
-  // whichever of both is larger
-  const std::int64_t behind = pressures.bytes() - arena.bytes();
+  // whichever of them is largest
+  const std::int64_t behind = std::max(pressures.bytes(), differences.bytes()) - arena.bytes();
   if (behind > 0) arena.take<char>(behind);
   return w;
 }
