@@ -369,7 +369,7 @@ typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
   double y;             /**< place of the profile's origin from that of config.rail, to the field side, -0.5..0.5 m [0] */
   double z;             /**< the same downwards, -0.5..0.5 m [0] */
-  int32_t surface;      /**< which surface it is of, 0..3; sections of one surface stand side by side. Count from the gauge side [0] */
+  int32_t surface;      /**< which surface it is of, 0..7; sections of one surface stand side by side. Count from the gauge side [0] */
   uint32_t mark_count;  /**< number of marks, 0..64; equal for all sections of a surface [0] */
   const double* marks;  /**< `mark_count` of them: y on this profile, -0.5..0.5 m, increasing by 1 mm at least, also from
                              the ends [required] */

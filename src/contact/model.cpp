@@ -122,6 +122,12 @@ std::size_t section_bytes(const ModelOptions& options) {
          sizeof(double) * (profiles + scratch);
 }
 
+/// Faces of the rail: the last section is of the last.
+std::int32_t face_count(const ModelOptions& options) {
+  const std::int32_t sections = options.sections.count;
+  return sections > 0 ? section(options, sections - 1).section.face + 1 : 1;
+}
+
 std::size_t surface_bytes(const ModelOptions& options) {
   if (!has_surface(options)) return 0;
   // Scratch of the surface model is that of the longest section.
@@ -129,7 +135,7 @@ std::size_t surface_bytes(const ModelOptions& options) {
   for (std::int32_t k = 0; k < options.sections.count; ++k)
     longest = std::max(longest, node_count(section(options, k).profile));
   return surface::surface_model_bytes(node_count(options.wheel), node_count(options.rail),
-                                      options.sections.count, longest, options.radius);
+                                      options.sections.count, longest, face_count(options), options.radius);
 }
 
 /// Bytes that contacts carry for the methods and the surface.
@@ -148,7 +154,8 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   sizes.surface_state_bytes = surface::surface_state_bytes(remembered_strips(options));
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
       node_count(options.wheel), surface_methods(options), options.strip_widths, options.surface_cells,
-      options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0);
+      options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0,
+      face_count(options));
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.

@@ -9,9 +9,10 @@
 namespace wrc::surface {
 namespace {
 
-/// Numbers the model's memory depends on: points of the profiles, sections, points of the longest of them.
+/// Numbers the model's memory depends on: points of the profiles, sections, points of the longest of them,
+/// faces.
 struct Sizes {
-  std::int32_t wheel_nodes, rail_nodes, sections, section_nodes;
+  std::int32_t wheel_nodes, rail_nodes, sections, section_nodes, faces;
 };
 
 /// Memory of a model.
@@ -35,7 +36,7 @@ ModelArrays cut(Arena& arena, const Sizes& sizes, const RadiusTable& radius) {
   a.strips = cut_strips(arena, most_strips_of_a_rail);
   arena.each(std::max(sizes.wheel_nodes, sizes.rail_nodes), a.y, a.z);
   if (sizes.sections > 0)
-    a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, most_strips_of_a_rail);
+    a.varying = cut_varying_rail(arena, sizes.sections, sizes.section_nodes, strips_of_a_rail(sizes.faces));
   if (radius.rows > 0) a.radius = cut_out_of_round(arena, radius);
   return a;
 }
@@ -64,14 +65,15 @@ Fault make_rail(const SurfaceBodies& bodies, const ModelArrays& a, Curve& rail) 
 }  // namespace
 
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
-                                std::int32_t section_nodes, const RadiusTable& radius) {
+                                std::int32_t section_nodes, std::int32_t faces, const RadiusTable& radius) {
   Arena count;
-  cut(count, {wheel_nodes, rail_nodes, sections, section_nodes}, radius);
+  cut(count, {wheel_nodes, rail_nodes, sections, section_nodes, faces}, radius);
   return static_cast<std::size_t>(count.bytes());
 }
 
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& made) {
-  Sizes sizes{bodies.wheel.count, bodies.rail.count, bodies.sections, 0};
+  const std::int32_t faces = bodies.sections > 0 ? bodies.section[bodies.sections - 1].face + 1 : 1;
+  Sizes sizes{bodies.wheel.count, bodies.rail.count, bodies.sections, 0, faces};
   for (std::int32_t k = 0; k < bodies.sections; ++k)
     sizes.section_nodes = std::max(sizes.section_nodes, bodies.section[k].profile.count);
   Arena arena(memory);
@@ -84,9 +86,10 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   if (fault.failed()) return fault;
   model->rail = cut_rail(model->rail_curve, bodies.widths, most_strips_of_a_rail, arrays.strips);
   // a rail that changes along the track, a wheel whose radius changes round it
+  model->rail_strips = strips_of_a_rail(faces);
   if (bodies.sections > 0) {
     fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, bodies.widths,
-                              most_strips_of_a_rail, arrays.varying, model->varying);
+                              model->rail_strips, arrays.varying, model->varying);
     if (fault.failed()) {
       // A check rail's sections are not the caller's.
       if (!has_check_rail(model->varying)) fault.distance = bodies.section[fault.index].distance;

@@ -57,6 +57,16 @@ struct SurfaceBodies {
   PressureOptions pressure;
 };
 
+/// Most strips a rail of up to four faces may be cut into, and most of them that may overlap a wheel at a
+/// time.
+inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_strips = 256;
+
+/// Most strips a rail of so many faces may be cut into: each has a fourth of those of four, or more.
+constexpr std::int32_t strips_of_a_rail(std::int32_t faces) {
+  return faces > 4 ? 2 * most_strips_of_a_rail : most_strips_of_a_rail;
+}
+static_assert(strips_of_a_rail(most_rail_faces) / most_rail_faces == most_strips_of_a_rail / 4);
+
 struct SurfaceModel : SurfaceGeometry {
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
   patch::Material material;
@@ -65,12 +75,10 @@ struct SurfaceModel : SurfaceGeometry {
   StripCoefficientTable coefficients;
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
-  PressureOptions pressure;           ///< options of a solution to the end
-  std::int32_t most_overlapping = 0;  ///< overlapping_strips() of its widths
+  PressureOptions pressure;                          ///< options of a solution to the end
+  std::int32_t most_overlapping = 0;                 ///< overlapping_strips() of its widths
+  std::int32_t rail_strips = most_strips_of_a_rail;  ///< strips_of_a_rail() of its faces
 };
-
-/// Most strips a rail may be cut into, and most of them that may overlap a wheel at a time.
-inline constexpr std::int32_t most_strips_of_a_rail = 1024, most_overlapping_strips = 256;
 
 /// Strips of these widths that may overlap a wheel at a time: as many as 64 mm of a rail's tread and 16 mm of
 /// its corner are cut into, within most_overlapping_strips. Memory goes with the square.
@@ -80,9 +88,9 @@ inline std::int32_t overlapping_strips(const StripWidths& widths) {
   return static_cast<std::int32_t>(smaller(strips + 0.5, most_overlapping_strips));
 }
 
-/// `sections`, `section_nodes`: how many, and nodes of the longest.
+/// `sections`, `section_nodes`, `faces`: how many, nodes of the longest, and surfaces that they are of.
 std::size_t surface_model_bytes(std::int32_t wheel_nodes, std::int32_t rail_nodes, std::int32_t sections,
-                                std::int32_t section_nodes, const RadiusTable& radius);
+                                std::int32_t section_nodes, std::int32_t faces, const RadiusTable& radius);
 
 /// Makes the model in memory of surface_model_bytes(), aligned as a double.
 Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const SurfaceModel*& model);

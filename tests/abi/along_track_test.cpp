@@ -440,6 +440,34 @@ TEST_F(AlongTrack, AFaceBehindTheFlangeIsACheckRail) {
     EXPECT_NEAR(wrench.force[i], checked.force[i], 1e-9 * checked.normal_force) << i;
 }
 
+TEST_F(AlongTrack, EightSurfacesCarryAsOneAndNineAreRefused) {
+  const auto give_surfaces = [&](int count) {
+    sections.clear();
+    for (int face = 0; face < count; ++face)
+      for (const double distance : {0.0, 1.0, 2.0})
+        add(distance, face + 1 < count ? 0.05 : 1e-3 * distance).surface = face;  // all but the last lie deep
+    give();
+  };
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 70e3;
+  input.distance = 0.7;
+  wheel.yaw = 2e-3;
+  wrc_wrench one{};
+  for (const int count : {1, 5, 8}) {
+    give_surfaces(count);
+    create();
+    ASSERT_EQ(step(), WRC_OK) << count << " surfaces: " << error();
+    if (count == 1) one = wrench;
+    // strips of a surface beside others are as fine, but for their share of all
+    EXPECT_NEAR(wrench.z, one.z, 0.1e-6) << count;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.force[i], one.force[i], 1e-3 * one.normal_force) << count;
+  }
+  give_surfaces(9);
+  EXPECT_EQ(refused(), WRC_ERROR_RANGE);
+  EXPECT_NE(sentence.find("surface"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("(section 25 at 0 m)"), std::string::npos) << sentence;
+}
+
 TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   add(1.0);
   add(0.5);

@@ -45,8 +45,9 @@ class Pair {
     bodies.kernels = &kernels_for(InstructionSet::baseline);
     bodies.ellipse = &ellipse_;
     bodies.grid = &grid_;
-    model_memory_.resize(
-        surface::surface_model_bytes(bodies.wheel.count, bodies.rail.count, 0, 0, {}) / sizeof(double) + 1);
+    model_memory_.resize(surface::surface_model_bytes(bodies.wheel.count, bodies.rail.count, 0, 0, 1, {}) /
+                             sizeof(double) +
+                         1);
     if (surface::make_surface_model(bodies, model_memory_.data(), model_).failed())
       throw std::string("the wheel on the rail cannot be made");
     workspace_.resize(static_cast<std::size_t>(

@@ -752,7 +752,7 @@ class RailSection(s.Struct):
           0)
       z [m]: the same downwards (-0.5 .. 0.5; default 0)
       surface: which surface it is of; sections of one surface stand side by side. Count from the gauge side
-          (0 .. 3; default 0)
+          (0 .. 7; default 0)
       mark_count: number of marks; equal for all sections of a surface (0 .. 64; default 0)
       marks [m]: mark_count of them: y on this profile, increasing by 1 mm at least, also from the ends (-0.5
           .. 0.5; required)

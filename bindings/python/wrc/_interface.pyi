@@ -654,7 +654,7 @@ class RailSection(s.Struct):
     """z [m]: the same downwards (-0.5 .. 0.5; default 0)"""
     surface: int
     """surface: which surface it is of; sections of one surface stand side by side. Count from the gauge side (0
-        .. 3; default 0)
+        .. 7; default 0)
     """
     @property
     def mark_count(self) -> int:

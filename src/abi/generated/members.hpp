@@ -406,7 +406,7 @@ struct Description<wrc_rail_section> {
       {.name = "distance", .offset = offsetof(wrc_rail_section, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "y", .offset = offsetof(wrc_rail_section, y), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
       {.name = "z", .offset = offsetof(wrc_rail_section, z), .type = Type::real, .rule = Rule::range, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
-      {.name = "surface", .offset = offsetof(wrc_rail_section, surface), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 3},
+      {.name = "surface", .offset = offsetof(wrc_rail_section, surface), .type = Type::int32, .rule = Rule::range, .low = 0, .high = 7},
       {.name = "mark_count", .offset = offsetof(wrc_rail_section, mark_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
       {.name = "marks", .offset = offsetof(wrc_rail_section, marks), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.5, .high = 0.5, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_rail_section, mark_count), .state = State::not_zero, .counted_by = offsetof(wrc_rail_section, mark_count)},
       {.name = "profile.kind", .offset = offsetof(wrc_rail_section, profile.kind), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_profile_kind},

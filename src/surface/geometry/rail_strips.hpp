@@ -10,7 +10,7 @@ namespace wrc::surface {
 
 /// A rail has at most so many faces that are cut on their own (varying_rail.hpp), and so many marks that pair
 /// its sections.
-inline constexpr std::int32_t most_rail_faces = 4, most_rail_marks = 64;
+inline constexpr std::int32_t most_rail_faces = 8, most_rail_marks = 64;
 
 /// Strips side by side, and the bounds of their middles.
 struct FaceStrips {

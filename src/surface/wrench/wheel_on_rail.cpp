@@ -126,9 +126,10 @@ bool commit_solution(SurfaceState& state) {
 }
 
 std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     const StripWidths& widths, std::int32_t cells, bool varying) {
-  return wheel_work_bytes(
-             {most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying, methods})
+                                     const StripWidths& widths, std::int32_t cells, bool varying,
+                                     std::int32_t faces) {
+  return wheel_work_bytes({most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying,
+                           methods, strips_of_a_rail(faces)})
       .all();
 }
 
@@ -139,7 +140,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
   StripArrays sections{};
-  if (sizes.varying) sections = cut_strips(arena, most_strips_of_a_rail);
+  if (sizes.varying) sections = cut_strips(arena, sizes.rail_strips);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
   if (model.methods.remembers) problem.memory = &memory_of(state);

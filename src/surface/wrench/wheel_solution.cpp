@@ -10,12 +10,13 @@
 
 namespace wrc::surface {
 WorkSizes work_sizes(const SurfaceModel& model) {
-  return {model.wheel.curve.pieces, model.grid->cells, model.most_overlapping, varies(model), model.methods};
+  return {model.wheel.curve.pieces, model.grid->cells, model.most_overlapping, varies(model), model.methods,
+          model.rail_strips};
 }
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
   return {cut_overlaps(arena, sizes.strips, sizes.varying),
-          cut_overlap_scratch(arena, sizes.wheel_pieces, most_strips_of_a_rail)};
+          cut_overlap_scratch(arena, sizes.wheel_pieces, sizes.rail_strips)};
 }
 
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results) {
@@ -51,7 +52,7 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   const std::int32_t most = sizes.strips;
   // behind the results of a solve ...
   Arena results;
-  if (sizes.varying) cut_strips(results, most_strips_of_a_rail);
+  if (sizes.varying) cut_strips(results, sizes.rail_strips);
   StripResults none;
   cut_solution(results, sizes, none);
 

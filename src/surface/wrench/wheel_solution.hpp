@@ -23,6 +23,7 @@ struct WorkSizes {
   std::int32_t strips;  ///< that may overlap at a time
   bool varying;         ///< the rail or the wheel is not the same everywhere
   const SurfaceMethods& methods;
+  std::int32_t rail_strips = most_strips_of_a_rail;  ///< most of the rail
 };
 WorkSizes work_sizes(const SurfaceModel& model);
 
