@@ -234,6 +234,27 @@ TEST_F(SurfaceMemory, RegionsJoinAndPartWithoutAJump) {
   }
 }
 
+TEST_F(SurfaceMemory, StripsThatLeaveAndReturnDoNotLeap) {
+  wheel.yaw = 1e-3;
+  stand(4e-3);
+  roll(1.0);
+  wheel.velocity[1] = 3e-4;
+  for (int i = 0; i < 8; ++i) go(1e-3);
+  // half of the load, so that strips are without contact that had tractions
+  wrc_wrench before{}, last{};
+  for (int i = 0; i < 300; ++i) {
+    wheel.y = 4e-3 - 600e-6 + 1e-6 * i;
+    const wrc_wrench& now = go(4e-3, false);
+    const double x = now.force[0] - 2.0 * last.force[0] + before.force[0],
+                 y = now.force[1] - 2.0 * last.force[1] + before.force[1];
+    if (i > 1) {
+      EXPECT_LT(std::hypot(x, y), 1e-3 * friction.coefficient * now.normal_force) << i;
+    }
+    before = last;
+    last = now;
+  }
+}
+
 TEST_F(SurfaceMemory, DerivativesAreThoseOfTheStep) {
   config.surface.tolerance = 1e-9;  // differences see the pressures' own
   struct Kind {
