@@ -76,7 +76,7 @@ class Rememberer {
     std::int32_t first, end;
     double share;
     const PartMeans& means;
-    bool at_low_end, at_high_end;  ///< of its run
+    bool at_low_end, at_high_end;  ///< where its run ends
   };
 
   /// Parts that carry load and have friction.

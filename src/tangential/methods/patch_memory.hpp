@@ -89,7 +89,7 @@ struct PatchStrips {
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
   /// are the same in all patches they are of. nullptr: those of the patch.
   const RememberingStrip* shared = nullptr;
-  LeftStrips left{};    ///< of a rail's strips, those the patch had
+  LeftStrips left{};    ///< those that a rail's patch had
   double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
 };
 
