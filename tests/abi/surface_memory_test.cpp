@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,25 @@ class SurfaceMemory : public testing::Test, protected PlacedWheel {
     return std::hypot(a.force[0] - b.force[0], a.force[1] - b.force[1]) / limit;
   }
 
+  /// The wrench of a contact without memory at the input of the moment.
+  wrc_wrench steady() {
+    wrc_contact* const remembering = contact;
+    wrc_model* const of_that = model;
+    contact = nullptr;
+    model = nullptr;
+    config.surface.memory = 0;
+    input.time_step = 0.0;
+    create();
+    EXPECT_EQ(step(), WRC_OK) << error();
+    const wrc_wrench found = wrench;
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+    contact = remembering;
+    model = of_that;
+    config.surface.memory = 1;
+    return found;
+  }
+
   double limit = 0.0;
   wrc_wrench standing{};
 };
@@ -93,23 +113,6 @@ TEST_F(SurfaceMemory, IsPartOfTheState) {
 }
 
 TEST_F(SurfaceMemory, SteadyInputsEndInTheSteadyWrench) {
-  const auto steady = [&] {
-    wrc_contact* const remembering = contact;
-    wrc_model* const of_that = model;
-    contact = nullptr;
-    model = nullptr;
-    config.surface.memory = 0;
-    input.time_step = 0.0;
-    create();
-    EXPECT_EQ(step(), WRC_OK) << error();
-    const wrc_wrench found = wrench;
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-    contact = remembering;
-    model = of_that;
-    config.surface.memory = 1;
-    return found;
-  };
   for (const double y : {4e-3, 0.0, -1e-3}) {
     stand(y);
     roll(2.0);
@@ -123,6 +126,61 @@ TEST_F(SurfaceMemory, SteadyInputsEndInTheSteadyWrench) {
     roll(2.0);
     go(0.1);
     EXPECT_EQ(std::memcmp(wrench.force, end.force, sizeof end.force), 0) << y;
+  }
+}
+
+TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
+  const double zone_y[] = {-1.0, -5e-3, 5e-3, 1.0}, zone_coefficients[] = {0.2, 0.25, 0.4, 0.45};
+  const auto falling = [&] {
+    friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
+    friction.kinetic_ratio = 0.4;
+    friction.fall_rate = 2.0;
+  };
+  const auto zones = [&] {
+    friction.zone_count = 4;
+    friction.zone_y = zone_y;
+    friction.zone_coefficients = zone_coefficients;
+    friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
+  };
+  const auto damped = [&] {
+    input.damping = 0.2;
+    wheel.velocity[2] = 0.02;
+  };
+  const auto aslant = [&] {
+    rail.y_slope = 1e-3;
+    rail.y_velocity = 2e-4;
+  };
+  const std::function<void()> cases[] = {falling, zones, damped, aslant,
+                                         [&] { friction.slope_reduction = 0.5; }};
+  for (const bool roller : {false, true}) {
+    config.roller_curvature = roller ? 2.0 : 0.0;
+    for (std::size_t k = 0; k < (roller ? 1 : std::size(cases)); ++k) {
+      friction = wrc_friction_default();
+      input.damping = rail.y_slope = rail.y_velocity = input.roller_rate = 0.0;
+      stand(3e-3);
+      roll(2.0);
+      wheel.angular_velocity[2] = 0.02;
+      if (roller) {
+        input.roller_rate = wheel.velocity[0] * config.roller_curvature;
+        wheel.velocity[0] = 1e-3;
+      } else {
+        cases[k]();
+      }
+      const wrc_wrench end = steady();
+      for (int i = 0; i < 60; ++i) go(5e-4);
+      EXPECT_LT(apart(wrench, end), 1e-3) << roller << k;
+      // the state has all of it
+      uint64_t bytes = 0;
+      ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+      std::vector<unsigned char> state(bytes);
+      ASSERT_EQ(wrc_contact_save(contact, state.data(), bytes), WRC_OK);
+      wheel.velocity[1] = -3e-3;
+      const wrc_wrench next = go(1e-3);
+      go(2e-3);
+      ASSERT_EQ(wrc_contact_restore(contact, state.data(), bytes), WRC_OK) << error();
+      EXPECT_TRUE(same_bits(next, go(1e-3)));
+      EXPECT_GE(next.power, 0.0);
+    }
   }
 }
 
@@ -231,6 +289,27 @@ TEST_F(SurfaceMemory, RegionsJoinAndPartWithoutAJump) {
       before = last;
       last = wrench;
     }
+  }
+}
+
+TEST_F(SurfaceMemory, StripsThatLeaveAndReturnDoNotLeap) {
+  wheel.yaw = 1e-3;
+  stand(4e-3);
+  roll(1.0);
+  wheel.velocity[1] = 3e-4;
+  for (int i = 0; i < 8; ++i) go(1e-3);
+  // half of the load, so that strips are without contact that had tractions
+  wrc_wrench before{}, last{};
+  for (int i = 0; i < 300; ++i) {
+    wheel.y = 4e-3 - 600e-6 + 1e-6 * i;
+    const wrc_wrench& now = go(4e-3, false);
+    const double x = now.force[0] - 2.0 * last.force[0] + before.force[0],
+                 y = now.force[1] - 2.0 * last.force[1] + before.force[1];
+    if (i > 1) {
+      EXPECT_LT(std::hypot(x, y), 1e-3 * friction.coefficient * now.normal_force) << i;
+    }
+    before = last;
+    last = now;
   }
 }
 

@@ -49,7 +49,7 @@ class Strips {
     const double turn = one_of(3) ? number(-2.0, 2.0) : 0.0, slip = one_of(4) ? 0.0 : number(-3e-3, 3e-3),
                  across = number(-3e-3, 3e-3);
     for (std::int32_t j = 0; j < most; ++j) {
-      const double y = 5e-4 * (j - 0.5 * most);
+      const double y = rail_place_[j] = 5e-4 * (j - 0.5 * most);
       const auto hump = [&](double at, double width, double size) {
         const double t = (y - at) / width;
         return size * std::max(0.0, 1.0 - t * t);
@@ -67,7 +67,7 @@ class Strips {
       spin_[count] = turn;
       friction_[count] = 0.3 + 0.1 * std::sin(500.0 * y);
       along_[count] = 1e-4 * std::sin(300.0 * y);
-      number_[count++] = 100.0 + j;
+      number_[count++] = j;
     }
     SurfaceRollingInput strips;
     strips.count = count;
@@ -89,6 +89,7 @@ class Strips {
     const RememberingInput step{strips,
                                 along_,
                                 number_,
+                                rail_place_,
                                 theory_,
                                 travel,
                                 rolled,
@@ -129,8 +130,8 @@ class Strips {
   std::vector<double> memory_, scratch_;
   double centre_ = 0.0, second_ = 0.5, load_ = 1.0;
   double place_[most], width_[most], half_length_[most], peak_[most], curvature_[most], slip_x_[most],
-      slip_y_[most], spin_[most], friction_[most], along_[most], number_[most], fx_[most], fy_[most],
-      mz_[most];
+      slip_y_[most], spin_[most], friction_[most], along_[most], number_[most], rail_place_[most], fx_[most],
+      fy_[most], mz_[most];
 };
 
 TEST(SurfaceRemembering, GivesBackNoMoreThanWasPutIn) {

@@ -13,6 +13,12 @@ using tangential::PastStrip;
 
 constexpr double least_force = 1e-290;  // [N]
 
+/// From 0 to 1 over t from 0 to 1.
+double smooth_step(double t) {
+  const double within = std::clamp(t, 0.0, 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
 /// Half-spaces yield beside a patch, too: humps that have met yield together, but for a neck between them.
 constexpr LobeLimits joint{0.0, 0.3, true};
 
@@ -70,6 +76,7 @@ class Rememberer {
     std::int32_t first, end;
     double share;
     const PartMeans& means;
+    bool at_low_end, at_high_end;  ///< where its run ends
   };
 
   /// Parts that carry load and have friction.
@@ -78,7 +85,7 @@ class Rememberer {
     parts_.for_each(
         [&](std::int32_t first, std::int32_t end, double share, const LobeCut* low, const LobeCut* high) {
           const PartMeans m = parts_.take_part(first, end, low, high);
-          if (m.load > 0.0 && m.friction > 0.0) take(Part{first, end, share, m});
+          if (m.load > 0.0 && m.friction > 0.0) take(Part{first, end, share, m, !low, !high});
         });
   }
 
@@ -111,6 +118,36 @@ class Rememberer {
     from_now_ = tangential::forgets(in_.rolled, longest_);
   }
 
+  /// The forces of strips that left the contact beside a part. Those between two runs go over from one to the
+  /// other half way.
+  tangential::LeftStrips left_beside(const Part& part) const {
+    tangential::LeftStrips left;
+    const double* const numbers = in_.number;
+    const auto beyond = [&](double number, std::int32_t before, std::int32_t behind) {
+      if (before < 0 || behind == strips_.count) return before < 0 ? 1.0 : 0.0;
+      const double t = (number - numbers[before]) / (numbers[behind] - numbers[before]);
+      return smooth_step(2.0 * t - 0.5);
+    };
+    for (std::int64_t k = 0; k < in_.past_count; ++k) {
+      const PastStrip& strip = in_.past[k];
+      double weight = 0.0;
+      if (part.at_low_end && strip.y < numbers[part.first]) {
+        if (part.first > 0 && strip.y <= numbers[part.first - 1]) continue;
+        weight = beyond(strip.y, part.first - 1, part.first);
+      } else if (part.at_high_end && strip.y > numbers[part.end - 1]) {
+        if (part.end < strips_.count && strip.y >= numbers[part.end]) continue;
+        weight = 1.0 - beyond(strip.y, part.end - 1, part.end);
+      }
+      const double fx = weight * in_.direction * strip.force[0], fy = weight * strip.force[1];
+      left.fx += fx;
+      left.fy += fy;
+      left.mz += weight * in_.direction * strip.force[2];
+      left.turn += in_.direction * strip.centre * fy -
+                   (in_.rail_place[static_cast<std::int32_t>(strip.y)] - part.means.place) * fx;
+    }
+    return left;
+  }
+
   /// The part as a patch.
   tangential::PatchStrips fill_strips(const Part& part, const tangential::RememberingStrip* shared) {
     const PartMeans& m = part.means;
@@ -137,6 +174,7 @@ class Rememberer {
             scratch_.number,
             scratch_.inside,
             shared ? scratch_.of_part : nullptr,
+            left_beside(part),
             longest_};
   }
 
@@ -251,10 +289,16 @@ class Rememberer {
       const auto& steady = scratch_.steady[j].force;
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
       const PastStrip* const past = tangential::past_of_number(in_.past, in_.past_count, strip.y);
+      // a strip about to leave keeps no more of it than its friction
+      const double limit =
+          strips_.friction[j] * (0.5 * pi) * strips_.peak[j] * strips_.half_length[j] * strips_.width[j];
+      const double kept =
+          past ? std::sqrt(past->added[0] * past->added[0] + past->added[1] * past->added[1]) : 0.0;
+      const double held = std::min(1.0, limit / std::max(kept, least_force));
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
-        added = past ? (i == 1 ? 1.0 : in_.direction) * past->added[i] : 0.0;
+        added = past ? (held * (i == 1 ? 1.0 : in_.direction)) * past->added[i] : 0.0;
         if (!rests_) added += scratch_.follows[j] * (*force[i] - of_steady_cells[i] - added);
         if (from_now_) continue;  // the steady force itself
         *force[i] = of_cells[i] + added;

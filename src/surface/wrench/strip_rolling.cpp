@@ -106,6 +106,7 @@ RememberingResult solve_remembered_tractions(const WheelProblem& problem, const 
   const RememberingInput in{rolls,
                             scratch.x,
                             scratch.number,
+                            problem.rail.s,
                             *model.methods.linear_theory,
                             step.divisor * step.time,
                             std::abs(step.rolling_speed) * step.time,

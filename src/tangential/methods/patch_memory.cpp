@@ -185,7 +185,13 @@ void PatchStep::take_past() {
     before_[2] += strips_.inside[j] * sign * strip->force[2] +
                   arm_ * ((sign * strip->centre - centre_x_) * fy - (region.y[j] - centre_y_) * fx);
   }
-  if (strips_.number) return;
+  if (strips_.number) {
+    const LeftStrips& left = strips_.left;
+    before_[0] += left.fx;
+    before_[1] += left.fy;
+    before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
+    return;
+  }
   // On a plane forces, energy and difference to strip FASTSIM of the strips remembered within the patch's
   // width.
   double low = 0.0, high = 0.0;

@@ -71,6 +71,12 @@ struct Memory {
   }
 };
 
+/// Forces of strips that have left the contact, of the bodies rolling forwards: sums of fx, fy, the moments
+/// about their own middles, and x fy - y fx from the patch's origin. The half-spaces yield as they vanish.
+struct LeftStrips {
+  double fx = 0.0, fy = 0.0, mz = 0.0, turn = 0.0;
+};
+
 /// Strips of one patch: those remembered, and where the step's go.
 struct PatchStrips {
   const PastStrip* past = nullptr;
@@ -83,6 +89,7 @@ struct PatchStrips {
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
   /// are the same in all patches they are of. nullptr: those of the patch.
   const RememberingStrip* shared = nullptr;
+  LeftStrips left{};    ///< those that a rail's patch had
   double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
 };
 
