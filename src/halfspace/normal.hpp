@@ -12,7 +12,7 @@
 
 #include "base/fault.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
+#include "base/progress.hpp"
 #include "halfspace/turned_convolution.hpp"
 #include "normal/problem.hpp"
 

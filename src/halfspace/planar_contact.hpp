@@ -4,7 +4,7 @@
 
 #include "contact/state.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
+#include "base/progress.hpp"
 
 namespace wrc::halfspace {
 

@@ -10,7 +10,7 @@
 #include "damage/stress.hpp"
 #include "halfspace/fft.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
+#include "base/progress.hpp"
 
 namespace wrc::halfspace {
 

@@ -29,7 +29,7 @@
 
 #include "base/fault.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
+#include "base/progress.hpp"
 #include "halfspace/turned_convolution.hpp"
 #include "tangential/exact/rolling_newton.hpp"
 #include "tangential/problem.hpp"
