@@ -74,7 +74,7 @@ const Law laws[] = {
      "strip FASTSIM",
      {WRC_CREEP_COEFFICIENT, WRC_CREEP_LAYER_THICKNESS, WRC_CREEP_LAYER_YIELD},
      [](wrc_friction& law) {
-       law.coefficient = 0.4;
+       law.coefficient = 0.25;
        law.layer_hardening = 0.0;
      }},
     {"static and kinetic friction",

@@ -174,14 +174,10 @@ Fault read_curve(const wrc_creep_curve* theirs, const contact::Model& model, wrc
     return Fault::unsupported("config.planar.non_steady",
                               "a creep curve is of steady rolling: use a model without it");
 
-  // points, and how they scatter
-  constexpr double least_share = 0.01;
-  const double largest = *std::max_element(curve.adhesion, curve.adhesion + curve.count);
-  for (std::uint32_t i = 0; i < curve.count; ++i) {
-    const double scatter =
-        curve.scatter == WRC_SCATTER_RELATIVE ? std::max(curve.adhesion[i], least_share * largest) : 1.0;
-    problem.points.push_back({curve.slip[i], curve.adhesion[i], curve.speed[i], curve.load[i], scatter});
-  }
+  // points and patch
+  for (std::uint32_t i = 0; i < curve.count; ++i)
+    problem.points.push_back({curve.slip[i], curve.adhesion[i], curve.speed[i], curve.load[i]});
+  problem.relative = curve.scatter == WRC_SCATTER_RELATIVE;
   problem.patch = {curve.ellipse.a, curve.ellipse.b, curve.ellipse.psi};
   problem.patch_load = curve.ellipse.normal_force;
   problem.max_iterations = curve.max_iterations;

@@ -35,7 +35,8 @@ class Fitter {
       : contact_(contact),
         problem_(problem),
         count_(static_cast<int>(problem.parameters.size())),
-        slopes_(problem.points.size() * problem.parameters.size()) {
+        slopes_(problem.points.size() * problem.parameters.size()),
+        scatter_(problem.points.size(), 1.0) {
     // ends of the range of u
     for (int k = 0; k < count_; ++k) {
       low_[at(k)] = coordinate(k, problem.parameters[at(k)].low);
@@ -44,8 +45,26 @@ class Fitter {
   }
 
   CurveFit run() {
+    // by the measured adhesion first, then twice by that of the law
+    constexpr int fits = 3;
     Vector u{};
-    double sum = residuals(u, residual_);
+    double sum = 0.0;
+    bool done = false;
+    for (int round = 0; round < (problem_.relative ? fits : 1) && !fit_.fault.failed(); ++round) {
+      if (problem_.relative) weigh(u, round == 0);
+      sum = residuals(u, residual_);
+      done = settle(u, sum);
+    }
+    if (fit_.fault.failed()) return std::move(fit_);
+    if (!done) keep_worst(fit_.fault, Fault::iteration_cap("curve.max_iterations"));
+    find_slopes(u);
+    state(u, sum);
+    return std::move(fit_);
+  }
+
+ private:
+  /// Steps to the smallest sum; false where the cap came first.
+  bool settle(Vector& u, double& sum) {
     double damping = 1e-3;
     bool done = false;
     for (; !done && fit_.iterations < problem_.max_iterations && !fit_.fault.failed(); ++fit_.iterations) {
@@ -56,14 +75,22 @@ class Fitter {
       find_slopes(u);
       done = !improve(u, sum, damping);
     }
-    if (fit_.fault.failed()) return std::move(fit_);
-    if (!done) keep_worst(fit_.fault, Fault::iteration_cap("curve.max_iterations"));
-    find_slopes(u);
-    state(u, sum);
-    return std::move(fit_);
+    return done;
   }
 
- private:
+  /// Scatter of the points in proportion to their adhesion, the measured one or that of the law.
+  void weigh(const Vector& u, bool measured) {
+    constexpr double least_share = 0.01;
+    const contact::Friction law = law_at(u);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < scatter_.size(); ++i) {
+      const CurvePoint& point = problem_.points[i];
+      scatter_[i] = measured ? point.adhesion : adhesion(law, point);
+      largest = std::max(largest, scatter_[i]);
+    }
+    for (double& each : scatter_) each = std::max(each, least_share * largest);
+  }
+
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   double start(int k) const {
     contact::Friction law = problem_.start;
@@ -108,7 +135,7 @@ class Fitter {
     double sum = 0.0;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const CurvePoint& point = problem_.points[i];
-      found[i] = (adhesion(law, point) - point.adhesion) / point.scatter;
+      found[i] = (adhesion(law, point) - point.adhesion) / scatter_[i];
       sum += found[i] * found[i];
     }
     return sum;
@@ -259,7 +286,7 @@ class Fitter {
   const int count_;
   Vector low_{}, high_{}, length_{}, gradient_{};
   double normal_[most_parameters][most_parameters] = {};
-  std::vector<double> slopes_, residual_, below_, above_, tried_;
+  std::vector<double> slopes_, scatter_, residual_, below_, above_, tried_;
   CurveFit fit_;
 };
 

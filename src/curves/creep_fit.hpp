@@ -2,9 +2,10 @@
 ///
 /// Weighted least squares: the smallest sum of ((f_k(p) - y_k) / s_k)^2, f_k the adhesion that the contact's
 /// tangential method gives at the slip, speed and load of point k, y_k the measured one, s_k how it scatters
-/// up to a common factor. Levenberg's and Marquardt's method in coordinates u: positive parameters are
-/// start * exp(u), others start + unit * u. Slopes are central differences. Parameters stay within their
-/// range: one at its end that would leave it is held in that step.
+/// up to a common factor: 1, or in proportion to f_k, that of the fit before, three fits in all. In
+/// proportion to y_k would draw the law to points that happen to be low. Levenberg's and Marquardt's method
+/// in coordinates u: positive parameters are start * exp(u), others start + unit * u. Slopes are central
+/// differences. Parameters stay within their range: one at its end that would leave it is held in that step.
 ///
 /// Spread: with J the slopes of the residuals at the end, covariance of u = sigma^2 (J^T J)^-1,
 /// sigma^2 = sum / (points - parameters). Columns of J are scaled to one length before; along eigenvectors of
@@ -32,7 +33,6 @@ struct CurvePoint {
   double adhesion = 0.0;  ///< measured [-]
   double speed = 0.0;     ///< [m/s]
   double load = 0.0;      ///< [N]
-  double scatter = 1.0;   ///< standard deviation of the adhesion, up to a common factor
 };
 
 /// A number of the law that is looked for.
@@ -57,6 +57,8 @@ struct CurveFitProblem {
   double patch_load = 0.0;  ///< [N]
   contact::Friction start;  ///< the law the fit begins with
   std::vector<FitParameter> parameters;
+  bool relative =
+      true;  ///< points scatter in proportion to the adhesion, and to a hundredth of the largest at least
   std::int32_t max_iterations = 100;
   ProgressCallback progress;
 };
