@@ -27,7 +27,7 @@ enum wrc_tangential_method {
   WRC_TANGENTIAL_FORCE_TABLE = 3,      /**< total forces from config.tangential.force_table, exact solutions for double
                                             ellipses: no tractions, no slip, and nothing that is made of them */
   WRC_TANGENTIAL_POLACH = 4            /**< Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and
-                                            slip_reduction: total forces without moment, tractions and slip */
+                                            slip_reduction: total forces, no tractions and no slip */
 };
 
 /** What FASTSIM and FaStrip take for the patch: the strips tractions live on, and the shape whose coefficients of linear

@@ -57,7 +57,9 @@ TEST_F(PolachLaw, GivesTheNumbersOfThePublishedForm) {
     const TangentialForces f = at(row.creepage);
     EXPECT_NEAR(f.fx / limit(), row.fx, 1e-3);
     EXPECT_NEAR(f.fy / limit(), row.fy, 1e-3);
-    EXPECT_EQ(f.mz, 0.0);
+    EXPECT_NEAR(f.power_per_speed,
+                -(f.fx * row.creepage.longitudinal + f.fy * row.creepage.lateral + f.mz * row.creepage.spin),
+                1e-12 * limit());
   }
 }
 
@@ -98,6 +100,7 @@ TEST_F(PolachLaw, SmallSlipFollowsLinearTheoryTimesTheMeanOfBothFactors) {
     EXPECT_NEAR(y.fy, share * stiff * k.c22 * 1e-8, 1e-6 * y.fy);
     EXPECT_NEAR(turn.fy, -stiff * std::sqrt(28e-6) * k.c23 * 1e-6, 1e-6 * std::fabs(turn.fy));
     EXPECT_NEAR(x.adhesion_fraction, 1.0, 1e-6);
+    EXPECT_NEAR(y.mz, -stiff * std::sqrt(28e-6) * k.c23 * 1e-8, 1e-6 * std::fabs(y.mz));
   }
 }
 

@@ -136,14 +136,14 @@ class TangentialMethod(s.Choice):
     FORCE_TABLE: total forces from config.tangential.force_table, exact solutions for double ellipses: no
         tractions, no slip, and nothing that is made of them
     POLACH: Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction:
-        total forces without moment, tractions and slip
+        total forces, no tractions and no slip
     """
 
     FASTSIM = 0, 'FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and flexibility of config.tangential; modified FASTSIM where friction.slope_fall > 0'
     FASTRIP = 1, "FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it sticks, FASTSIM's directions where it slips"
     STRIP_FASTSIM = 2, 'FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions'
     FORCE_TABLE = 3, 'total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no slip, and nothing that is made of them'
-    POLACH = 4, "Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction: total forces without moment, tractions and slip"
+    POLACH = 4, "Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction: total forces, no tractions and no slip"
 
 
 class PatchModel(s.Choice):

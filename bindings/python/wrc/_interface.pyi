@@ -157,7 +157,7 @@ class TangentialMethod(s.Choice):
     """
     POLACH = 4
     """Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction: total
-        forces without moment, tractions and slip
+        forces, no tractions and no slip
     """
 TangentialMethodLike = Union[TangentialMethod, Literal['FASTSIM', 'FASTRIP', 'STRIP_FASTSIM', 'FORCE_TABLE', 'POLACH']]
 

@@ -91,7 +91,7 @@ def fit_creep_curve(contact: Contact, slip: Any, adhesion: Any, speed: Any, load
         friction = use(i.Friction(), friction)
         friction.coefficient = min(max(1.1 * float(np.max(arrays["adhesion"])), 1e-3), 2.0)
     fitted, watch = np.zeros(count), s.Watch(progress)
-    curve = i.CreepCurve(count=count, ellipse=ellipse, friction=friction, scatter=scatter, **options, **arrays)
+    curve = i.CreepCurve(ellipse=ellipse, friction=friction, scatter=scatter, **options, **arrays)
     curve.parameters = sum(1 << int(i.CreepParameter.of(each.upper())) for each in set(names))
     curve.progress = watch.c
     fit = i.CreepFit(adhesion=fitted)

@@ -6,7 +6,7 @@
 ///     s_yc = s_y + phi a, or s_y where that is larger in magnitude,   s_c = sqrt(s_x^2 + s_yc^2),
 ///     C = sqrt((C11 s_x)^2 + (C22 s_y)^2) / sqrt(s_x^2 + s_y^2),   eps = G pi a b C s_c / (4 mu N),
 ///     F = (2 mu N / pi) (k_A eps / (1 + (k_A eps)^2) + atan(k_S eps)),          k_S <= k_A <= 1,
-///     F_x = -F s_x / s_c,   F_y = -(F s_y + F_spin) / s_c,   M_z = 0.
+///     F_x = -F s_x / s_c,   F_y = -(F s_y + F_spin) / s_c.
 ///
 /// Spin: K = 1 + 6.3 (1 - exp(-a/b)), eps_s = (8/3) G b c C23 |s_yc| / (K mu N), and with
 /// delta = (eps_s^2 - 1) / (eps_s^2 + 1)
@@ -17,23 +17,27 @@
 /// Kalker's linear theory times (k_A + k_S) / 2; spin's force is not reduced. The part that sticks is
 /// 1 / (1 + (k_A eps)^2) of each line along x. Friction falls with one sliding speed of the patch.
 ///
-/// Own: the force is cut to mu N, which reduced factors with spin against lateral slip would pass by up to
-/// 28 %. Power is the balance, never below 0, where spin against lateral slip would feed it. Theory manual,
-/// section 5.
+/// Own: M_z = F_spin s_y / (phi s_c), which tends to Kalker's moment of lateral creepage; he has none.
+/// Without it spin's force against lateral slip would feed power; with it power is F (s_x^2 + s_y^2) / s_c >=
+/// 0. All is cut in one ratio where the force passes mu N, by up to 28 % with reduced factors and spin
+/// against lateral slip. Theory manual, section 5.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/elementary.hpp"
+#include "tangential/force_table/force_table.hpp"
 #include "tangential/rolling_contact.hpp"
 
 namespace wrc::tangential {
 
-/// Forces of the equivalent ellipse about the contact point; of strips, friction's mean over the load counts.
+/// Forces of the equivalent ellipse. Slips are those at the centre of its load, the contact point where psi =
+/// 0, and so is their resultant; of strips, friction's mean over the load counts.
 inline TangentialForces polach(const RollingContact& contact, Fault& fault) {
   const theory::KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
-  const Creepage& slip = contact.creepage;
+  const double centre = pressure_centre({contact.a, contact.b, contact.shape_number});
+  const Creepage slip = seen_from(centre, contact.creepage);
   const double a = contact.a, b = contact.b, G = contact.shear_modulus;
   const double limit = contact.friction.mean * contact.normal_force;
   if (!(limit > 0.0)) return {};
@@ -53,18 +57,23 @@ inline TangentialForces polach(const RollingContact& contact, Fault& fault) {
   const double sticks = contact.reduction.adhesion * gradient, slides = contact.reduction.slip * gradient;
   const double force = 2.0 * limit / pi * (sticks / (1.0 + sticks * sticks) + arctangent(slides));
 
-  // lateral force of spin times s_c [N]; exp(-690) is nothing
+  // lateral force of spin times s_c, over phi [N m]; exp(-690) is nothing
   constexpr double most_slender = 690.0;
   const double K = 1.0 + 6.3 * (1.0 - natural_exp(-std::min(a / b, most_slender)));
   const double spinning = 8.0 / 3.0 * G * b * std::sqrt(a * b) * k.c23 * lateral / (K * limit);
   const double falls = 1.0 + spinning * spinning;
-  const double of_spin = 3.0 / 8.0 * slip.spin * a * limit * K * (spinning / falls / falls);
+  const double per_spin = 3.0 / 8.0 * a * limit * K * (spinning / falls / falls);
 
-  // both, along the slips and not above mu N [N]
-  const double x = force * slip.longitudinal / combined, y = (force * slip.lateral + of_spin) / combined;
+  // both against the slips, not above mu N [N]
+  const double x = force * slip.longitudinal / combined;
+  const double y = (force * slip.lateral + per_spin * slip.spin) / combined;
   const double size = std::sqrt(x * x + y * y), cut = size > limit ? limit / size : 1.0;
-  TangentialForces forces{.fx = -cut * x, .fy = -cut * y, .adhesion_fraction = 1.0 / (1.0 + sticks * sticks)};
-  forces.power_per_speed = std::max(0.0, -(forces.fx * slip.longitudinal + forces.fy * slip.lateral));
+  TangentialForces forces{.fx = -cut * x,
+                          .fy = -cut * y,
+                          .mz = cut * per_spin * slip.lateral / combined,
+                          .power_per_speed = cut * force * translation * (translation / combined),
+                          .adhesion_fraction = 1.0 / (1.0 + sticks * sticks)};
+  refer_back(centre, forces, nullptr);
   return forces;
 }
 
