@@ -18,9 +18,11 @@ static double slip[MOST], adhesion[MOST], speed[MOST], load[MOST], fitted[MOST];
 /* Points of a file. */
 static uint32_t read_points(const char* name) {
   FILE* const file = fopen(name, "r");
+  char line[200];
   uint32_t n = 0;
   if (file == NULL) return 0;
-  while (n < MOST && fscanf(file, "%lf %lf %lf %lf", &slip[n], &adhesion[n], &speed[n], &load[n]) == 4) ++n;
+  while (n < MOST && fgets(line, sizeof line, file) != NULL)
+    n += sscanf(line, "%lf %lf %lf %lf", &slip[n], &adhesion[n], &speed[n], &load[n]) == 4;
   fclose(file);
   return n;
 }
@@ -89,8 +91,7 @@ int main(int argc, char** argv) {
   curve.parameters = 1U << WRC_CREEP_COEFFICIENT | 1U << WRC_CREEP_KINETIC_RATIO | 1U << WRC_CREEP_FALL_RATE |
                      1U << WRC_CREEP_LAYER_THICKNESS;
   wrc_creep_fit fit = {.struct_size = sizeof fit};
-  fit.adhesion = fitted;
-  const int32_t status = wrc_fit_creep_curve(contact, &curve, &fit);
+  const int32_t status = wrc_fit_creep_curve(contact, &curve, &fit, fitted);
   if (status < 0) {
     wrc_contact_last_error(contact, text, sizeof text);
     fprintf(stderr, "%s: %s\n", wrc_status_name(status), text);

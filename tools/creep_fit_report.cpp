@@ -157,7 +157,11 @@ bool report(const Law& law, int draws, double noise) {
     for (const int p : law.parameters) {
       curve.told.parameters |= 1U << static_cast<unsigned>(p);
       double& begins = *number_of(curve.told.friction, p);
-      begins *= 0.5 + random.unit();
+      const double half =
+          random.unit();  // friction begins high, a yield low: above mu p a layer has no effect
+      begins *= p == WRC_CREEP_COEFFICIENT   ? 1.0 + 0.5 * half
+                : p == WRC_CREEP_LAYER_YIELD ? 0.5 + 0.5 * half
+                                             : 0.5 + half;
       if (p == WRC_CREEP_ADHESION_REDUCTION || p == WRC_CREEP_SLOPE_REDUCTION)
         begins = std::fmin(begins, 1.0);
     }
@@ -165,7 +169,7 @@ bool report(const Law& law, int draws, double noise) {
         std::fmin(curve.told.friction.slip_reduction, curve.told.friction.adhesion_reduction);
     wrc_creep_fit fit{};
     fit.struct_size = sizeof fit;
-    const int32_t status = wrc_fit_creep_curve(contact, &curve.told, &fit);
+    const int32_t status = wrc_fit_creep_curve(contact, &curve.told, &fit, nullptr);
     if (status != WRC_OK) {
       ++failed;
       if (status < 0) {

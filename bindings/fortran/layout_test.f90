@@ -62,7 +62,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_options(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
   integer(c_size_t), bind(C) :: layout_wrc_creep_curve(15)
-  integer(c_size_t), bind(C) :: layout_wrc_creep_fit(15)
+  integer(c_size_t), bind(C) :: layout_wrc_creep_fit(14)
   integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry_problem(5)
   integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry(14)
   integer(c_size_t), bind(C) :: layout_wrc_conicity_problem(10)
@@ -1603,8 +1603,6 @@ contains
       distance(c_loc(a), c_loc(a%high)), layout_wrc_creep_fit(13))
     call same('wrc_creep_fit', 'covariance', &
       distance(c_loc(a), c_loc(a%covariance)), layout_wrc_creep_fit(14))
-    call same('wrc_creep_fit', 'adhesion', &
-      distance(c_loc(a), c_loc(a%adhesion)), layout_wrc_creep_fit(15))
   end subroutine
   subroutine test_wrc_wheelset_geometry_problem()
     type(wrc_wheelset_geometry_problem), target :: a

@@ -67,7 +67,8 @@ struct wrc_experimental_api {
   int32_t (*flange_dimensions)(uint32_t, const double*, const double*, double, wrc_flange*, char*, uint64_t);
     /**< wrc_flange_dimensions() */
   int32_t (*creep_curve_init)(wrc_creep_curve*); /**< wrc_creep_curve_init() */
-  int32_t (*fit_creep_curve)(wrc_contact*, const wrc_creep_curve*, wrc_creep_fit*); /**< wrc_fit_creep_curve() */
+  int32_t (*fit_creep_curve)(wrc_contact*, const wrc_creep_curve*, wrc_creep_fit*, double*);
+    /**< wrc_fit_creep_curve() */
 };
 
 #endif /* WRC_EXPERIMENTAL_API_H */

@@ -228,7 +228,7 @@ typedef struct wrc_creep_curve {
 /** The law that fits best, and how far the curve determines it. Arrays are over enum wrc_creep_parameter, with 0 of parameters that
  * were not looked for. */
 typedef struct wrc_creep_fit {
-  uint32_t struct_size;   /**< sizeof this struct, 2840 or more */
+  uint32_t struct_size;   /**< sizeof this struct, 2832 or more */
   uint32_t flags;         /**< bit 1 << flag for each WRC_FLAG_... met */
   int32_t iterations;     /**< of the fit */
   uint32_t undetermined;  /**< bits of parameters that the curve does not determine: any value, or only a combination of several,
@@ -242,7 +242,6 @@ typedef struct wrc_creep_fit {
   double low[16];         /**< lower end of the interval that holds the true value with 95 % */
   double high[16];        /**< its upper end */
   double covariance[16][16]; /**< of the values; 0 of undetermined ones */
-  double* adhesion;       /**< the caller's `count` numbers: of the law at the points [-]; NULL: not wanted; set before the call */
 } wrc_creep_fit;
 
 /** @name Defaults
@@ -409,10 +408,11 @@ WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* in
  * intervals are made of. The scatter of the points is found with the parameters, and gives their spread. Theory manual, section 5.
  * @param contact of any model; it is not changed
  * @param curve points and law
- * @param[in,out] fit results; its `adhesion` says where the fitted curve goes
+ * @param[out] fit the law and its spread
+ * @param[out] adhesion curve->count numbers: of that law at the points [-]; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_ITERATION_CAP, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a parameter
  * that law or method do not read; zones, temperatures; config.planar.non_steady), _MEMORY, _CANCELLED. @rt init @thread contact */
-WRC_API int32_t wrc_fit_creep_curve(wrc_contact* contact, const wrc_creep_curve* curve, wrc_creep_fit* fit);
+WRC_API int32_t wrc_fit_creep_curve(wrc_contact* contact, const wrc_creep_curve* curve, wrc_creep_fit* fit, double* adhesion);
 
 #ifdef __cplusplus
 }

@@ -209,7 +209,6 @@ void write_fit(const curves::CurveFit& found, const wrc_creep_curve& curve, cons
     for (std::size_t j = 0; j < taken.size(); ++j)
       fit.covariance[k][taken[j]] = per * all[taken[j]].per * found.covariance[i][j];
   }
-  if (fit.adhesion != nullptr) std::copy(found.adhesion.begin(), found.adhesion.end(), fit.adhesion);
 }
 
 /// A contact that is put back as it was.
@@ -233,24 +232,23 @@ class Kept {
 namespace abi = wrc::abi;
 using wrc::Fault;
 
-extern "C" int32_t wrc_fit_creep_curve(wrc_contact* contact, const wrc_creep_curve* curve,
-                                       wrc_creep_fit* fit) {
-  double* const adhesion = fit != nullptr && !abi::check_size(*fit).failed() ? fit->adhesion : nullptr;
+extern "C" int32_t wrc_fit_creep_curve(wrc_contact* contact, const wrc_creep_curve* curve, wrc_creep_fit* fit,
+                                       double* adhesion) {
   const auto solve = [&](wrc::contact::Contact& of, wrc_creep_fit& ours) -> Fault {
-    ours.adhesion = adhesion;
     wrc_creep_curve read;
     std::vector<abi::Named> all;
     std::vector<std::size_t> taken;
     wrc::curves::CurveFitProblem problem;
     RETURN_IF_FAILED(abi::read_curve(curve, *of.model, read, all, taken, problem));
+    if (adhesion != nullptr) std::fill_n(adhesion, read.count, 0.0);
     abi::Reporter reporter{.progress = read.progress, .user = read.user};
     problem.progress = reporter.callback();
     const abi::Kept kept(of);
     const wrc::curves::CurveFit found = wrc::curves::fit_curve(of, problem);
-    if (!found.fault.failed()) abi::write_fit(found, read, all, taken, ours);
+    if (found.fault.failed()) return found.fault;
+    abi::write_fit(found, read, all, taken, ours);
+    if (adhesion != nullptr) std::copy(found.adhesion.begin(), found.adhesion.end(), adhesion);
     return found.fault;
   };
-  const int32_t status = abi::solve_exactly(__func__, contact, fit, "fit", solve);
-  if (fit != nullptr && !abi::check_size(*fit).failed()) fit->adhesion = adhesion;  // as the caller set it
-  return status;
+  return abi::solve_exactly(__func__, contact, fit, "fit", solve);
 }

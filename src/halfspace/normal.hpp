@@ -11,8 +11,8 @@
 #pragma once
 
 #include "base/fault.hpp"
-#include "halfspace/grid.hpp"
 #include "base/progress.hpp"
+#include "halfspace/grid.hpp"
 #include "halfspace/turned_convolution.hpp"
 #include "normal/problem.hpp"
 

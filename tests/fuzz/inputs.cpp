@@ -516,7 +516,8 @@ void make_friction(Choices& choices, FrictionArrays& arrays) {
   }
   if (choices.one_in(2)) {
     friction.adhesion_reduction = sized(choices, MEMBER(wrc_friction, "adhesion_reduction"));
-    friction.slip_reduction = friction.adhesion_reduction * choices.between(0.1, choices.one_in(8) ? 2.0 : 1.0);
+    friction.slip_reduction =
+        friction.adhesion_reduction * choices.between(0.1, choices.one_in(8) ? 2.0 : 1.0);
   }
   if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
   if (!choices.one_in(2)) return;

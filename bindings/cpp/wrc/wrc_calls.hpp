@@ -243,7 +243,7 @@ class contact_calls {
   answer<wrc_wrench> exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options = nullptr) { return detail::value_or_throw(try_exact_wrench(input, options), handle_); }
 #endif
   /** wrc_fit_creep_curve(); may change in a minor version */
-  status fit_creep_curve(const wrc_creep_curve& curve, wrc_creep_fit& fit) noexcept { return wrc_fit_creep_curve(handle_, &curve, &fit); }
+  status fit_creep_curve(const wrc_creep_curve& curve, wrc_creep_fit& fit, double* adhesion) noexcept { return wrc_fit_creep_curve(handle_, &curve, &fit, adhesion); }
 
  protected:
   wrc_contact* handle_ = nullptr;

@@ -3019,7 +3019,6 @@ class CreepFit(s.Struct):
       low: lower end of the interval that holds the true value with 95 %
       high: its upper end
       covariance: of the values; 0 of undetermined ones
-      adhesion: the caller's count numbers: of the law at the points; None: not wanted; set before the call
     """
 
     _c_name_ = 'wrc_creep_fit'
@@ -3035,7 +3034,6 @@ class CreepFit(s.Struct):
     low: np.ndarray = s.Array('low', 528, (16,), c.c_double)  # type: ignore[assignment]
     high: np.ndarray = s.Array('high', 656, (16,), c.c_double)  # type: ignore[assignment]
     covariance: np.ndarray = s.Array('covariance', 784, (16, 16), c.c_double)  # type: ignore[assignment]
-    adhesion: Optional[np.ndarray] = s.Pointer('adhesion')  # type: ignore[assignment]
     _fields_ = [
         ('_struct_size', c.c_uint32),
         ('_flags', c.c_uint32),
@@ -3050,9 +3048,8 @@ class CreepFit(s.Struct):
         ('_low', c.c_double * 16),
         ('_high', c.c_double * 16),
         ('_covariance', (c.c_double * 16) * 16),
-        ('_adhesion', c.POINTER(c.c_double)),
     ]
-assert c.sizeof(CreepFit) == 2840
+assert c.sizeof(CreepFit) == 2832
 
 
 class WheelsetGeometryProblem(s.Struct):
@@ -3399,7 +3396,7 @@ _wrc_exact_transient_step = _l.function(FUNCTIONS, 'wrc_exact_transient_step', c
 _wrc_exact_transient_destroy = _l.function(FUNCTIONS, 'wrc_exact_transient_destroy', None, [c.c_void_p])
 _wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_void_p, c.POINTER(ExactCheckOptions), c.POINTER(ExactCheckResult)])
 _wrc_exact_wrench = _l.function(FUNCTIONS, 'wrc_exact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(ExactWrenchOptions), c.POINTER(Wrench)])
-_wrc_fit_creep_curve = _l.function(FUNCTIONS, 'wrc_fit_creep_curve', c.c_int32, [c.c_void_p, c.POINTER(CreepCurve), c.POINTER(CreepFit)])
+_wrc_fit_creep_curve = _l.function(FUNCTIONS, 'wrc_fit_creep_curve', c.c_int32, [c.c_void_p, c.POINTER(CreepCurve), c.POINTER(CreepFit), s.Numbers(c.c_double)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
 _wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
 _wrc_profile_wheelset_geometry = _l.function(FUNCTIONS, 'wrc_profile_wheelset_geometry', c.c_int32, [c.c_void_p, c.POINTER(WheelsetGeometryProblem), c.POINTER(WheelsetGeometry), c.c_char_p, c.c_uint64])

@@ -2998,15 +2998,9 @@ class CreepFit(s.Struct):
         """covariance: of the values; 0 of undetermined ones"""
     @covariance.setter
     def covariance(self, value: s.Floats) -> None: ...
-    @property
-    def adhesion(self) -> Optional[NDArray[np.float64]]:
-        """adhesion: the caller's count numbers: of the law at the points; None: not wanted; set before the call
-        """
-    @adhesion.setter
-    def adhesion(self, value: Optional[s.Floats]) -> None: ...
-    def __init__(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ..., adhesion: Optional[s.Floats] = ...) -> None:
+    def __init__(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ..., adhesion: Optional[s.Floats] = ...) -> CreepFit:  # type: ignore[override]
+    def set(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ...) -> CreepFit:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class CreepFitDict(TypedDict, total=False):
@@ -3022,7 +3016,6 @@ class CreepFitDict(TypedDict, total=False):
     low: s.Floats
     high: s.Floats
     covariance: s.Floats
-    adhesion: Optional[s.Floats]
 
 class WheelsetGeometryProblem(s.Struct):
     """Where contact functions are asked for."""

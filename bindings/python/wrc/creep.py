@@ -81,22 +81,22 @@ def fit_creep_curve(contact: Contact, slip: Any, adhesion: Any, speed: Any, load
     progress: called with the fraction done; give something true to stop, or True for a bar on the terminal
     options: max_iterations of wrc.CreepCurve
     """
-    points = {"slip": slip, "adhesion": adhesion, "speed": speed, "load": load}
-    arrays = dict(zip(points, map(np.array, np.broadcast_arrays(*(np.atleast_1d(np.asarray(each, float)) for each in points.values())))))
+    given = np.broadcast_arrays(*(np.atleast_1d(np.asarray(each, float)) for each in (slip, adhesion, speed, load)))
+    arrays: Dict[str, Any] = {name: np.array(each) for name, each in zip(("slip", "adhesion", "speed", "load"), given)}
     count = arrays["slip"].size
-    if any(each.ndim != 1 for each in arrays.values()):
+    if arrays["slip"].ndim != 1:
         raise ValueError("slip, adhesion, speed and load are lists of points, or one number for all")
     names = [each.lower() for each in parameters]
     if isinstance(friction, str):
         friction = use(i.Friction(), friction)
         friction.coefficient = min(max(1.1 * float(np.max(arrays["adhesion"])), 1e-3), 2.0)
     fitted, watch = np.zeros(count), s.Watch(progress)
-    curve = i.CreepCurve(ellipse=ellipse, friction=friction, scatter=scatter, **options, **arrays)
+    curve = i.CreepCurve(ellipse=ellipse, friction=friction, scatter=scatter, **arrays, **options)
     curve.parameters = sum(1 << int(i.CreepParameter.of(each.upper())) for each in set(names))
     curve.progress = watch.c
-    fit = i.CreepFit(adhesion=fitted)
+    fit = i.CreepFit()
     with contact._lock:
-        status = contact._status = i._wrc_fit_creep_curve(contact._handle, curve, fit)
+        status = contact._status = i._wrc_fit_creep_curve(contact._handle, curve, fit, fitted)
         watch.end()
         if status < 0:
             raise contact._error(status, watch)

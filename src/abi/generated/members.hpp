@@ -2204,7 +2204,7 @@ template <>
 struct Description<wrc_creep_fit> {
   static constexpr const char* name = "wrc_creep_fit";
   static constexpr bool versioned = true;
-  static constexpr std::size_t first = first_size<wrc_creep_fit>(2840);
+  static constexpr std::size_t first = first_size<wrc_creep_fit>(2832);
   static constexpr wrc_creep_fit defaults = [] {
     wrc_creep_fit value{};
     value.struct_size = sizeof value;
@@ -2250,10 +2250,9 @@ struct Description<wrc_creep_fit> {
       {.name = "low", .offset = offsetof(wrc_creep_fit, low), .type = Type::real, .elements = 16, .rule = Rule::none},
       {.name = "high", .offset = offsetof(wrc_creep_fit, high), .type = Type::real, .elements = 16, .rule = Rule::none},
       {.name = "covariance", .offset = offsetof(wrc_creep_fit, covariance), .type = Type::real, .elements = 256, .rule = Rule::none},
-      {.name = "adhesion", .offset = offsetof(wrc_creep_fit, adhesion), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(!pointers_of_64_bits || sizeof(wrc_creep_fit) == 2840, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_creep_fit) == 2832, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheelset_geometry_problem> {
