@@ -199,6 +199,7 @@ bool report(const Law& law, int draws, double noise) {
                 std::sqrt(squares[p]) / *number_of(truth, p), 100.0 * share);
     fine = fine && share >= 0.95 - 2.0 * std::sqrt(0.95 * 0.05 / draws);
   }
+  std::fflush(stdout);
   wrc_contact_destroy(contact);
   wrc_model_destroy(model);
   return fine;
