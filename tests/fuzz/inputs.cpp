@@ -428,7 +428,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
   double* const kept_for_later[] = {&wheel.reserved[choices.below(6)], &rail.reserved[choices.below(6)],
-                                    &friction.reserved[choices.below(std::size(friction.reserved))],
+                                    &friction.reserved[choices.below(6)],
                                     &input.frame.reserved[choices.below(4)]};
   if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
