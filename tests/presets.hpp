@@ -51,10 +51,11 @@ inline void choose_tangential(wrc_config& config, std::int32_t preset) {
 /// The slope falls in modified FASTSIM.
 inline double slope_fall_for(std::int32_t preset) { return presets[preset].slope_falls ? 0.6 : 0.0; }
 
-/// Does a published method give tractions and slip? The force table gives forces alone.
-inline bool gives_tractions(std::int32_t preset) {
-  return presets[preset].method != WRC_TANGENTIAL_FORCE_TABLE;
+/// Does a tangential method give tractions and slip? The force table and Polach's law give forces alone.
+inline bool method_gives_tractions(std::int32_t method) {
+  return method != WRC_TANGENTIAL_FORCE_TABLE && method != WRC_TANGENTIAL_POLACH;
 }
+inline bool gives_tractions(std::int32_t preset) { return method_gives_tractions(presets[preset].method); }
 
 /// The same of a contact's method, of a contact with a solution.
 inline bool gives_tractions(wrc_contact* contact) {

@@ -9,8 +9,10 @@
 ///     wheel_report loads [COUNT [SEED]]   vertical loads given: what calls take of those at the height found
 ///     wheel_report times [STEPS]          from marked solutions and cold: one wheel, and eight of one model in a batch; at each
 ///                                         resolution. The last line is a JSON object
+///     wheel_report layers [STEPS]         times with each layer of WRC_FRICTION_LIST over those without, call by call in turn; at each
+///                                         resolution
 ///
-/// `--setting NAME` in front of all: a resolution of WRC_RESOLUTION_LIST, for all but times.
+/// `--setting NAME` in front of all: a resolution of WRC_RESOLUTION_LIST, for all but times and layers.
 ///
 /// Poses: five pairs of new and worn profiles, both sides, lateral +-15 mm, roll and yaw +-40 mrad, heights
 /// from lifted to 150 kN, ten to a pose; creepages up to full slip; half of them from the last solution,
@@ -620,6 +622,67 @@ Timed time_eight(const Solver& solver, const Start& start, long steps) {
   return timed;
 }
 
+/// Median of the times with a layer over that without, along a run with a height or a load given. Both calls
+/// have the same input but for the layer, one after the other, which of them first in turn.
+double layer_ratio(const Solver& solver, const Run& run, const wrc_friction& layered, bool load_given,
+                   long steps) {
+  wrc_contact* const scout = solver.contact();
+  const Contacts two(solver, 2);
+  wrc_friction clean = layered;
+  clean.layer_thickness = clean.layer_modulus = clean.layer_yield = clean.layer_hardening = 0.0;
+  std::vector<double> time[2];
+  for (long step = 0; step < steps; ++step) {
+    wrc_wheel_input input = run.at(scout, step);
+    input.wheel.angular_velocity[1] *= 1.003;  // slips enough to make a layer yield
+    input.start = WRC_START_MARK;
+    if (load_given) {
+      input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+      input.vertical_load = 80e3;
+    }
+    for (int turn = 0; turn < 2; ++turn) {
+      const std::size_t which = static_cast<std::size_t>((turn + step) % 2);
+      input.friction = which == 0 ? clean : layered;
+      wrc_wrench wrench = sized<wrc_wrench>();
+      time[which].push_back(microseconds_of([&] {
+        wrc_contact_wrench(two[which], &input, &wrench);
+        wrc_contact_mark(two[which]);
+      }));
+    }
+  }
+  return at_share(time[1], 0.5) / at_share(time[0], 0.5);
+}
+
+/// Cost of layers: all ratios, and the largest of each resolution.
+int layers(const Csv& file, long steps) {
+#define WRC_RESOLUTION(identifier, name, ...) name,
+  for (const char* const setting : {WRC_RESOLUTION_LIST(WRC_RESOLUTION)}) {
+#undef WRC_RESOLUTION
+    Pairs pairs(file, setting);
+    PairOptions options;
+    options.wheel = pairs_of_profiles[0].wheel;
+    options.rail = pairs_of_profiles[0].rail;
+    const Solver& solver = pairs.of(options);
+    double largest = 0.0;
+#define WRC_FRICTION(identifier, name, ...) name,
+    for (const char* const name : {WRC_FRICTION_LIST(WRC_FRICTION)}) {
+#undef WRC_FRICTION
+      wrc_friction friction = wrc_friction_default();
+      wrc_friction_use(&friction, name, nullptr, 0);
+      if (friction.layer_thickness == 0.0 && friction.layer_yield == 0.0) continue;
+      std::printf("%-10s %-11s", setting, name);
+      for (const Run& run : {straight, weaving})
+        for (const bool load_given : {false, true}) {
+          const double ratio = layer_ratio(solver, run, friction, load_given, steps);
+          largest = std::max(largest, ratio);
+          std::printf("  %s, %s given %.3f", run.name, load_given ? "load" : "height", ratio);
+        }
+      std::printf("\n");
+    }
+    std::printf("%-10s largest ratio %.3f\n", setting, largest);
+  }
+  return 0;
+}
+
 /// Times at each resolution, as a table and as one JSON object.
 int times(const Csv& file, long steps) {
   std::string json;
@@ -673,6 +736,7 @@ int main(int argc, char** argv) {
       return loads(pairs, argc > 2 ? std::atol(argv[2]) : 2000,
                    argc > 3 ? static_cast<unsigned>(std::atol(argv[3])) : 1U);
     if (what == "times") return times(file, argc > 2 ? std::atol(argv[2]) : 4000);
+    if (what == "layers") return layers(file, argc > 2 ? std::atol(argv[2]) : 400);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
@@ -680,6 +744,6 @@ int main(int argc, char** argv) {
   std::fprintf(
       stderr,
       "usage: wheel_report [--setting NAME] poses [COUNT [SEED]] | lines | branches Y YAW LOW HIGH | "
-      "loads [COUNT [SEED]] | times [STEPS]\n");
+      "loads [COUNT [SEED]] | times [STEPS] | layers [STEPS]\n");
   return 2;
 }

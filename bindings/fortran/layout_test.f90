@@ -18,7 +18,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
   integer(c_size_t), bind(C) :: layout_wrc_view(4)
   integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(4)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(23)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(25)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(16)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
@@ -61,6 +61,8 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_exact_wrench_options(9)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_options(7)
   integer(c_size_t), bind(C) :: layout_wrc_exact_check_result(10)
+  integer(c_size_t), bind(C) :: layout_wrc_creep_curve(15)
+  integer(c_size_t), bind(C) :: layout_wrc_creep_fit(14)
   integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry_problem(5)
   integer(c_size_t), bind(C) :: layout_wrc_wheelset_geometry(14)
   integer(c_size_t), bind(C) :: layout_wrc_conicity_problem(10)
@@ -137,6 +139,8 @@ program layout_test
   call test_wrc_exact_wrench_options()
   call test_wrc_exact_check_options()
   call test_wrc_exact_check_result()
+  call test_wrc_creep_curve()
+  call test_wrc_creep_fit()
   call test_wrc_wheelset_geometry_problem()
   call test_wrc_wheelset_geometry()
   call test_wrc_conicity_problem()
@@ -148,7 +152,7 @@ program layout_test
   call test_wrc_rail_faces_problem()
   call test_wrc_found_faces()
   call test_wrc_face_outline()
-  print '(i0,a)', 70, ' types compared'
+  print '(i0,a)', 72, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -480,8 +484,12 @@ contains
       distance(c_loc(a), c_loc(a%layer_yield)), layout_wrc_friction(21))
     call same('wrc_friction', 'layer_hardening', &
       distance(c_loc(a), c_loc(a%layer_hardening)), layout_wrc_friction(22))
+    call same('wrc_friction', 'adhesion_reduction', &
+      distance(c_loc(a), c_loc(a%adhesion_reduction)), layout_wrc_friction(23))
+    call same('wrc_friction', 'slip_reduction', &
+      distance(c_loc(a), c_loc(a%slip_reduction)), layout_wrc_friction(24))
     call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(23))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(25))
   end subroutine
   subroutine test_wrc_wheel_state()
     type(wrc_wheel_state), target :: a
@@ -1533,6 +1541,76 @@ contains
       distance(c_loc(a), c_loc(a%force_error)), layout_wrc_exact_check_result(9))
     call same('wrc_exact_check_result', 'power_error', &
       distance(c_loc(a), c_loc(a%power_error)), layout_wrc_exact_check_result(10))
+  end subroutine
+  subroutine test_wrc_creep_curve()
+    type(wrc_creep_curve), target :: a
+    call same('wrc_creep_curve', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_creep_curve', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_creep_curve', 'size', c_sizeof(a), layout_wrc_creep_curve(1))
+    call same('wrc_creep_curve', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_creep_curve(2))
+    call same('wrc_creep_curve', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_creep_curve(3))
+    call same('wrc_creep_curve', 'slip', &
+      distance(c_loc(a), c_loc(a%slip)), layout_wrc_creep_curve(4))
+    call same('wrc_creep_curve', 'adhesion', &
+      distance(c_loc(a), c_loc(a%adhesion)), layout_wrc_creep_curve(5))
+    call same('wrc_creep_curve', 'speed', &
+      distance(c_loc(a), c_loc(a%speed)), layout_wrc_creep_curve(6))
+    call same('wrc_creep_curve', 'load', &
+      distance(c_loc(a), c_loc(a%load)), layout_wrc_creep_curve(7))
+    call same('wrc_creep_curve', 'ellipse', &
+      distance(c_loc(a), c_loc(a%ellipse)), layout_wrc_creep_curve(8))
+    call same('wrc_creep_curve', 'friction', &
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_creep_curve(9))
+    call same('wrc_creep_curve', 'parameters', &
+      distance(c_loc(a), c_loc(a%parameters)), layout_wrc_creep_curve(10))
+    call same('wrc_creep_curve', 'scatter', &
+      distance(c_loc(a), c_loc(a%scatter)), layout_wrc_creep_curve(11))
+    call same('wrc_creep_curve', 'max_iterations', &
+      distance(c_loc(a), c_loc(a%max_iterations)), layout_wrc_creep_curve(12))
+    call same('wrc_creep_curve', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_creep_curve(13))
+    call same('wrc_creep_curve', 'progress', &
+      distance(c_loc(a), c_loc(a%progress)), layout_wrc_creep_curve(14))
+    call same('wrc_creep_curve', 'user', &
+      distance(c_loc(a), c_loc(a%user)), layout_wrc_creep_curve(15))
+  end subroutine
+  subroutine test_wrc_creep_fit()
+    type(wrc_creep_fit), target :: a
+    call same('wrc_creep_fit', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_creep_fit', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_creep_fit', 'size', c_sizeof(a), layout_wrc_creep_fit(1))
+    call same('wrc_creep_fit', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_creep_fit(2))
+    call same('wrc_creep_fit', 'flags', &
+      distance(c_loc(a), c_loc(a%flags)), layout_wrc_creep_fit(3))
+    call same('wrc_creep_fit', 'iterations', &
+      distance(c_loc(a), c_loc(a%iterations)), layout_wrc_creep_fit(4))
+    call same('wrc_creep_fit', 'undetermined', &
+      distance(c_loc(a), c_loc(a%undetermined)), layout_wrc_creep_fit(5))
+    call same('wrc_creep_fit', 'at_limit', &
+      distance(c_loc(a), c_loc(a%at_limit)), layout_wrc_creep_fit(6))
+    call same('wrc_creep_fit', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_creep_fit(7))
+    call same('wrc_creep_fit', 'scatter', &
+      distance(c_loc(a), c_loc(a%scatter)), layout_wrc_creep_fit(8))
+    call same('wrc_creep_fit', 'friction', &
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_creep_fit(9))
+    call same('wrc_creep_fit', 'value', &
+      distance(c_loc(a), c_loc(a%value)), layout_wrc_creep_fit(10))
+    call same('wrc_creep_fit', 'deviation', &
+      distance(c_loc(a), c_loc(a%deviation)), layout_wrc_creep_fit(11))
+    call same('wrc_creep_fit', 'low', &
+      distance(c_loc(a), c_loc(a%low)), layout_wrc_creep_fit(12))
+    call same('wrc_creep_fit', 'high', &
+      distance(c_loc(a), c_loc(a%high)), layout_wrc_creep_fit(13))
+    call same('wrc_creep_fit', 'covariance', &
+      distance(c_loc(a), c_loc(a%covariance)), layout_wrc_creep_fit(14))
   end subroutine
   subroutine test_wrc_wheelset_geometry_problem()
     type(wrc_wheelset_geometry_problem), target :: a

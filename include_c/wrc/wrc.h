@@ -536,7 +536,11 @@ typedef struct wrc_friction {
   double layer_yield;      /**< traction at which fresh layer yields, 0 or 1e3..1e11 Pa; 0: it does not yield [0] */
   double layer_hardening;  /**< rise of that traction over the length of plastic flow, < 0: the layer softens, to a tenth of
                                 layer_yield at least; goes with layer_yield, -1e13..1e14 Pa/m [0] */
-  double reserved[8];      /**< 0 */
+  double adhesion_reduction; /**< Polach's k_A: factor on the gradient of traction where the patch sticks, 0 or 0.001..1; of
+                                WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
+  double slip_reduction;   /**< Polach's k_S: the same where it slips, at most adhesion_reduction, 0 or 0.001..1; of
+                                WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
+  double reserved[6];      /**< 0 */
 } wrc_friction;
 
 /** Where a wheel or wheelset is and how it moves, against the ground. */
@@ -784,6 +788,16 @@ WRC_DEFAULT_SIZED(wrc_wheel_input)
  * @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name; the sentence lists all). @rt init @thread free */
 WRC_API int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size);
+
+/** Sets the law and the layer of friction by a name of WRC_FRICTION_LIST (wrc_methods.h), which has their sources: "Polach dry",
+ * "sand", "locomotive" ... Members set: coefficient, speed_law, kinetic_ratio, fall_rate, slope_reduction (1), slope_fall (0),
+ * adhesion_reduction, slip_reduction and the layer's. Others stay. Theory manual, section 5.
+ * @param[in,out] friction of wrc_friction_default()
+ * @param name one of the list
+ * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _UNSUPPORTED (no such name; the sentence lists all). @rt init @thread free */
+WRC_API int32_t wrc_friction_use(wrc_friction* friction, const char* name, char* text, uint64_t size);
 
 /** Says whether a model can be made of a configuration, and if not why, as a sentence.
  * @param config configuration to check

@@ -71,6 +71,7 @@ struct wrc_api {
     /**< wrc_planar_tangential_derivatives() */
   int32_t (*contact_mark)(wrc_contact*); /**< wrc_contact_mark() */
   int32_t (*contact_commit)(wrc_contact*); /**< wrc_contact_commit() */
+  int32_t (*friction_use)(wrc_friction*, const char*, char*, uint64_t); /**< wrc_friction_use() */
 };
 
 #endif /* WRC_API_H */

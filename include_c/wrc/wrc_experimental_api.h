@@ -78,6 +78,9 @@ struct wrc_experimental_api {
   void (*section_file_destroy)(wrc_section_file*); /**< wrc_section_file_destroy() */
   int32_t (*section_file_write)(const char*, const wrc_section_line*, uint32_t, char*, uint64_t);
     /**< wrc_section_file_write() */
+  int32_t (*creep_curve_init)(wrc_creep_curve*); /**< wrc_creep_curve_init() */
+  int32_t (*fit_creep_curve)(wrc_contact*, const wrc_creep_curve*, wrc_creep_fit*, double*);
+    /**< wrc_fit_creep_curve() */
 };
 
 #endif /* WRC_EXPERIMENTAL_API_H */

@@ -24,8 +24,10 @@ enum wrc_tangential_method {
                                             sticks, FASTSIM's directions where it slips */
   WRC_TANGENTIAL_STRIP_FASTSIM = 2,    /**< FASTSIM in the shape of strip theory on the patch as it is, calibrated on
                                             exact solutions */
-  WRC_TANGENTIAL_FORCE_TABLE = 3       /**< total forces from config.tangential.force_table, exact solutions for double
+  WRC_TANGENTIAL_FORCE_TABLE = 3,      /**< total forces from config.tangential.force_table, exact solutions for double
                                             ellipses: no tractions, no slip, and no results that need them */
+  WRC_TANGENTIAL_POLACH = 4            /**< Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and
+                                            slip_reduction: total forces, no tractions and no slip */
 };
 
 /** Patch of FASTSIM and FaStrip: the strips that carry tractions, and the shape whose coefficients of linear theory they
@@ -75,7 +77,7 @@ enum wrc_flexibility {
  * Sources: FASTSIM, Kalker, VSD 11 (1982). FASTSIM-EQ.E, -EQ.L,
  * -SDEC, Liu and Bruni (the paper of wrc.h). FaStrip and its modified form, Sichani, Enblom and Berg, VSD 54 (2016);
  * FaStrip-SDEC, own. Modified FASTSIM, Spiryagin, Polach and Cole, VSD 51 (2013). KBTNH-type table, after Piotrowski,
- * Liu and Bruni, VSD 55 (2017). Strip FASTSIM: own. */
+ * Liu and Bruni, VSD 55 (2017). Polach, VSD 33 supplement (1999) and Wear 258 (2005). Strip FASTSIM: own. */
 #define WRC_PRESET_LIST(X)                                                                                       \
   X(fastsim, "FASTSIM", FASTSIM, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastsim_eqe, "FASTSIM-EQ.E", FASTSIM, ELLIPSE_AT_MIDDLE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                 \
@@ -86,7 +88,8 @@ enum wrc_flexibility {
   X(modified_fastsim, "modified FASTSIM", FASTSIM, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 1)            \
   X(fastrip, "FaStrip", FASTRIP, ELLIPSE_AT_POINT, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                           \
   X(fastrip_modified, "modified FaStrip", FASTRIP, PATCH_ELLIPSE, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)            \
-  X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
+  X(fastrip_sdec, "FaStrip-SDEC", FASTRIP, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)                       \
+  X(polach, "Polach", POLACH, PATCH_SDEC, PARABOLIC, SEPARATE, KEEP_WIDTH, 0)
 
 /** Resolutions of wrc_contact_wrench() by name: X(identifier, "name", tread_width [m], corner_width [m], tolerance, max_work,
  * max_iterations), those of config.surface. docs/realtime.md has their times and errors. */
@@ -94,5 +97,25 @@ enum wrc_flexibility {
   X(standard, "default", 0.5e-3, 0.25e-3, 1e-5, 2e7, 1e6)          \
   X(real_time, "real time", 1e-3, 0.25e-3, 3e-4, 1e6, 8)           \
   X(reference, "reference", 0.25e-3, 0.125e-3, 1e-9, 1e8, 1e6)
+
+/** Friction and layers by name, X(identifier, "name", coefficient, WRC_SPEED_LAW_..., kinetic_ratio, fall_rate [s/m],
+ * adhesion_reduction, slip_reduction, layer_thickness [m], layer_modulus, layer_yield [Pa], layer_hardening [Pa/m], "source",
+ * "how far it is confirmed"). wrc_friction_use() sets them. The factors of adhesion and slip are read by WRC_TANGENTIAL_POLACH alone. */
+#define WRC_FRICTION_LIST(X)                                                                                                  \
+  X(polach_dry, "Polach dry", 0.55, EXPONENTIAL, 0.4, 0.6, 1, 0.4, 0, 0, 0, 0, "Polach, Wear 258 (2005)",                     \
+    "remembered, not read again; not compared with his measurements")                                                         \
+  X(polach_wet, "Polach wet", 0.3, EXPONENTIAL, 0.4, 0.2, 0.3, 0.1, 0, 0, 0, 0, "Polach, Wear 258 (2005)",                    \
+    "remembered, not read again; not compared with his measurements")                                                         \
+  X(magnetite, "magnetite", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 176.63e6, 560e6, 0, "Hou, Kalousek, Magel, Wear 211 (1997)",    \
+    "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service")                 \
+  X(clay, "clay", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 106.25e6, 200e6, 4.35e11, "Hou, Kalousek, Magel, Wear 211 (1997)",        \
+    "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service")                 \
+  X(sand, "sand", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 176.63e6, 400e6, -1.95e11, "Hou, Kalousek, Magel, Wear 211 (1997)",       \
+    "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service")                 \
+  X(mos2, "MoS2", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 20.238e6, 20e6, 2.04e10, "Hou, Kalousek, Magel, Wear 211 (1997)",         \
+    "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service")                 \
+  X(locomotive, "locomotive", 0.33, EXPONENTIAL, 0.42424242424242425, 0.5545177444479562, 1, 1, 1.25e-3, 8200e6, 0, 0,        \
+    "CONTACT's example tractcurv, second series: a locomotive's measured curve",                                              \
+    "its creep curve in CONTACT at 10 m/s is met: 0.31 at 1.6 %, 0.19 at 25 % slip; the measurement was not seen")
 
 #endif /* WRC_METHODS_H */

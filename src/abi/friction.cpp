@@ -57,6 +57,17 @@ Fault check_layer_of(const wrc_friction& ours, const char* of, const contact::Ta
   return {};
 }
 
+/// Polach's law wants both of its factors, that of slip not above that of adhesion.
+Fault check_reduction(const wrc_friction& ours, const char* of, const contact::TangentialMethod& method) {
+  if (!method.reads.has(contact::Option::reduction_factors)) return {};
+  Member adhesion = MEMBER(wrc_friction, "adhesion_reduction");
+  Member slip = MEMBER(wrc_friction, "slip_reduction");
+  adhesion.or_zero = slip.or_zero = false;
+  slip.high = ours.adhesion_reduction;
+  slip.too_large = "Polach's k_S is at most his k_A, friction.adhesion_reduction";
+  return first_of({check(adhesion, of, ours.adhesion_reduction), check(slip, of, ours.slip_reduction)});
+}
+
 /// The planar problem has no use for bodies without friction: its creepages, adhesion and damage would mean
 /// nothing.
 Fault check_some(const wrc_friction& ours, const char* of) {
@@ -76,7 +87,8 @@ Fault read_friction(const wrc_friction& checked, const char* of, const contact::
   static_assert(same<WRC_TEMPERATURE_LAW_NONE>(tangential::TemperatureLaw::none) &&
                 same<WRC_TEMPERATURE_LAW_LINEAR>(tangential::TemperatureLaw::linear));
   RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method),
-                             check_layer_of(checked, of, method), read_layer(checked, of, friction.layer)}));
+                             check_layer_of(checked, of, method), check_reduction(checked, of, method),
+                             read_layer(checked, of, friction.layer)}));
   friction.law.speed_law = static_cast<tangential::SpeedLaw>(checked.speed_law);
   friction.law.temperature_law = static_cast<tangential::TemperatureLaw>(checked.temperature_law);
   friction.law.coefficient = checked.coefficient;
@@ -91,6 +103,7 @@ Fault read_friction(const wrc_friction& checked, const char* of, const contact::
   friction.slope_reduction = checked.slope_reduction;
   if (method.reads.has(contact::Option::slope_fall))
     friction.slope = {checked.slope_limit, checked.slope_fall};
+  friction.reduction = {checked.adhesion_reduction, checked.slip_reduction};
   return read_zones(checked, of, friction);
 }
 

@@ -1,11 +1,12 @@
 /// wrc_offline.h: the exact half-space solver behind the C interface. Offline: it allocates.
+#include "abi/offline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "abi/friction.hpp"
 #include "abi/guarded.hpp"
-#include "abi/handles.hpp"
 #include "abi/prescribed.hpp"
 #include "abi/stresses.hpp"
 #include "abi/structs.hpp"
@@ -35,22 +36,6 @@ constexpr std::uint64_t transient_tag = 0x736e6172746378;  // "xctrans"
 bool is_transient(const wrc_exact_transient* handle) {
   return handle != nullptr && handle->tag == transient_tag;
 }
-
-/// The host's callback behind the solver's: 0 goes on. A residual may rise on its way down; the fraction does
-/// not fall.
-struct Reporter {
-  wrc_progress progress = nullptr;
-  void* user = nullptr;
-  double largest = 0.0;
-  static bool report(double fraction, void* self) {
-    auto* reporter = static_cast<Reporter*>(self);
-    reporter->largest = std::max(reporter->largest, fraction);
-    return reporter->progress(reporter->largest, reporter->user) == 0;
-  }
-  halfspace::ProgressCallback callback() {
-    return progress == nullptr ? halfspace::ProgressCallback{} : halfspace::ProgressCallback{report, this};
-  }
-};
 
 halfspace::Grid grid_of(const wrc_grid& checked) {
   return {.nx = static_cast<int>(checked.nx),
@@ -437,25 +422,6 @@ int32_t solve_into(const char* function, const Problem* problem, Solution* solut
     return found;
   });
   return finish(function, fault, text, size);
-}
-
-/// An exact solution for a contact: `solve(contact, ours)` into `result`, which is zero on failure, with its
-/// flags; the outcome is the contact's last. `function`: the name of the call; `name`: that of `result`.
-template <typename Result, typename Solve>
-std::int32_t solve_exactly(const char* function, wrc_contact* contact, Result* result, const char* name,
-                           Solve&& solve) {
-  const Fault cleared = clear(result);
-  if (!valid(contact)) return WRC_ERROR_NULL;
-  const Fault outcome = guarded([&]() -> Fault {
-    if (result == nullptr) return Fault::null(name);
-    if (cleared.failed()) return cleared;
-    Result ours = empty<Result>();
-    const Fault fault = solve(*contact->contact, ours);
-    ours.flags = fault.all_flags();
-    if (!fault.failed()) write(ours, result);
-    return fault;
-  });
-  return keep(*contact, function, outcome);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Published methods and resolutions by name, each with its members of the configuration.
+/// Published methods, resolutions, friction and layers by name, each with its members.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -48,6 +48,27 @@ constexpr const char* known_names = "no such method or resolution; there are"
         WRC_RESOLUTION_LIST(WRC_RESOLUTION);
 #undef WRC_RESOLUTION
 
+struct NamedFriction {
+  const char* name;
+  double coefficient;
+  int32_t speed_law;
+  double kinetic_ratio, fall_rate, adhesion_reduction, slip_reduction;
+  double thickness, modulus, yield, hardening;
+};
+
+constexpr NamedFriction frictions[] = {
+#define WRC_FRICTION(identifier, name, coefficient, law, ratio, rate, adhesion, slip, thickness, modulus, \
+                     yield, hardening, source, status)                                                    \
+  {name, coefficient, WRC_SPEED_LAW_##law, ratio, rate, adhesion, slip, thickness, modulus, yield, hardening},
+    WRC_FRICTION_LIST(WRC_FRICTION)
+#undef WRC_FRICTION
+};
+
+constexpr const char* known_frictions = "no such friction; there are"
+#define WRC_FRICTION(identifier, name, ...) " \"" name "\""
+    WRC_FRICTION_LIST(WRC_FRICTION);
+#undef WRC_FRICTION
+
 /// The row of a name; the end of the table where there is none.
 template <typename Row, std::size_t rows>
 const Row* row_of(const Row (&table)[rows], const char* name) {
@@ -86,7 +107,31 @@ Fault use(wrc_config* config, const char* name) {
   return {};
 }
 
+Fault use(wrc_friction* friction, const char* name) {
+  if (friction == nullptr) return Fault::null("friction");
+  if (name == nullptr) return Fault::null("name");
+  const NamedFriction* const row = row_of(frictions, name);
+  if (row == std::end(frictions)) return Fault::unsupported("name", known_frictions);
+  friction->coefficient = row->coefficient;
+  friction->speed_law = row->speed_law;
+  friction->kinetic_ratio = row->kinetic_ratio;
+  friction->fall_rate = row->fall_rate;
+  friction->slope_reduction = 1.0;
+  friction->slope_fall = 0.0;
+  friction->adhesion_reduction = row->adhesion_reduction;
+  friction->slip_reduction = row->slip_reduction;
+  friction->layer_thickness = row->thickness;
+  friction->layer_modulus = row->modulus;
+  friction->layer_yield = row->yield;
+  friction->layer_hardening = row->hardening;
+  return {};
+}
+
 }  // namespace
+
+extern "C" int32_t wrc_friction_use(wrc_friction* friction, const char* name, char* text, uint64_t size) {
+  return abi::finish(__func__, use(friction, name), text, size);
+}
 
 extern "C" int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size) {
   return abi::finish(__func__, use(config, name), text, size);

@@ -16,6 +16,7 @@
 #include "tangential/force_table/force_table.hpp"
 #include "tangential/methods/fastrip.hpp"
 #include "tangential/methods/fastsim.hpp"
+#include "tangential/methods/polach.hpp"
 #include "tangential/methods/strip_fastsim.hpp"
 #include "wrc/wrc_methods.h"
 
@@ -132,6 +133,11 @@ constexpr TangentialMethod tangential_methods[] = {
            return tangential::table_forces(*c.force_table, {c.a, c.b, c.shape_number}, c.normal_force,
                                            c.shear_modulus, c.friction.mean, c.creepage, fault);
          }},
+    {.is = WRC_ENUMERATOR(WRC_TANGENTIAL_POLACH),
+     .reads = Option::reduction_factors,
+     .one_sliding_speed = true,
+     .solve = [](const tangential::RollingContact& c, const tangential::TangentialFields&, Fault& fault,
+                 tangential::TangentialSensitivities*) { return tangential::polach(c, fault); }},
 };
 #undef WRC_ENUMERATOR
 

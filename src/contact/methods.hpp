@@ -28,7 +28,8 @@ enum class Option {
   force_table,
   non_steady,
   surface_memory,
-  slope_fall,  ///< friction.slope_limit and friction.slope_fall
+  slope_fall,         ///< friction.slope_limit and friction.slope_fall
+  reduction_factors,  ///< friction.adhesion_reduction and friction.slip_reduction
   count
 };
 
@@ -67,6 +68,7 @@ struct TangentialMethod {
   OptionSet reads{};
   bool gives_tractions = false;    ///< and the slip of every cell; otherwise forces only
   bool gives_derivatives = false;  ///< otherwise differences stand in
+  bool one_sliding_speed = false;  ///< friction falls with that of the patch, not with that of each strip
   bool takes_layer = false;        ///< friction with a layer that shears and yields; otherwise it is refused
   /// Its way over the strips of a surface, each with its own slip and coefficients, with the patch model
   /// WRC_PATCH_MODEL_PATCH_SDEC, separate flexibilities and a bound of each strip's load; otherwise it is

@@ -26,9 +26,10 @@ enum class ZoneFrame : std::int64_t { contact, rail, wheel };
 struct Friction {
   tangential::FrictionLaw law;
   ZoneFrame zone_frame = ZoneFrame::contact;
-  double slope_reduction = 1.0;  ///< k0: slope at small creepages over that of clean bodies [-]
-  tangential::SlopeFall slope;   ///< fall of that slope as slip grows
-  tangential::Layer layer;       ///< that shears and yields
+  double slope_reduction = 1.0;            ///< k0: slope at small creepages over that of clean bodies [-]
+  tangential::SlopeFall slope;             ///< fall of that slope as slip grows
+  tangential::Layer layer;                 ///< that shears and yields
+  tangential::ReductionFactors reduction;  ///< those in Polach's force law
 };
 
 /// Direction and speed of rolling. Backwards the leading edge is at -x; creepages are sliding velocities over
@@ -127,7 +128,8 @@ struct Contact {
 // bytes. Each line is a struct and the sum of its members.
 static_assert(sizeof(void*) != 8 || sizeof(tangential::FrictionLaw) == 13 * sizeof(double));
 static_assert(sizeof(Friction) == sizeof(tangential::FrictionLaw) + 2 * sizeof(double) +
-                                      sizeof(tangential::SlopeFall) + sizeof(tangential::Layer));
+                                      sizeof(tangential::SlopeFall) + sizeof(tangential::Layer) +
+                                      sizeof(tangential::ReductionFactors));
 static_assert(sizeof(normal::NormalSolution) == 7 * sizeof(double));
 static_assert(sizeof(Patch) == 4 * sizeof(std::int32_t) + sizeof(patch::StripTotals) + sizeof(patch::Sdec) +
                                    sizeof(tangential::TangentialForces) + 2 * sizeof(double));

@@ -82,7 +82,9 @@ tangential::StripFriction strip_friction(Contact& contact, const Patch& patch, c
     frame.zone_slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
   }
   const tangential::SlidingSpeed sliding =
-      friction.slope.falls() ? tangential::SlidingSpeed::of_patch : tangential::SlidingSpeed::of_strip;
+      friction.slope.falls() || contact.model->options.tangential_method->one_sliding_speed
+          ? tangential::SlidingSpeed::of_patch
+          : tangential::SlidingSpeed::of_strip;
   return tangential::evaluate(friction.law, region_strips(contact, patch), frame,
                               mirrored(contact.creepage, direction), contact.rolling.speed, sliding,
                               array(contact, Array::strip_friction) + patch.region_first);
@@ -189,6 +191,7 @@ Fault roll(Contact& contact, Patch& patch, const Friction& friction, double dire
   rolling.slope = friction.slope;
   rolling.slope_reduction = friction.slope_reduction;
   rolling.layer = friction.layer;
+  rolling.reduction = friction.reduction;
   rolling.normal_force = patch.extent.normal_force;
   rolling.force_table = &model.force_table;
   rolling.workspace = work_space(contact);

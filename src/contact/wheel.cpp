@@ -139,6 +139,7 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
   problem.layer = hosted.friction.layer;
+  problem.reduction = hosted.friction.reduction;
   problem.damping = hosted.damping;
   if (reads_distance(model)) problem.distance = hosted.distance + placed.arm[0];
   problem.angle = hosted.angle;

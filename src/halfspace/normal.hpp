@@ -11,8 +11,8 @@
 #pragma once
 
 #include "base/fault.hpp"
+#include "base/progress.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
 #include "halfspace/turned_convolution.hpp"
 #include "normal/problem.hpp"
 

@@ -2,9 +2,9 @@
 /// pressure.
 #pragma once
 
+#include "base/progress.hpp"
 #include "contact/state.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
 
 namespace wrc::halfspace {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/progress.hpp"
 #include "damage/cell_stress.hpp"
 #include "damage/stress.hpp"
 #include "halfspace/fft.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
 
 namespace wrc::halfspace {
 

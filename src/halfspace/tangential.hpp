@@ -28,8 +28,8 @@
 #include <vector>
 
 #include "base/fault.hpp"
+#include "base/progress.hpp"
 #include "halfspace/grid.hpp"
-#include "halfspace/progress.hpp"
 #include "halfspace/turned_convolution.hpp"
 #include "tangential/exact/rolling_newton.hpp"
 #include "tangential/problem.hpp"

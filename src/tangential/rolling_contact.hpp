@@ -22,6 +22,12 @@ struct SlopeFall {
   bool falls() const { return rate > 0.0; }
 };
 
+/// Factors on the gradient of traction in Polach's force law (methods/polach.hpp).
+struct ReductionFactors {
+  double adhesion = 1.0;  ///< k_A [-]
+  double slip = 1.0;      ///< k_S <= k_A [-]
+};
+
 /// The memory of a contact whose rolling is not steady (methods/strip_memory.hpp).
 struct RollingMemory {
   void* at = nullptr;      ///< nullptr: rolling is steady
@@ -49,6 +55,7 @@ struct RollingContact {
   SlopeFall slope{};
   double slope_reduction = 1.0;             ///< the factor that is in shear_modulus already [-]
   Layer layer{};                            ///< between the bodies
+  ReductionFactors reduction{};             ///< those in Polach's force law
   PatchModel model{};                       ///< whose strips `region` has, and whose the coefficients are
   double normal_force = 0.0;                ///< the patch's, for methods that do not read its strips [N]
   const ForceTable* force_table = nullptr;  ///< the model's, if it has one

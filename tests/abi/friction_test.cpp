@@ -129,6 +129,8 @@ TEST(FrictionInterface, MembersOfOtherLawsAreNotUsed) {
         wheel.friction.slope_fall = 0.6;
         wheel.friction.slope_limit = 0.1;
       }
+      if (presets[method].method != WRC_TANGENTIAL_POLACH)
+        wheel.friction.adhesion_reduction = wheel.friction.slip_reduction = 0.1;
       ASSERT_EQ(wheel.step(), WRC_OK) << wheel.error();
       EXPECT_EQ(std::memcmp(&wheel.forces, &forces, sizeof forces), 0) << method << ' ' << law;
     }

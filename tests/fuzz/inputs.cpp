@@ -428,7 +428,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
   double* const kept_for_later[] = {&wheel.reserved[choices.below(6)], &rail.reserved[choices.below(6)],
-                                    &friction.reserved[choices.below(8)],
+                                    &friction.reserved[choices.below(6)],
                                     &input.frame.reserved[choices.below(4)]};
   if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
@@ -513,6 +513,11 @@ void make_friction(Choices& choices, FrictionArrays& arrays) {
     friction.slope_limit =
         choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "slope_limit"), 1e-6);
     friction.slope_fall = choices.one_in(4) ? 0.0 : sized(choices, MEMBER(wrc_friction, "slope_fall"), 1e-6);
+  }
+  if (choices.one_in(2)) {
+    friction.adhesion_reduction = sized(choices, MEMBER(wrc_friction, "adhesion_reduction"));
+    friction.slip_reduction =
+        friction.adhesion_reduction * choices.between(0.1, choices.one_in(8) ? 2.0 : 1.0);
   }
   if (choices.one_in(40)) friction.fall_rate = friction.slope_fall = choices.poison();
   if (!choices.one_in(2)) return;

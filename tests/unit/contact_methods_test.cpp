@@ -65,7 +65,8 @@ TEST(Methods, TheManualSaysWhoReadsWhat) {
                  {Option::force_table, "`config.tangential.force_table`"},
                  {Option::non_steady, "`config.planar.non_steady`"},
                  {Option::surface_memory, "`config.surface.memory`"},
-                 {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"}};
+                 {Option::slope_fall, "`friction.slope_limit`, `slope_fall`"},
+                 {Option::reduction_factors, "`friction.adhesion_reduction`, `slip_reduction`"}};
   ASSERT_EQ(std::size(options), static_cast<std::size_t>(Option::count));
   std::ifstream file(WRC_DOCS "/embedding.md");
   std::vector<std::string> lines;

@@ -25,7 +25,7 @@ MOST_WORDS = {"begin with 'What'": 0, "begin with 'of'": 19, "lines with 'what'"
 
 # A module reads those before it. Those of one line do not read each other but as `ALLOWED` says.
 ORDER = [["base"], ["kernels"], ["theory", "patch"], ["geometry"], ["normal", "tangential"], ["damage"], ["surface"],
-         ["contact"], ["halfspace", "profiles"], ["abi"]]
+         ["contact"], ["halfspace", "profiles", "curves"], ["abi"]]
 STAGES = ["geometry", "pressure", "rolling", "wrench"]  # of surface, each reads those before it
 
 

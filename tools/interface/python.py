@@ -90,7 +90,8 @@ class Writer:
         lines += ["", "", "class Status(s.Choice):", '    """What a call returns: 0 done, > 0 done but flagged, < 0 failed."""', ""]
         lines += [f"    {name[len('WRC_'):]} = {value}, {text!r}" for name, value, text in self.interface.statuses]
         lines += ["", "", "STATUS_TEXTS = {int(each): each.__doc__ for each in Status}",
-                  f"PRESETS = {tuple(name for name, _ in self.interface.presets)!r}"]
+                  f"PRESETS = {tuple(name for name, _ in self.interface.presets)!r}",
+                  f"FRICTIONS = {({name: (source, status) for name, source, status in self.interface.frictions})!r}"]
         flags = [(name[len("WRC_FLAG_"):], value, text) for name, value, text in self.interface.statuses if value > 0]
         lines += ["", "", "class Flags(enum.IntFlag):"] + self.docstring(
             ["The flags of a result, a bit for each that was met: wrc.Flags.NO_CONTACT in wrench.flags.", ""]

@@ -30,6 +30,7 @@ class _Types(python.Writer):
         lines += ["STATUS_TEXTS: Dict[int, str]", "STRUCTS: Dict[str, Type[s.Struct]]", "FUNCTIONS: Dict[str, Callable[..., Any]]"]
         presets = [name for name, _ in self.interface.presets]
         lines += ["PRESETS: Tuple[str, ...]", f"PresetName = Literal{presets!r}"]
+        lines += ["FRICTIONS: Dict[str, Tuple[str, str]]", f"FrictionName = Literal{[name for name, _, _ in self.interface.frictions]!r}"]
         statuses = [(name[len("WRC_"):], value, text) for name, value, text in self.interface.statuses]
         lines += self.choice("Status", "s.Choice", statuses)
         lines += self.choice("Flags", "enum.IntFlag", [(name[len("FLAG_"):], 1 << value, text) for name, value, text in statuses if value > 0])

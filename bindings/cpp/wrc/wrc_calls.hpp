@@ -38,6 +38,8 @@ inline wrc_exact_wrench_options defaults() noexcept { return wrc_exact_wrench_op
 template <>
 inline wrc_exact_check_options defaults() noexcept { return wrc_exact_check_options_default(); }
 template <>
+inline wrc_creep_curve defaults() noexcept { return wrc_creep_curve_default(); }
+template <>
 inline wrc_conicity_problem defaults() noexcept { return wrc_conicity_problem_default(); }
 template <>
 inline wrc_profile_wear defaults() noexcept { return wrc_profile_wear_default(); }
@@ -46,6 +48,8 @@ inline wrc_rail_faces_problem defaults() noexcept { return wrc_rail_faces_proble
 
 /** wrc_config_use() */
 inline status config_use(wrc_config& config, const char* name, span<char> text) noexcept { return wrc_config_use(&config, name, text.data(), text.size()); }
+/** wrc_friction_use() */
+inline status friction_use(wrc_friction& friction, const char* name, span<char> text) noexcept { return wrc_friction_use(&friction, name, text.data(), text.size()); }
 /** wrc_config_check() */
 inline status config_check(const wrc_config& config, span<char> text) noexcept { return wrc_config_check(&config, text.data(), text.size()); }
 /** wrc_model_size() */
@@ -256,6 +260,8 @@ class contact_calls {
 #ifdef WRC_EXCEPTIONS
   answer<wrc_wrench> exact_wrench(const wrc_wheel_input& input, const wrc_exact_wrench_options* options = nullptr) { return detail::value_or_throw(try_exact_wrench(input, options), handle_); }
 #endif
+  /** wrc_fit_creep_curve(); may change in a minor version */
+  status fit_creep_curve(const wrc_creep_curve& curve, wrc_creep_fit& fit, double* adhesion) noexcept { return wrc_fit_creep_curve(handle_, &curve, &fit, adhesion); }
 
  protected:
   wrc_contact* handle_ = nullptr;

@@ -29,7 +29,7 @@ def test_models_and_contacts_are_pickled(contact):
 
 
 def test_presets_and_methods():
-    assert len(wrc.presets()) == 10 and "FASTSIM-SDEC" in wrc.presets()
+    assert len(wrc.presets()) == 11 and "FASTSIM-SDEC" in wrc.presets()
     for name in wrc.presets():
         assert wrc.Model(wheel="S1002", rail="60E1", preset=name).status == 0
     assert wrc.use(wrc.Config(), "Fastsim sdec").tangential.patch_model is wrc.PatchModel.PATCH_SDEC

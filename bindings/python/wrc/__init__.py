@@ -19,7 +19,8 @@ from . import _interface, _library, _renamed
 from ._interface import *  # noqa: F401,F403
 from ._interface import ABI_VERSION, EXPERIMENTAL_VERSION, _wrc_build_info, _wrc_version
 from ._library import Cancelled, Error
-from .contact import Batch, Contact, Model, force_table, methods, presets, sweep, use
+from .contact import Batch, Contact, Model, force_table, frictions, methods, presets, sweep, use
+from .creep import CreepCurveFit, fit_creep_curve
 from .damage import Bins, flash_temperature, whole_life_damage
 from . import damage, exact, plot, profiles, raw, sections, shapes
 from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
@@ -43,7 +44,7 @@ def __getattr__(name: str) -> _Any:
     raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
 
 
-__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
-           "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "flange_dimensions",
-           "flash_temperature", "force_table", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
+__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "CreepCurveFit", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
+           "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "fit_creep_curve", "flange_dimensions",
+           "flash_temperature", "force_table", "frictions", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
            "read_sections", "remove_wear", "sections", "shape", "shapes", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]

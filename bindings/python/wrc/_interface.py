@@ -22,6 +22,7 @@ EXPERIMENTAL_VERSION = 1
 WRENCH_INPUTS = 24
 ALL_REGIONS = -1
 DAMAGE_SUMS = 8
+CREEP_PARAMETERS = 10
 
 
 class Status(s.Choice):
@@ -60,7 +61,8 @@ class Status(s.Choice):
 
 
 STATUS_TEXTS = {int(each): each.__doc__ for each in Status}
-PRESETS = ('FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC')
+PRESETS = ('FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC', 'Polach')
+FRICTIONS = {'Polach dry': ('Polach, Wear 258 (2005)', 'remembered, not read again; not compared with his measurements'), 'Polach wet': ('Polach, Wear 258 (2005)', 'remembered, not read again; not compared with his measurements'), 'magnetite': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'clay': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'sand': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'MoS2': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'locomotive': ("CONTACT's example tractcurv, second series: a locomotive's measured curve", 'its creep curve in CONTACT at 10 m/s is met: 0.31 at 1.6 %, 0.19 at 25 % slip; the measurement was not seen')}
 
 
 class Flags(enum.IntFlag):
@@ -133,12 +135,15 @@ class TangentialMethod(s.Choice):
     STRIP_FASTSIM: FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions
     FORCE_TABLE: total forces from config.tangential.force_table, exact solutions for double ellipses: no
         tractions, no slip, and no results that need them
+    POLACH: Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction:
+        total forces, no tractions and no slip
     """
 
     FASTSIM = 0, 'FASTSIM, Kalker 1982, marched in second order, with patch_model, bound and flexibility of config.tangential; modified FASTSIM where friction.slope_fall > 0'
     FASTRIP = 1, "FaStrip, VSD 54 (2016), with config.tangential.patch_model: strip theory where it sticks, FASTSIM's directions where it slips"
     STRIP_FASTSIM = 2, 'FASTSIM in the shape of strip theory on the patch as it is, calibrated on exact solutions'
     FORCE_TABLE = 3, 'total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no slip, and no results that need them'
+    POLACH = 4, "Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction: total forces, no tractions and no slip"
 
 
 class PatchModel(s.Choice):
@@ -555,6 +560,45 @@ class SurfaceInfluence(s.Choice):
 
     TURNED = 0, 'turned between the normals of the two cells: the choice for answers'
     PLAIN = 1, "a plane's over arc length, the plain conformal setting of CONTACT: for comparisons"
+
+
+class CreepParameter(s.Choice):
+    """A parameter of friction or of a layer that wrc_fit_creep_curve() can find: places in the arrays of
+        CreepFit.
+
+    COEFFICIENT: friction.coefficient [-]
+    KINETIC_RATIO: friction.kinetic_ratio, of a speed law [-]
+    FALL_RATE: friction.fall_rate, of the exponential law [s/m]
+    HALF_SPEED: friction.half_speed, of the hyperbolic law [m/s]
+    SLOPE_REDUCTION: friction.slope_reduction [-]
+    ADHESION_REDUCTION: friction.adhesion_reduction, of TangentialMethod.POLACH [-]
+    SLIP_REDUCTION: friction.slip_reduction, of the same [-]
+    LAYER_THICKNESS: friction.layer_thickness, at a given layer_modulus [m]
+    LAYER_YIELD: friction.layer_yield [Pa]
+    LAYER_HARDENING: friction.layer_hardening [Pa/m]
+    """
+
+    COEFFICIENT = 0, 'friction.coefficient [-]'
+    KINETIC_RATIO = 1, 'friction.kinetic_ratio, of a speed law [-]'
+    FALL_RATE = 2, 'friction.fall_rate, of the exponential law [s/m]'
+    HALF_SPEED = 3, 'friction.half_speed, of the hyperbolic law [m/s]'
+    SLOPE_REDUCTION = 4, 'friction.slope_reduction [-]'
+    ADHESION_REDUCTION = 5, 'friction.adhesion_reduction, of TangentialMethod.POLACH [-]'
+    SLIP_REDUCTION = 6, 'friction.slip_reduction, of the same [-]'
+    LAYER_THICKNESS = 7, 'friction.layer_thickness, at a given layer_modulus [m]'
+    LAYER_YIELD = 8, 'friction.layer_yield [Pa]'
+    LAYER_HARDENING = 9, 'friction.layer_hardening [Pa/m]'
+
+
+class Scatter(s.Choice):
+    """How measured adhesion scatters.
+
+    RELATIVE: in proportion to the adhesion, and to a hundredth of the largest at least
+    ABSOLUTE: by the same amount at every point
+    """
+
+    RELATIVE = 0, 'in proportion to the adhesion, and to a hundredth of the largest at least'
+    ABSOLUTE = 1, 'by the same amount at every point'
 
 
 class ConicityMethod(s.Choice):
@@ -1171,6 +1215,10 @@ class Friction(s.Struct):
           0)
       layer_hardening [Pa/m]: rise of that traction over the length of plastic flow, < 0: the layer softens,
           to a tenth of layer_yield at least; goes with layer_yield (-1e13 .. 1e14; default 0)
+      adhesion_reduction: Polach's k_A: factor on the gradient of traction where the patch sticks; of
+          TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
+      slip_reduction: Polach's k_S: the same where it slips, at most adhesion_reduction; of
+          TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
 
     _c_name_ = 'wrc_friction'
@@ -1196,8 +1244,10 @@ class Friction(s.Struct):
     layer_modulus: float
     layer_yield: float
     layer_hardening: float
+    adhesion_reduction: float
+    slip_reduction: float
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
-    _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02}
+    _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02, 'adhesion_reduction': 1.0, 'slip_reduction': 1.0}
     _fields_ = [
         ('coefficient', c.c_double),
         ('_speed_law', c.c_int32),
@@ -1220,7 +1270,9 @@ class Friction(s.Struct):
         ('layer_modulus', c.c_double),
         ('layer_yield', c.c_double),
         ('layer_hardening', c.c_double),
-        ('_reserved', c.c_double * 8),
+        ('adhesion_reduction', c.c_double),
+        ('slip_reduction', c.c_double),
+        ('_reserved', c.c_double * 6),
     ]
 assert c.sizeof(Friction) == 240
 
@@ -2918,6 +2970,110 @@ class ExactCheckResult(s.Struct):
 assert c.sizeof(ExactCheckResult) == 64
 
 
+class CreepCurve(s.Struct):
+    """A measured curve of adhesion over slip, and the law to be fitted to it.
+
+    Members:
+      count: points, three more than parameters at least (4 .. 100000; default 0)
+      slip: count of them: amount of the longitudinal creepage (1e-7 .. 1; required)
+      adhesion: count of them: longitudinal force over load, against the slip positive (-0.2 .. 2; required)
+      speed [m/s]: count of them: rolling speed (1e-3 .. 200; required)
+      load [N]: count of them: of the wheel (1 .. 1e7; required)
+      ellipse: the patch under ellipse.normal_force. Its axes grow with the cube root of the load (Hertz)
+      friction: the law, without zones and temperatures. The fit begins with its values and keeps those it
+          does not look for
+      parameters: bit 1 << parameter for each CreepParameter to be found (1 .. 1023; default 1)
+      scatter: Scatter (default Scatter.RELATIVE)
+      max_iterations: of the fit (1 .. 1000; default 100)
+      progress: called between iterations; None: none (default None)
+      user: handed to progress (default None)
+    """
+
+    _c_name_ = 'wrc_creep_curve'
+    __slots__ = ()
+    count: int = s.Count('count')  # type: ignore[assignment]
+    slip: Optional[np.ndarray] = s.Pointer('slip', 'count')  # type: ignore[assignment]
+    adhesion: Optional[np.ndarray] = s.Pointer('adhesion', 'count')  # type: ignore[assignment]
+    speed: Optional[np.ndarray] = s.Pointer('speed', 'count')  # type: ignore[assignment]
+    load: Optional[np.ndarray] = s.Pointer('load', 'count')  # type: ignore[assignment]
+    ellipse: Ellipse
+    friction: Friction
+    parameters: int
+    scatter: Scatter = s.Chosen('scatter', Scatter)  # type: ignore[assignment]
+    max_iterations: int
+    progress: Any
+    user: Any
+    _units_ = {'speed': 'm/s', 'load': 'N'}
+    _defaults_ = {'parameters': 1, 'max_iterations': 100}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_count', c.c_uint32),
+        ('_slip', c.POINTER(c.c_double)),
+        ('_adhesion', c.POINTER(c.c_double)),
+        ('_speed', c.POINTER(c.c_double)),
+        ('_load', c.POINTER(c.c_double)),
+        ('ellipse', Ellipse),
+        ('friction', Friction),
+        ('parameters', c.c_uint32),
+        ('_scatter', c.c_int32),
+        ('max_iterations', c.c_int32),
+        ('_reserved0', c.c_uint32),
+        ('progress', s.Progress),
+        ('user', c.c_void_p),
+    ]
+assert c.sizeof(CreepCurve) == 376
+
+
+class CreepFit(s.Struct):
+    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 of
+        parameters that were not looked for.
+
+    Members:
+      flags: bit 1 << flag for each WRC_FLAG_... met
+      iterations: of the fit
+      undetermined: bits of parameters that the curve does not determine: any value, or only a combination of
+          several, would fit. Their deviation is infinite, their interval the whole range
+      at_limit: bits of parameters that ended at the end of their range
+      scatter: standard deviation of the measured points from the law: relative, or of the adhesion
+      friction: the law that fits best
+      value: that fits best, in the unit of the parameter
+      deviation: standard deviation of that value, in the same unit
+      low: lower end of the interval that holds the true value with 95 %
+      high: its upper end
+      covariance: of the values; 0 of undetermined ones
+    """
+
+    _c_name_ = 'wrc_creep_fit'
+    __slots__ = ()
+    flags: Flags = s.Chosen('flags', Flags)  # type: ignore[assignment]
+    iterations: int
+    undetermined: int
+    at_limit: int
+    scatter: float
+    friction: Friction
+    value: np.ndarray = s.Array('value', 272, (16,), c.c_double)  # type: ignore[assignment]
+    deviation: np.ndarray = s.Array('deviation', 400, (16,), c.c_double)  # type: ignore[assignment]
+    low: np.ndarray = s.Array('low', 528, (16,), c.c_double)  # type: ignore[assignment]
+    high: np.ndarray = s.Array('high', 656, (16,), c.c_double)  # type: ignore[assignment]
+    covariance: np.ndarray = s.Array('covariance', 784, (16, 16), c.c_double)  # type: ignore[assignment]
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_flags', c.c_uint32),
+        ('iterations', c.c_int32),
+        ('undetermined', c.c_uint32),
+        ('at_limit', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('scatter', c.c_double),
+        ('friction', Friction),
+        ('_value', c.c_double * 16),
+        ('_deviation', c.c_double * 16),
+        ('_low', c.c_double * 16),
+        ('_high', c.c_double * 16),
+        ('_covariance', (c.c_double * 16) * 16),
+    ]
+assert c.sizeof(CreepFit) == 2832
+
+
 class WheelsetGeometryProblem(s.Struct):
     """Lateral displacements and load for contact functions.
 
@@ -3354,6 +3510,7 @@ _wrc_material_init = _l.function(FUNCTIONS, 'wrc_material_init', c.c_int32, [c.P
 _wrc_friction_init = _l.function(FUNCTIONS, 'wrc_friction_init', c.c_int32, [c.POINTER(Friction)])
 _wrc_wheel_input_init = _l.function(FUNCTIONS, 'wrc_wheel_input_init', c.c_int32, [c.POINTER(WheelInput)])
 _wrc_config_use = _l.function(FUNCTIONS, 'wrc_config_use', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_char_p, c.c_uint64])
+_wrc_friction_use = _l.function(FUNCTIONS, 'wrc_friction_use', c.c_int32, [c.POINTER(Friction), c.c_char_p, c.c_char_p, c.c_uint64])
 _wrc_config_check = _l.function(FUNCTIONS, 'wrc_config_check', c.c_int32, [c.POINTER(Config), c.c_char_p, c.c_uint64])
 _wrc_model_size = _l.function(FUNCTIONS, 'wrc_model_size', c.c_int32, [c.POINTER(Config), s.Numbers(c.c_uint64), s.Numbers(c.c_uint64)])
 _wrc_model_init = _l.function(FUNCTIONS, 'wrc_model_init', c.c_int32, [c.POINTER(Config), c.c_void_p, c.c_uint64, c.c_void_p, c.c_char_p, c.c_uint64])
@@ -3413,6 +3570,7 @@ _wrc_exact_rolling_problem_init = _l.function(FUNCTIONS, 'wrc_exact_rolling_prob
 _wrc_exact_loads_init = _l.function(FUNCTIONS, 'wrc_exact_loads_init', c.c_int32, [c.POINTER(ExactLoads)])
 _wrc_exact_check_options_init = _l.function(FUNCTIONS, 'wrc_exact_check_options_init', c.c_int32, [c.POINTER(ExactCheckOptions)])
 _wrc_exact_wrench_options_init = _l.function(FUNCTIONS, 'wrc_exact_wrench_options_init', c.c_int32, [c.POINTER(ExactWrenchOptions)])
+_wrc_creep_curve_init = _l.function(FUNCTIONS, 'wrc_creep_curve_init', c.c_int32, [c.POINTER(CreepCurve)])
 _wrc_exact_gap = _l.function(FUNCTIONS, 'wrc_exact_gap', c.c_int32, [c.c_void_p, c.POINTER(Grid), s.Numbers(c.c_double)])
 _wrc_exact_normal = _l.function(FUNCTIONS, 'wrc_exact_normal', c.c_int32, [c.POINTER(ExactNormalProblem), c.POINTER(ExactNormalSolution), c.c_char_p, c.c_uint64])
 _wrc_exact_rolling = _l.function(FUNCTIONS, 'wrc_exact_rolling', c.c_int32, [c.POINTER(ExactRollingProblem), c.POINTER(ExactRollingSolution), c.c_char_p, c.c_uint64])
@@ -3423,6 +3581,7 @@ _wrc_exact_transient_step = _l.function(FUNCTIONS, 'wrc_exact_transient_step', c
 _wrc_exact_transient_destroy = _l.function(FUNCTIONS, 'wrc_exact_transient_destroy', None, [c.c_void_p])
 _wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_void_p, c.POINTER(ExactCheckOptions), c.POINTER(ExactCheckResult)])
 _wrc_exact_wrench = _l.function(FUNCTIONS, 'wrc_exact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(ExactWrenchOptions), c.POINTER(Wrench)])
+_wrc_fit_creep_curve = _l.function(FUNCTIONS, 'wrc_fit_creep_curve', c.c_int32, [c.c_void_p, c.POINTER(CreepCurve), c.POINTER(CreepFit), s.Numbers(c.c_double)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
 _wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
 _wrc_rail_faces_problem_init = _l.function(FUNCTIONS, 'wrc_rail_faces_problem_init', c.c_int32, [c.POINTER(RailFacesProblem)])
@@ -4000,6 +4159,8 @@ STRUCTS = {
     'wrc_exact_wrench_options': ExactWrenchOptions,
     'wrc_exact_check_options': ExactCheckOptions,
     'wrc_exact_check_result': ExactCheckResult,
+    'wrc_creep_curve': CreepCurve,
+    'wrc_creep_fit': CreepFit,
     'wrc_wheelset_geometry_problem': WheelsetGeometryProblem,
     'wrc_wheelset_geometry': WheelsetGeometry,
     'wrc_conicity_problem': ConicityProblem,
@@ -4041,6 +4202,8 @@ __all__ = [
     'Adhesion',
     'Collocation',
     'SurfaceInfluence',
+    'CreepParameter',
+    'Scatter',
     'ConicityMethod',
     'FaceKind',
     'Profile',
@@ -4102,6 +4265,8 @@ __all__ = [
     'ExactWrenchOptions',
     'ExactCheckOptions',
     'ExactCheckResult',
+    'CreepCurve',
+    'CreepFit',
     'WheelsetGeometryProblem',
     'WheelsetGeometry',
     'ConicityProblem',
@@ -4116,6 +4281,7 @@ __all__ = [
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',
+    'CREEP_PARAMETERS',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',

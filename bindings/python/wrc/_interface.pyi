@@ -18,11 +18,14 @@ EXPERIMENTAL_VERSION: int
 WRENCH_INPUTS: int
 ALL_REGIONS: int
 DAMAGE_SUMS: int
+CREEP_PARAMETERS: int
 STATUS_TEXTS: Dict[int, str]
 STRUCTS: Dict[str, Type[s.Struct]]
 FUNCTIONS: Dict[str, Callable[..., Any]]
 PRESETS: Tuple[str, ...]
-PresetName = Literal['FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC']
+PresetName = Literal['FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC', 'Polach']
+FRICTIONS: Dict[str, Tuple[str, str]]
+FrictionName = Literal['Polach dry', 'Polach wet', 'magnetite', 'clay', 'sand', 'MoS2', 'locomotive']
 
 class Status(s.Choice):
     OK = 0
@@ -152,7 +155,11 @@ class TangentialMethod(s.Choice):
     """total forces from config.tangential.force_table, exact solutions for double ellipses: no tractions, no
         slip, and no results that need them
     """
-TangentialMethodLike = Union[TangentialMethod, Literal['FASTSIM', 'FASTRIP', 'STRIP_FASTSIM', 'FORCE_TABLE']]
+    POLACH = 4
+    """Polach's force law on the equivalent ellipse, with friction.adhesion_reduction and slip_reduction: total
+        forces, no tractions and no slip
+    """
+TangentialMethodLike = Union[TangentialMethod, Literal['FASTSIM', 'FASTRIP', 'STRIP_FASTSIM', 'FORCE_TABLE', 'POLACH']]
 
 class PatchModel(s.Choice):
     PATCH_SDEC = 0
@@ -471,6 +478,36 @@ class SurfaceInfluence(s.Choice):
     PLAIN = 1
     """a plane's over arc length, the plain conformal setting of CONTACT: for comparisons"""
 SurfaceInfluenceLike = Union[SurfaceInfluence, Literal['TURNED', 'PLAIN']]
+
+class CreepParameter(s.Choice):
+    COEFFICIENT = 0
+    """friction.coefficient [-]"""
+    KINETIC_RATIO = 1
+    """friction.kinetic_ratio, of a speed law [-]"""
+    FALL_RATE = 2
+    """friction.fall_rate, of the exponential law [s/m]"""
+    HALF_SPEED = 3
+    """friction.half_speed, of the hyperbolic law [m/s]"""
+    SLOPE_REDUCTION = 4
+    """friction.slope_reduction [-]"""
+    ADHESION_REDUCTION = 5
+    """friction.adhesion_reduction, of TangentialMethod.POLACH [-]"""
+    SLIP_REDUCTION = 6
+    """friction.slip_reduction, of the same [-]"""
+    LAYER_THICKNESS = 7
+    """friction.layer_thickness, at a given layer_modulus [m]"""
+    LAYER_YIELD = 8
+    """friction.layer_yield [Pa]"""
+    LAYER_HARDENING = 9
+    """friction.layer_hardening [Pa/m]"""
+CreepParameterLike = Union[CreepParameter, Literal['COEFFICIENT', 'KINETIC_RATIO', 'FALL_RATE', 'HALF_SPEED', 'SLOPE_REDUCTION', 'ADHESION_REDUCTION', 'SLIP_REDUCTION', 'LAYER_THICKNESS', 'LAYER_YIELD', 'LAYER_HARDENING']]
+
+class Scatter(s.Choice):
+    RELATIVE = 0
+    """in proportion to the adhesion, and to a hundredth of the largest at least"""
+    ABSOLUTE = 1
+    """by the same amount at every point"""
+ScatterLike = Union[Scatter, Literal['RELATIVE', 'ABSOLUTE']]
 
 class ConicityMethod(s.Choice):
     WAVELENGTH = 0
@@ -1132,9 +1169,17 @@ class Friction(s.Struct):
     """layer_hardening [Pa/m]: rise of that traction over the length of plastic flow, < 0: the layer softens, to
         a tenth of layer_yield at least; goes with layer_yield (-1e13 .. 1e14; default 0)
     """
-    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> None:
+    adhesion_reduction: float
+    """adhesion_reduction: Polach's k_A: factor on the gradient of traction where the patch sticks; of
+        TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
+    """
+    slip_reduction: float
+    """slip_reduction: Polach's k_S: the same where it slips, at most adhesion_reduction; of
+        TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
+    """
+    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> Friction:  # type: ignore[override]
+    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> Friction:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FrictionDict(TypedDict, total=False):
@@ -1159,6 +1204,8 @@ class FrictionDict(TypedDict, total=False):
     layer_modulus: float
     layer_yield: float
     layer_hardening: float
+    adhesion_reduction: float
+    slip_reduction: float
 
 class WheelState(s.Struct):
     """Where a wheel or wheelset is and how it moves, against the ground."""
@@ -2861,6 +2908,135 @@ class ExactCheckResultDict(TypedDict, total=False):
     force_error: float
     power_error: float
 
+class CreepCurve(s.Struct):
+    """A measured curve of adhesion over slip, and the law to be fitted to it."""
+    @property
+    def count(self) -> int:
+        """count: points, three more than parameters at least (4 .. 100000; default 0)"""
+    @property
+    def slip(self) -> Optional[NDArray[np.float64]]:
+        """slip: count of them: amount of the longitudinal creepage (1e-7 .. 1; required)"""
+    @slip.setter
+    def slip(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def adhesion(self) -> Optional[NDArray[np.float64]]:
+        """adhesion: count of them: longitudinal force over load, against the slip positive (-0.2 .. 2; required)
+        """
+    @adhesion.setter
+    def adhesion(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def speed(self) -> Optional[NDArray[np.float64]]:
+        """speed [m/s]: count of them: rolling speed (1e-3 .. 200; required)"""
+    @speed.setter
+    def speed(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def load(self) -> Optional[NDArray[np.float64]]:
+        """load [N]: count of them: of the wheel (1 .. 1e7; required)"""
+    @load.setter
+    def load(self, value: Optional[s.Floats]) -> None: ...
+    ellipse: Ellipse
+    """ellipse: the patch under ellipse.normal_force. Its axes grow with the cube root of the load (Hertz)"""
+    friction: Friction
+    """friction: the law, without zones and temperatures. The fit begins with its values and keeps those it does
+        not look for
+    """
+    parameters: int
+    """parameters: bit 1 << parameter for each CreepParameter to be found (1 .. 1023; default 1)"""
+    @property
+    def scatter(self) -> Scatter:
+        """scatter: Scatter (default Scatter.RELATIVE)"""
+    @scatter.setter
+    def scatter(self, value: ScatterLike) -> None: ...
+    max_iterations: int
+    """max_iterations: of the fit (1 .. 1000; default 100)"""
+    progress: Any
+    """progress: called between iterations; None: none (default None)"""
+    user: Any
+    """user: handed to progress (default None)"""
+    def __init__(self, *, slip: Optional[s.Floats] = ..., adhesion: Optional[s.Floats] = ..., speed: Optional[s.Floats] = ..., load: Optional[s.Floats] = ..., ellipse: Union[Ellipse, EllipseDict] = ..., friction: Union[Friction, FrictionDict] = ..., parameters: int = ..., scatter: ScatterLike = ..., max_iterations: int = ..., progress: Any = ..., user: Any = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, slip: Optional[s.Floats] = ..., adhesion: Optional[s.Floats] = ..., speed: Optional[s.Floats] = ..., load: Optional[s.Floats] = ..., ellipse: Union[Ellipse, EllipseDict] = ..., friction: Union[Friction, FrictionDict] = ..., parameters: int = ..., scatter: ScatterLike = ..., max_iterations: int = ..., progress: Any = ..., user: Any = ...) -> CreepCurve:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class CreepCurveDict(TypedDict, total=False):
+    """Members of wrc.CreepCurve as a dict."""
+    slip: Optional[s.Floats]
+    adhesion: Optional[s.Floats]
+    speed: Optional[s.Floats]
+    load: Optional[s.Floats]
+    ellipse: Union[Ellipse, EllipseDict]
+    friction: Union[Friction, FrictionDict]
+    parameters: int
+    scatter: ScatterLike
+    max_iterations: int
+    progress: Any
+    user: Any
+
+class CreepFit(s.Struct):
+    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 of
+        parameters that were not looked for.
+    """
+    @property
+    def flags(self) -> Flags:
+        """flags: bit 1 << flag for each WRC_FLAG_... met"""
+    @flags.setter
+    def flags(self, value: FlagsLike) -> None: ...
+    iterations: int
+    """iterations: of the fit"""
+    undetermined: int
+    """undetermined: bits of parameters that the curve does not determine: any value, or only a combination of
+        several, would fit. Their deviation is infinite, their interval the whole range
+    """
+    at_limit: int
+    """at_limit: bits of parameters that ended at the end of their range"""
+    scatter: float
+    """scatter: standard deviation of the measured points from the law: relative, or of the adhesion"""
+    friction: Friction
+    """friction: the law that fits best"""
+    @property
+    def value(self) -> NDArray[Any]:
+        """value: that fits best, in the unit of the parameter"""
+    @value.setter
+    def value(self, value: s.Floats) -> None: ...
+    @property
+    def deviation(self) -> NDArray[Any]:
+        """deviation: standard deviation of that value, in the same unit"""
+    @deviation.setter
+    def deviation(self, value: s.Floats) -> None: ...
+    @property
+    def low(self) -> NDArray[Any]:
+        """low: lower end of the interval that holds the true value with 95 %"""
+    @low.setter
+    def low(self, value: s.Floats) -> None: ...
+    @property
+    def high(self) -> NDArray[Any]:
+        """high: its upper end"""
+    @high.setter
+    def high(self, value: s.Floats) -> None: ...
+    @property
+    def covariance(self) -> NDArray[Any]:
+        """covariance: of the values; 0 of undetermined ones"""
+    @covariance.setter
+    def covariance(self, value: s.Floats) -> None: ...
+    def __init__(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, flags: FlagsLike = ..., iterations: int = ..., undetermined: int = ..., at_limit: int = ..., scatter: float = ..., friction: Union[Friction, FrictionDict] = ..., value: s.Floats = ..., deviation: s.Floats = ..., low: s.Floats = ..., high: s.Floats = ..., covariance: s.Floats = ...) -> CreepFit:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class CreepFitDict(TypedDict, total=False):
+    """Members of wrc.CreepFit as a dict."""
+    flags: FlagsLike
+    iterations: int
+    undetermined: int
+    at_limit: int
+    scatter: float
+    friction: Union[Friction, FrictionDict]
+    value: s.Floats
+    deviation: s.Floats
+    low: s.Floats
+    high: s.Floats
+    covariance: s.Floats
+
 class WheelsetGeometryProblem(s.Struct):
     """Lateral displacements and load for contact functions."""
     @property
@@ -3352,6 +3528,7 @@ _wrc_material_init: Callable[..., Any]
 _wrc_friction_init: Callable[..., Any]
 _wrc_wheel_input_init: Callable[..., Any]
 _wrc_config_use: Callable[..., Any]
+_wrc_friction_use: Callable[..., Any]
 _wrc_config_check: Callable[..., Any]
 _wrc_model_size: Callable[..., Any]
 _wrc_model_init: Callable[..., Any]
@@ -3411,6 +3588,7 @@ _wrc_exact_rolling_problem_init: Callable[..., Any]
 _wrc_exact_loads_init: Callable[..., Any]
 _wrc_exact_check_options_init: Callable[..., Any]
 _wrc_exact_wrench_options_init: Callable[..., Any]
+_wrc_creep_curve_init: Callable[..., Any]
 _wrc_exact_gap: Callable[..., Any]
 _wrc_exact_normal: Callable[..., Any]
 _wrc_exact_rolling: Callable[..., Any]
@@ -3421,6 +3599,7 @@ _wrc_exact_transient_step: Callable[..., Any]
 _wrc_exact_transient_destroy: Callable[..., Any]
 _wrc_exact_check: Callable[..., Any]
 _wrc_exact_wrench: Callable[..., Any]
+_wrc_fit_creep_curve: Callable[..., Any]
 _wrc_conicity_problem_init: Callable[..., Any]
 _wrc_profile_wear_init: Callable[..., Any]
 _wrc_rail_faces_problem_init: Callable[..., Any]
@@ -3749,6 +3928,8 @@ __all__ = [
     'Adhesion',
     'Collocation',
     'SurfaceInfluence',
+    'CreepParameter',
+    'Scatter',
     'ConicityMethod',
     'FaceKind',
     'Profile',
@@ -3810,6 +3991,8 @@ __all__ = [
     'ExactWrenchOptions',
     'ExactCheckOptions',
     'ExactCheckResult',
+    'CreepCurve',
+    'CreepFit',
     'WheelsetGeometryProblem',
     'WheelsetGeometry',
     'ConicityProblem',
@@ -3824,6 +4007,7 @@ __all__ = [
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',
+    'CREEP_PARAMETERS',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',

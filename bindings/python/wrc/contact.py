@@ -5,7 +5,7 @@ import concurrent.futures
 import ctypes as c
 import os
 import threading
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,14 +48,24 @@ def methods() -> Dict[str, Dict[str, str]]:
             "tangential": {each.name: each.__doc__ or "" for each in i.TangentialMethod}}
 
 
-def use(config: i.Config, name: i.PresetName) -> i.Config:
-    """Makes a configuration that of a published tangential method ("FASTSIM-SDEC", see wrc.presets()); gives the configuration.
-    Upper and lower case, blanks and hyphens do not count."""
-    plain = {"".join(filter(str.isalnum, each)).lower(): each for each in i.PRESETS}
-    name = plain.get("".join(filter(str.isalnum, name)).lower(), name)  # type: ignore[assignment]
+def frictions() -> Dict[str, Tuple[str, str]]:
+    """Friction and layers by name, of wrc.use(): source, and how far it is confirmed."""
+    return dict(i.FRICTIONS)
+
+
+@overload
+def use(struct: i.Config, name: i.PresetName) -> i.Config: ...
+@overload
+def use(struct: i.Friction, name: i.FrictionName) -> i.Friction: ...
+def use(struct: Any, name: Any) -> Any:
+    """Makes a configuration that of a published tangential method ("FASTSIM-SDEC", see wrc.presets()), or friction that of a name
+    ("Polach wet", see wrc.frictions()); gives the struct. Upper and lower case, blanks and hyphens do not count."""
+    names, function = (i.FRICTIONS, i._wrc_friction_use) if isinstance(struct, i.Friction) else (i.PRESETS, i._wrc_config_use)
+    plain = {"".join(filter(str.isalnum, each)).lower(): each for each in names}
+    name = plain.get("".join(filter(str.isalnum, name)).lower(), name)
     text = c.create_string_buffer(_SENTENCE)
-    _l.check(i._wrc_config_use(config, name.encode(), text, _SENTENCE), text)
-    return config
+    _l.check(function(struct, name.encode(), text, _SENTENCE), text)
+    return struct
 
 
 class Model(i.ModelCalls):

@@ -10,6 +10,7 @@ import numpy as np
 from . import _interface as i
 from ._library import Error
 from .contact import Contact, Model
+from .creep import CreepCurveFit
 from .profiles import ProfileFile
 from .sections import RailFaces
 
@@ -435,6 +436,30 @@ def creep_curves(contacts: Dict[str, Contact], input: i.PlanarInput, values: Opt
         panel.set(xlabel=f"{direction} creepage [{unit}]", ylabel=("-Fx" if component == 0 else "-Fy") + " / (friction x load)")
         panel.grid(alpha=0.3)
     panels[0].legend(fontsize=8)
+    return _done(made, path)
+
+
+def creep_fit(fit: CreepCurveFit, axes: Any = None, path: Any = None) -> Any:
+    """Points of a measured creep curve, and the law fitted to them: a colour for each speed, with the parameters and their spread."""
+    made, panel = _panel(axes, (8, 5))
+    slip, speed, load = fit.points["slip"], fit.points["speed"], fit.points["load"]
+    groups = np.unique(np.round(speed, 2))
+    if len(groups) > len(COLOURS):  # speeds that were measured: a few between the ends
+        groups = np.linspace(speed.min(), speed.max(), 4)
+    nearest = np.argmin(np.abs(speed[:, None] - groups), axis=1)
+    across = np.geomspace(slip.min(), slip.max(), 200)
+    for k, (each, colour) in enumerate(zip(groups, COLOURS)):
+        here = nearest == k
+        if not here.any():
+            continue
+        panel.plot(100 * slip[here], fit.points["adhesion"][here], "o", color=colour, markersize=4, alpha=0.6)
+        panel.plot(100 * across, fit.adhesion(across, float(each), float(np.mean(load[here]))), color=colour, label=f"{each:.3g} m/s")
+    panel.set(xscale="log", xlabel="slip [%]", ylabel="adhesion [-]", ylim=(0, None))
+    panel.grid(alpha=0.3)
+    panel.legend(fontsize=8, loc="upper left")
+    told = "\n".join(repr(each).replace("+-", "±").split(" (")[0] for each in fit.parameters.values())
+    panel.text(0.98, 0.03, told, transform=panel.transAxes, ha="right", va="bottom", fontsize=8,
+               bbox={"facecolor": "white", "alpha": 0.8, "edgecolor": "#cccccc"})
     return _done(made, path)
 
 

@@ -28,9 +28,10 @@ inline constexpr Enumerator wrc_tangential_method_values[] = {
     {"WRC_TANGENTIAL_FASTRIP", WRC_TANGENTIAL_FASTRIP},
     {"WRC_TANGENTIAL_STRIP_FASTSIM", WRC_TANGENTIAL_STRIP_FASTSIM},
     {"WRC_TANGENTIAL_FORCE_TABLE", WRC_TANGENTIAL_FORCE_TABLE},
+    {"WRC_TANGENTIAL_POLACH", WRC_TANGENTIAL_POLACH},
 };
-inline constexpr Enumeration wrc_tangential_method{wrc_tangential_method_values, 4,
-    "see enum wrc_tangential_method: WRC_TANGENTIAL_FASTSIM (0), _FASTRIP (1), _STRIP_FASTSIM (2), _FORCE_TABLE (3)"};
+inline constexpr Enumeration wrc_tangential_method{wrc_tangential_method_values, 5,
+    "see enum wrc_tangential_method: WRC_TANGENTIAL_FASTSIM (0), _FASTRIP (1), _STRIP_FASTSIM (2), _FORCE_TABLE (3), _POLACH (4)"};
 
 inline constexpr Enumerator wrc_patch_model_values[] = {
     {"WRC_PATCH_MODEL_PATCH_SDEC", WRC_PATCH_MODEL_PATCH_SDEC},
@@ -267,6 +268,28 @@ inline constexpr Enumerator wrc_surface_influence_values[] = {
 };
 inline constexpr Enumeration wrc_surface_influence{wrc_surface_influence_values, 2,
     "see enum wrc_surface_influence: WRC_INFLUENCE_TURNED (0), _PLAIN (1)"};
+
+inline constexpr Enumerator wrc_creep_parameter_values[] = {
+    {"WRC_CREEP_COEFFICIENT", WRC_CREEP_COEFFICIENT},
+    {"WRC_CREEP_KINETIC_RATIO", WRC_CREEP_KINETIC_RATIO},
+    {"WRC_CREEP_FALL_RATE", WRC_CREEP_FALL_RATE},
+    {"WRC_CREEP_HALF_SPEED", WRC_CREEP_HALF_SPEED},
+    {"WRC_CREEP_SLOPE_REDUCTION", WRC_CREEP_SLOPE_REDUCTION},
+    {"WRC_CREEP_ADHESION_REDUCTION", WRC_CREEP_ADHESION_REDUCTION},
+    {"WRC_CREEP_SLIP_REDUCTION", WRC_CREEP_SLIP_REDUCTION},
+    {"WRC_CREEP_LAYER_THICKNESS", WRC_CREEP_LAYER_THICKNESS},
+    {"WRC_CREEP_LAYER_YIELD", WRC_CREEP_LAYER_YIELD},
+    {"WRC_CREEP_LAYER_HARDENING", WRC_CREEP_LAYER_HARDENING},
+};
+inline constexpr Enumeration wrc_creep_parameter{wrc_creep_parameter_values, 10,
+    "see enum wrc_creep_parameter: WRC_CREEP_COEFFICIENT (0), _KINETIC_RATIO (1), _FALL_RATE (2), _HALF_SPEED (3), _SLOPE_REDUCTION (4), _ADHESION_REDUCTION (5), _SLIP_REDUCTION (6), _LAYER_THICKNESS (7), _LAYER_YIELD (8), _LAYER_HARDENING (9)"};
+
+inline constexpr Enumerator wrc_scatter_values[] = {
+    {"WRC_SCATTER_RELATIVE", WRC_SCATTER_RELATIVE},
+    {"WRC_SCATTER_ABSOLUTE", WRC_SCATTER_ABSOLUTE},
+};
+inline constexpr Enumeration wrc_scatter{wrc_scatter_values, 2,
+    "see enum wrc_scatter: WRC_SCATTER_RELATIVE (0), _ABSOLUTE (1)"};
 
 inline constexpr Enumerator wrc_conicity_method_values[] = {
     {"WRC_CONICITY_WAVELENGTH", WRC_CONICITY_WAVELENGTH},
@@ -750,6 +773,8 @@ struct Description<wrc_friction> {
     value.bulk = Description<wrc_bulk_temperatures>::defaults;
     value.slope_reduction = 1;
     value.slope_limit = 0.02;
+    value.adhesion_reduction = 1;
+    value.slip_reduction = 1;
     return value;
   }();
   static constexpr Member members[] = {
@@ -776,7 +801,9 @@ struct Description<wrc_friction> {
       {.name = "layer_modulus", .offset = offsetof(wrc_friction, layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
       {.name = "layer_yield", .offset = offsetof(wrc_friction, layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
       {.name = "layer_hardening", .offset = offsetof(wrc_friction, layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
-      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
+      {.name = "adhesion_reduction", .offset = offsetof(wrc_friction, adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "slip_reduction", .offset = offsetof(wrc_friction, slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
@@ -931,7 +958,9 @@ struct Description<wrc_wheel_input> {
       {.name = "friction.layer_modulus", .offset = offsetof(wrc_wheel_input, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
       {.name = "friction.layer_yield", .offset = offsetof(wrc_wheel_input, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_wheel_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
+      {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_wheel_input, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slip_reduction", .offset = offsetof(wrc_wheel_input, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
       {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "no vertical load is prescribed, but the height or another quantity (set prescribed to use it); it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
       {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
@@ -1385,7 +1414,9 @@ struct Description<wrc_planar_input> {
       {.name = "friction.layer_modulus", .offset = offsetof(wrc_planar_input, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
       {.name = "friction.layer_yield", .offset = offsetof(wrc_planar_input, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_planar_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 8, .rule = Rule::zero},
+      {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_planar_input, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slip_reduction", .offset = offsetof(wrc_planar_input, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
@@ -2117,6 +2148,123 @@ struct Description<wrc_exact_check_result> {
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_exact_check_result) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_creep_curve> {
+  static constexpr const char* name = "wrc_creep_curve";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_creep_curve>(376);
+  static constexpr wrc_creep_curve defaults = [] {
+    wrc_creep_curve value{};
+    value.struct_size = sizeof value;
+    value.ellipse = Description<wrc_ellipse>::defaults;
+    value.friction = Description<wrc_friction>::defaults;
+    value.parameters = 1;
+    value.max_iterations = 100;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_creep_curve, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_creep_curve, count), .type = Type::uint32, .rule = Rule::range, .low = 4, .high = 100000, .too_small = "a fit needs three points more than parameters", .not_set = "was it set? its default is 0"},
+      {.name = "slip", .offset = offsetof(wrc_creep_curve, slip), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-7, .high = 1, .too_small = "take amounts: slip of braking and of traction counts positive, and a point without slip has no place", .too_large = "did you pass per cent?", .counted_by = offsetof(wrc_creep_curve, count)},
+      {.name = "adhesion", .offset = offsetof(wrc_creep_curve, adhesion), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -0.2, .high = 2, .too_small = "take amounts: adhesion counts positive where it opposes the slip", .too_large = "did you pass per cent?", .counted_by = offsetof(wrc_creep_curve, count)},
+      {.name = "speed", .offset = offsetof(wrc_creep_curve, speed), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1e-3, .high = 200, .unit = "m/s", .too_small = "take amounts: a curve of rolling backwards is the same", .counted_by = offsetof(wrc_creep_curve, count)},
+      {.name = "load", .offset = offsetof(wrc_creep_curve, load), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 1, .high = 1e7, .unit = "N", .too_small = "compressive loads count positive; did you pass kN?", .counted_by = offsetof(wrc_creep_curve, count)},
+      {.name = "ellipse.a", .offset = offsetof(wrc_creep_curve, ellipse.a), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.b", .offset = offsetof(wrc_creep_curve, ellipse.b), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.1, .unit = "m", .too_large = "did you pass mm?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.psi", .offset = offsetof(wrc_creep_curve, ellipse.psi), .type = Type::real, .rule = Rule::range, .low = -0.95, .high = 0.95},
+      {.name = "ellipse.y", .offset = offsetof(wrc_creep_curve, ellipse.y), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "ellipse.normal_force", .offset = offsetof(wrc_creep_curve, ellipse.normal_force), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e7, .unit = "N", .negative = "the normal force is compressive positive", .too_large = "did you pass mN?", .not_set = "was it set? its default is 0"},
+      {.name = "ellipse.reserved", .offset = offsetof(wrc_creep_curve, ellipse.reserved), .type = Type::real, .elements = 3, .rule = Rule::zero},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_creep_curve, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.speed_law", .offset = offsetof(wrc_creep_curve, friction.speed_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_speed_law},
+      {.name = "friction.temperature_law", .offset = offsetof(wrc_creep_curve, friction.temperature_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_temperature_law},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_creep_curve, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_creep_curve, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_creep_curve, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s"},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_creep_curve, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces"},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_creep_curve, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC"},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_creep_curve, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC"},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_creep_curve, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_creep_curve, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.reserved", .offset = offsetof(wrc_creep_curve, friction.bulk.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_creep_curve, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_creep_curve, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_creep_curve, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_creep_curve, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_creep_curve, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_creep_curve, friction.zone_count)},
+      {.name = "friction.zone_coefficients", .offset = offsetof(wrc_creep_curve, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_creep_curve, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_creep_curve, friction.zone_count)},
+      {.name = "friction.zone_count", .offset = offsetof(wrc_creep_curve, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_creep_curve, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.layer_thickness", .offset = offsetof(wrc_creep_curve, friction.layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "friction.layer_modulus", .offset = offsetof(wrc_creep_curve, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_yield", .offset = offsetof(wrc_creep_curve, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_hardening", .offset = offsetof(wrc_creep_curve, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_creep_curve, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slip_reduction", .offset = offsetof(wrc_creep_curve, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_creep_curve, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "parameters", .offset = offsetof(wrc_creep_curve, parameters), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1023},
+      {.name = "scatter", .offset = offsetof(wrc_creep_curve, scatter), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_scatter},
+      {.name = "max_iterations", .offset = offsetof(wrc_creep_curve, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 1000},
+      {.name = "reserved0", .offset = offsetof(wrc_creep_curve, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "progress", .offset = offsetof(wrc_creep_curve, progress), .type = Type::pointer, .rule = Rule::none},
+      {.name = "user", .offset = offsetof(wrc_creep_curve, user), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_creep_curve) == 376, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_creep_fit> {
+  static constexpr const char* name = "wrc_creep_fit";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_creep_fit>(2832);
+  static constexpr wrc_creep_fit defaults = [] {
+    wrc_creep_fit value{};
+    value.struct_size = sizeof value;
+    value.friction = Description<wrc_friction>::defaults;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_creep_fit, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "flags", .offset = offsetof(wrc_creep_fit, flags), .type = Type::uint32, .rule = Rule::none},
+      {.name = "iterations", .offset = offsetof(wrc_creep_fit, iterations), .type = Type::int32, .rule = Rule::none},
+      {.name = "undetermined", .offset = offsetof(wrc_creep_fit, undetermined), .type = Type::uint32, .rule = Rule::none},
+      {.name = "at_limit", .offset = offsetof(wrc_creep_fit, at_limit), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_creep_fit, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "scatter", .offset = offsetof(wrc_creep_fit, scatter), .type = Type::real, .rule = Rule::none},
+      {.name = "friction.coefficient", .offset = offsetof(wrc_creep_fit, friction.coefficient), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 2, .or_zero = true, .too_small = "friction must be positive", .too_large = "did you pass per cent?"},
+      {.name = "friction.speed_law", .offset = offsetof(wrc_creep_fit, friction.speed_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_speed_law},
+      {.name = "friction.temperature_law", .offset = offsetof(wrc_creep_fit, friction.temperature_law), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_friction_temperature_law},
+      {.name = "friction.kinetic_ratio", .offset = offsetof(wrc_creep_fit, friction.kinetic_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient at rest"},
+      {.name = "friction.fall_rate", .offset = offsetof(wrc_creep_fit, friction.fall_rate), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000, .unit = "s/m", .too_small = "friction falls with positive rates"},
+      {.name = "friction.half_speed", .offset = offsetof(wrc_creep_fit, friction.half_speed), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .unit = "m/s"},
+      {.name = "friction.hot_ratio", .offset = offsetof(wrc_creep_fit, friction.hot_ratio), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .too_large = "it is a share of the coefficient of cold surfaces"},
+      {.name = "friction.cold_temperature", .offset = offsetof(wrc_creep_fit, friction.cold_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC"},
+      {.name = "friction.hot_temperature", .offset = offsetof(wrc_creep_fit, friction.hot_temperature), .type = Type::real, .rule = Rule::range, .low = -273, .high = 3000, .unit = "degC"},
+      {.name = "friction.bulk.wheel", .offset = offsetof(wrc_creep_fit, friction.bulk.wheel), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.rail", .offset = offsetof(wrc_creep_fit, friction.bulk.rail), .type = Type::real, .rule = Rule::range, .low = -273, .high = 2000, .unit = "degC", .too_large = "did you pass kelvin, or Fahrenheit?"},
+      {.name = "friction.bulk.reserved", .offset = offsetof(wrc_creep_fit, friction.bulk.reserved), .type = Type::real, .elements = 2, .rule = Rule::zero},
+      {.name = "friction.slope_reduction", .offset = offsetof(wrc_creep_fit, friction.slope_reduction), .type = Type::real, .rule = Rule::range, .low = 0.01, .high = 1, .too_small = "clean bodies have 1", .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slope_limit", .offset = offsetof(wrc_creep_fit, friction.slope_limit), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "friction.slope_fall", .offset = offsetof(wrc_creep_fit, friction.slope_fall), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "friction.zone_y", .offset = offsetof(wrc_creep_fit, friction.zone_y), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1, .high = 1, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?", .asked = offsetof(wrc_creep_fit, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_creep_fit, friction.zone_count)},
+      {.name = "friction.zone_coefficients", .offset = offsetof(wrc_creep_fit, friction.zone_coefficients), .type = Type::pointer, .rule = Rule::range, .required = true, .low = 0, .high = 2, .too_small = "friction is not negative", .too_large = "did you pass per cent?", .asked = offsetof(wrc_creep_fit, friction.zone_count), .state = State::not_zero, .counted_by = offsetof(wrc_creep_fit, friction.zone_count)},
+      {.name = "friction.zone_count", .offset = offsetof(wrc_creep_fit, friction.zone_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 64},
+      {.name = "friction.zone_frame", .offset = offsetof(wrc_creep_fit, friction.zone_frame), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_zone_frame},
+      {.name = "friction.layer_thickness", .offset = offsetof(wrc_creep_fit, friction.layer_thickness), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.01, .unit = "m"},
+      {.name = "friction.layer_modulus", .offset = offsetof(wrc_creep_fit, friction.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_yield", .offset = offsetof(wrc_creep_fit, friction.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "friction.layer_hardening", .offset = offsetof(wrc_creep_fit, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_creep_fit, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.slip_reduction", .offset = offsetof(wrc_creep_fit, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
+      {.name = "friction.reserved", .offset = offsetof(wrc_creep_fit, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "value", .offset = offsetof(wrc_creep_fit, value), .type = Type::real, .elements = 16, .rule = Rule::none},
+      {.name = "deviation", .offset = offsetof(wrc_creep_fit, deviation), .type = Type::real, .elements = 16, .rule = Rule::none},
+      {.name = "low", .offset = offsetof(wrc_creep_fit, low), .type = Type::real, .elements = 16, .rule = Rule::none},
+      {.name = "high", .offset = offsetof(wrc_creep_fit, high), .type = Type::real, .elements = 16, .rule = Rule::none},
+      {.name = "covariance", .offset = offsetof(wrc_creep_fit, covariance), .type = Type::real, .elements = 256, .rule = Rule::none},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_creep_fit) == 2832, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_wheelset_geometry_problem> {

@@ -59,6 +59,7 @@ class Roller {
     contact_.slope = in.slope;
     contact_.slope_reduction = in.slope_reduction;
     contact_.layer = strips_.layer;
+    contact_.reduction = in.reduction;
     contact_.model = method.model;
     contact_.force_table = method.force_table;
     contact_.workspace = scratch_.method;

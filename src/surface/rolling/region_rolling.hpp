@@ -39,6 +39,7 @@ struct RegionRollingInput {
   const double* along;                ///< x of the strips' middles [m]
   tangential::SlopeFall slope{};
   double slope_reduction = 1.0;  ///< the factor that is in the shear modulus already [-]
+  tangential::ReductionFactors reduction{};
   tangential::HeatedFriction* heat =
       nullptr;            ///< friction over temperature; strips.friction is then that of cold surfaces
   double* hot = nullptr;  ///< with heat, result: coefficients of friction; may be strips.friction

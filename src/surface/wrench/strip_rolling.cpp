@@ -35,7 +35,8 @@ Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const Cont
   Fault fault;
   if (rolls_by_region(model, in)) {
     for (std::int32_t k = 0; k < count; ++k) scratch.x[k] = backwards ? -strips.x[k] : strips.x[k];
-    const RegionRollingInput patches{rolls, scratch.x, in.slope, in.slope_reduction, heat, strips.friction};
+    const RegionRollingInput patches{rolls,        scratch.x, in.slope,       in.slope_reduction,
+                                     in.reduction, heat,      strips.friction};
     fault = roll_by_region(patches, methods.region, scratch.region, scratch.fields, forces);
   } else {
     const bool needs_fields = methods.strips == SurfaceRollingMethod::fastrip;

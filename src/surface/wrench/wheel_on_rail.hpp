@@ -42,10 +42,11 @@ struct WheelOnRail {
   double angle = 0.0;  ///< turn of the wheel about its axle, right-hand rule [rad]
   double slope_reduction =
       1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
-  tangential::SlopeFall slope;  ///< its fall as slip grows
-  tangential::Layer layer;      ///< that shears and yields
-  double damping = 0.0;         ///< Hunt and Crossley [s/m]
-  double time = 0.0;            ///< since the committed step, of a model that remembers [s]
+  tangential::SlopeFall slope;             ///< its fall as slip grows
+  tangential::Layer layer;                 ///< that shears and yields
+  tangential::ReductionFactors reduction;  ///< those in Polach's force law
+  double damping = 0.0;                    ///< Hunt and Crossley [s/m]
+  double time = 0.0;                       ///< since the committed step, of a model that remembers [s]
 };
 
 /// The motion with the wheel's reference point at this height [m].

@@ -707,6 +707,34 @@ static void exactly(wrc_contact* planar, wrc_contact* wheel) {
   SHOW(wrench, force[0], steepest_angle);
 }
 
+/* Friction by name, its coefficient from a curve. */
+static void fitted(wrc_contact* planar) {
+  enum { count = 8 };
+  const double slip[count] = {1e-3, 2e-3, 4e-3, 8e-3, 0.02, 0.05, 0.1, 0.2};
+  const double measured[count] = {0.07, 0.12, 0.2, 0.27, 0.28, 0.26, 0.23, 0.19};
+  double speed[count], load[count], adhesion[count];
+  wrc_creep_curve curve = wrc_creep_curve_default();
+  wrc_creep_fit fit = {sizeof fit};
+  for (int i = 0; i < count; ++i) {
+    speed[i] = 10.0 + i % 3;
+    load[i] = 80e3;
+  }
+  curve.count = count;
+  curve.slip = slip;
+  curve.adhesion = measured;
+  curve.speed = speed;
+  curve.load = load;
+  curve.ellipse.a = 6e-3;
+  curve.ellipse.b = 5e-3;
+  curve.ellipse.normal_force = 80e3;
+  DO(wrc_friction_use(&curve.friction, "locomotive", text, sizeof text));
+  OF(planar, wrc_fit_creep_curve(planar, &curve, &fit, adhesion));
+  SHOW_ONE(fit.scatter);
+  SHOW_ONE(fit.value[WRC_CREEP_COEFFICIENT]);
+  SHOW_ONE(fit.deviation[WRC_CREEP_COEFFICIENT]);
+  SHOW_ALL(adhesion);
+}
+
 /* ----------------------------------------------------------------------------------------------------------
  * profiles */
 
@@ -786,6 +814,7 @@ static void experimental(void) {
   half_spaces(planar);
   OF(planar, wrc_planar_step(planar, &step, NULL));
   exactly(planar, wheel);
+  fitted(planar);
   profiles(model);
   wrc_contact_destroy(planar);
   wrc_contact_destroy(wheel);

@@ -2418,45 +2418,69 @@ remembering:
 	.align 8
 .LC176:
 	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
-	.align 8
-.LC177:
-	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC178:
-	.string	"radius_difference"
-.LC179:
-	.string	"y_wheel"
-	.section	.rodata.str1.8
-	.align 8
-.LC181:
-	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC182:
-	.string	"conicity"
-.LC183:
-	.string	"wavelength"
+.LC186:
+	.string	"locomotive"
 	.section	.rodata.str1.8
 	.align 8
 .LC187:
+	.string	"wrc_friction_use(&curve.friction, \"locomotive\", text, sizeof text)"
+	.align 8
+.LC188:
+	.string	"wrc_fit_creep_curve(planar, &curve, &fit, adhesion)"
+	.section	.rodata.str1.1
+.LC189:
+	.string	"fit.scatter"
+	.section	.rodata.str1.8
+	.align 8
+.LC190:
+	.string	"fit.value[WRC_CREEP_COEFFICIENT]"
+	.align 8
+.LC191:
+	.string	"fit.deviation[WRC_CREEP_COEFFICIENT]"
+	.section	.rodata.str1.1
+.LC192:
+	.string	"adhesion"
+	.section	.rodata.str1.8
+	.align 8
+.LC193:
+	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC194:
+	.string	"radius_difference"
+.LC195:
+	.string	"y_wheel"
+	.section	.rodata.str1.8
+	.align 8
+.LC197:
+	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC198:
+	.string	"conicity"
+.LC199:
+	.string	"wavelength"
+	.section	.rodata.str1.8
+	.align 8
+.LC203:
 	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
 	.section	.rodata.str1.1
-.LC188:
+.LC204:
 	.string	"z[points / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC191:
+.LC207:
 	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC192:
+.LC208:
 	.string	"worn.passages"
-.LC193:
+.LC209:
 	.string	"worn_z[worn.count / 2]"
 	.section	.rodata.str1.8
 	.align 8
-.LC195:
+.LC210:
 	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC196:
+.LC211:
 	.string	"flange.height"
 	.text
 	.type	experimental, @function
@@ -2467,12 +2491,12 @@ experimental:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$6920, %rsp
+	subq	$9032, %rsp
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	cmpl	$303, (%rax)
-	jbe	.L121
-	leaq	5728(%rsp), %rbx
+	jbe	.L123
+	leaq	7840(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -2487,36 +2511,36 @@ experimental:
 	movq	%rbx, %rdi
 	call	contact_of
 	movq	%rax, %r14
-	leaq	5008(%rsp), %rbx
+	leaq	7120(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
 	movl	$0, %r13d
-	movq	$0, 4820(%rsp)
-	movq	$0, 4992(%rsp)
-	leaq	4824(%rsp), %rdi
+	movq	$0, 6932(%rsp)
+	movq	$0, 7104(%rsp)
+	leaq	6936(%rsp), %rdi
 	movl	$22, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$184, 4816(%rsp)
-	leaq	4352(%rsp), %rbp
+	movl	$184, 6928(%rsp)
+	leaq	6464(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_planar_input_default
 	movq	.LC121(%rip), %rax
-	movq	%rax, 4360(%rsp)
+	movq	%rax, 6472(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 4424(%rsp)
+	movq	%rax, 6536(%rsp)
 	movq	.LC57(%rip), %r15
-	movq	%r15, 4488(%rsp)
-	leaq	3632(%rsp), %rdi
+	movq	%r15, 6600(%rsp)
+	leaq	5744(%rsp), %rdi
 	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC87(%rip), %rax
-	movq	%rax, 3672(%rsp)
+	movq	%rax, 5784(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	4816(%rsp), %rdx
-	leaq	3632(%rsp), %rsi
+	leaq	6928(%rsp), %rdx
+	leaq	5744(%rsp), %rsi
 	movq	%r12, %rdi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
@@ -2551,15 +2575,15 @@ experimental:
 	movq	%rbx, %rsi
 	leaq	.LC126(%rip), %rdi
 	call	show
-	leaq	2448(%rsp), %rbp
+	leaq	2912(%rsp), %rbp
 	pxor	%xmm6, %xmm6
-	movaps	%xmm6, 2448(%rsp)
-	movaps	%xmm6, 2464(%rsp)
+	movaps	%xmm6, 2912(%rsp)
+	movaps	%xmm6, 2928(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_bulk_temperatures_init@PLT
-	movdqa	2448(%rsp), %xmm7
+	movdqa	2912(%rsp), %xmm7
 	movaps	%xmm7, 576(%rsp)
-	movdqa	2464(%rsp), %xmm7
+	movdqa	2928(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
 	movq	.LC127(%rip), %rax
 	movq	%rax, 576(%rsp)
@@ -2593,7 +2617,7 @@ experimental:
 	movq	%rbp, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$584, 2448(%rsp)
+	movl	$584, 2912(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
 	leaq	1728(%rsp), %r13
@@ -2615,24 +2639,24 @@ experimental:
 	call	show_peaks
 	leaq	2128(%rsp), %rdi
 	call	show_peaks
-	leaq	2472(%rsp), %rdi
+	leaq	2936(%rsp), %rdi
 	call	show_peaks
-	leaq	2664(%rsp), %rdi
+	leaq	3128(%rsp), %rdi
 	call	show_peaks
-	leaq	2856(%rsp), %rdi
+	leaq	3320(%rsp), %rdi
 	call	show_peaks
 	pxor	%xmm6, %xmm6
-	movups	%xmm6, 2468(%rsp)
-	movups	%xmm6, 2484(%rsp)
-	movl	$0, 2500(%rsp)
-	movl	$40, 2464(%rsp)
+	movups	%xmm6, 2932(%rsp)
+	movups	%xmm6, 2948(%rsp)
+	movl	$0, 2964(%rsp)
+	movl	$40, 2928(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_fatigue_laws_init@PLT
-	movdqa	2464(%rsp), %xmm7
+	movdqa	2928(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movdqa	2480(%rsp), %xmm7
+	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 608(%rsp)
-	movq	2496(%rsp), %rax
+	movq	2960(%rsp), %rax
 	movq	%rax, 624(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
@@ -2645,23 +2669,23 @@ experimental:
 	call	memset@PLT
 	leaq	1144(%rsp), %r13
 	addq	$16, %rsp
-	leaq	2448(%rsp), %r15
+	leaq	2912(%rsp), %r15
 .L104:
 	pxor	%xmm3, %xmm3
-	movups	%xmm3, 2452(%rsp)
-	movups	%xmm3, 2468(%rsp)
-	movups	%xmm3, 2484(%rsp)
-	movl	$0, 2500(%rsp)
-	movl	$56, 2448(%rsp)
+	movups	%xmm3, 2916(%rsp)
+	movups	%xmm3, 2932(%rsp)
+	movups	%xmm3, 2948(%rsp)
+	movl	$0, 2964(%rsp)
+	movl	$56, 2912(%rsp)
 	movq	%r15, %rdi
 	call	wrc_damage_bins_init@PLT
-	movl	2448(%rsp), %eax
+	movl	2912(%rsp), %eax
 	movl	%eax, (%rbx)
-	movl	2472(%rsp), %eax
+	movl	2936(%rsp), %eax
 	movl	%eax, 24(%rbx)
-	movsd	2480(%rsp), %xmm0
+	movsd	2944(%rsp), %xmm0
 	movsd	%xmm0, 32(%rbx)
-	movsd	2488(%rsp), %xmm0
+	movsd	2952(%rsp), %xmm0
 	movsd	%xmm0, 40(%rbx)
 	movl	$40, 4(%rbx)
 	movq	.LC132(%rip), %rax
@@ -2725,7 +2749,7 @@ experimental:
 	leaq	.LC136(%rip), %rsi
 	call	done
 	movl	$0, %ebx
-	leaq	2448(%rsp), %rbp
+	leaq	2912(%rsp), %rbp
 	leaq	.LC137(%rip), %r15
 	leaq	.LC138(%rip), %r13
 .L105:
@@ -2824,22 +2848,22 @@ experimental:
 	addq	$1, %rax
 	cmpq	$16, %rax
 	jne	.L106
-	leaq	2448(%rsp), %rdi
+	leaq	1728(%rsp), %rdi
 	call	wrc_config_default
-	movq	2744(%rsp), %r8
-	movq	2752(%rsp), %r9
+	movq	2024(%rsp), %r8
+	movq	2032(%rsp), %r9
 	movq	%r8, 576(%rsp)
 	movq	%r9, 584(%rsp)
-	movq	2760(%rsp), %rsi
-	movq	2768(%rsp), %rdi
+	movq	2040(%rsp), %rsi
+	movq	2048(%rsp), %rdi
 	movq	%rsi, 592(%rsp)
 	movq	%rdi, 600(%rsp)
-	movq	2776(%rsp), %rcx
-	movq	2784(%rsp), %rbx
+	movq	2056(%rsp), %rcx
+	movq	2064(%rsp), %rbx
 	movq	%rcx, 608(%rsp)
 	movq	%rbx, 616(%rsp)
-	movq	2792(%rsp), %rax
-	movq	2800(%rsp), %rdx
+	movq	2072(%rsp), %rax
+	movq	2080(%rsp), %rdx
 	movq	%rax, 624(%rsp)
 	movq	%rdx, 632(%rsp)
 	movq	%r8, 688(%rsp)
@@ -2851,7 +2875,7 @@ experimental:
 	movq	%rdx, 744(%rsp)
 	movq	.LC153(%rip), %rax
 	movq	%rax, 696(%rsp)
-	leaq	1728(%rsp), %rbx
+	leaq	2912(%rsp), %rbx
 	leaq	688(%rsp), %rbp
 	leaq	576(%rsp), %rdx
 	leaq	1344(%rsp), %rsi
@@ -2870,26 +2894,26 @@ experimental:
 	call	show
 	movl	$0, 20(%rsp)
 	pxor	%xmm4, %xmm4
-	movups	%xmm4, 1768(%rsp)
-	movups	%xmm4, 1784(%rsp)
-	movl	$12, 1728(%rsp)
-	movl	$14, 1732(%rsp)
+	movups	%xmm4, 2952(%rsp)
+	movups	%xmm4, 2968(%rsp)
+	movl	$12, 2912(%rsp)
+	movl	$14, 2916(%rsp)
 	movsd	.LC156(%rip), %xmm0
-	movsd	%xmm0, 1736(%rsp)
-	movsd	%xmm0, 1744(%rsp)
+	movsd	%xmm0, 2920(%rsp)
+	movsd	%xmm0, 2928(%rsp)
 	movq	.LC157(%rip), %rax
-	movq	%rax, 1752(%rsp)
+	movq	%rax, 2936(%rsp)
 	movq	.LC158(%rip), %rax
-	movq	%rax, 1760(%rsp)
-	movdqa	1728(%rsp), %xmm7
+	movq	%rax, 2944(%rsp)
+	movdqa	2912(%rsp), %xmm7
 	movaps	%xmm7, 288(%rsp)
-	movdqa	1744(%rsp), %xmm7
+	movdqa	2928(%rsp), %xmm7
 	movaps	%xmm7, 304(%rsp)
-	movdqa	1760(%rsp), %xmm7
+	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 320(%rsp)
-	movdqa	1776(%rsp), %xmm6
+	movdqa	2960(%rsp), %xmm6
 	movaps	%xmm6, 336(%rsp)
-	movq	1792(%rsp), %rax
+	movq	2976(%rsp), %rax
 	movq	%rax, 352(%rsp)
 	leaq	text(%rip), %r15
 	movb	$0, text(%rip)
@@ -2912,7 +2936,7 @@ experimental:
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$264, 1728(%rsp)
+	movl	$264, 2912(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_normal_problem_init@PLT
 	movl	$33, %ecx
@@ -2964,7 +2988,7 @@ experimental:
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$376, 1728(%rsp)
+	movl	$376, 2912(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_rolling_problem_init@PLT
 	leaq	960(%rsp), %rdi
@@ -3070,20 +3094,20 @@ experimental:
 	jne	.L107
 	movq	24(%rsp), %rdi
 	call	wrc_exact_transient_destroy@PLT
-	leaq	1728(%rsp), %rbx
-	movl	$0, %r15d
-	movq	$0, 1732(%rsp)
-	movq	$0, 1832(%rsp)
-	leaq	1736(%rsp), %rdi
+	leaq	2912(%rsp), %rbx
+	movl	$0, %r13d
+	movq	$0, 2916(%rsp)
+	movq	$0, 3016(%rsp)
+	leaq	2920(%rsp), %rdi
 	movl	$13, %ecx
-	movq	%r15, %rax
+	movq	%r13, %rax
 	rep stosq
-	movl	$112, 1728(%rsp)
+	movl	$112, 2912(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_loads_init@PLT
-	movdqa	1728(%rsp), %xmm4
+	movdqa	2912(%rsp), %xmm4
 	movaps	%xmm4, 576(%rsp)
-	movdqa	1824(%rsp), %xmm5
+	movdqa	3008(%rsp), %xmm5
 	movaps	%xmm5, 672(%rsp)
 	movdqa	288(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
@@ -3101,23 +3125,25 @@ experimental:
 	movq	%rax, 672(%rsp)
 	movq	$0x000000000, 48(%rsp)
 	movq	$0x000000000, 56(%rsp)
-	movsd	.LC38(%rip), %xmm0
-	movsd	%xmm0, 64(%rsp)
-	movsd	.LC57(%rip), %xmm1
-	movsd	%xmm1, 72(%rsp)
-	movsd	%xmm0, 80(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 64(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 72(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 80(%rsp)
 	movsd	.LC67(%rip), %xmm0
 	movsd	%xmm0, 88(%rsp)
-	movsd	%xmm1, 32(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 32(%rsp)
 	movsd	%xmm0, 40(%rsp)
 	leaq	368(%rsp), %rbp
 	leaq	48(%rsp), %rsi
-	leaq	576(%rsp), %r13
+	leaq	576(%rsp), %r15
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%rbp, %rcx
 	movl	$2, %edx
-	movq	%r13, %rdi
+	movq	%r15, %rdi
 	call	wrc_exact_stress@PLT
 	movl	%eax, %edi
 	leaq	.LC170(%rip), %rsi
@@ -3128,9 +3154,9 @@ experimental:
 	call	show
 	movl	$73, %ecx
 	movq	%rbx, %rdi
-	movq	%r15, %rax
+	movq	%r13, %rax
 	rep stosq
-	movl	$584, 1728(%rsp)
+	movl	$584, 2912(%rsp)
 	leaq	1344(%rsp), %rbp
 	leaq	32(%rsp), %rsi
 	subq	$8, %rsp
@@ -3143,7 +3169,7 @@ experimental:
 	movq	%rbx, %r8
 	movq	%rbp, %rcx
 	movl	$2, %edx
-	movq	%r13, %rdi
+	movq	%r15, %rdi
 	call	wrc_exact_largest_stresses@PLT
 	movl	%eax, %edi
 	addq	$32, %rsp
@@ -3153,15 +3179,15 @@ experimental:
 	call	show_peaks
 	leaq	1536(%rsp), %rdi
 	call	show_peaks
-	leaq	1736(%rsp), %rdi
+	leaq	2920(%rsp), %rdi
 	call	show_peaks
-	leaq	1928(%rsp), %rdi
+	leaq	3112(%rsp), %rdi
 	call	show_peaks
-	leaq	2120(%rsp), %rdi
+	leaq	3304(%rsp), %rdi
 	call	show_peaks
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	4352(%rsp), %rsi
+	leaq	6464(%rsp), %rsi
 	movl	$0, %edx
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
@@ -3169,14 +3195,14 @@ experimental:
 	leaq	.LC123(%rip), %rsi
 	call	done
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 1732(%rsp)
-	movups	%xmm5, 1744(%rsp)
-	movl	$32, 1728(%rsp)
+	movups	%xmm5, 2916(%rsp)
+	movups	%xmm5, 2928(%rsp)
+	movl	$32, 2912(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_check_options_init@PLT
-	movdqa	1728(%rsp), %xmm7
+	movdqa	2912(%rsp), %xmm7
 	movaps	%xmm7, 576(%rsp)
-	movdqa	1744(%rsp), %xmm6
+	movdqa	2928(%rsp), %xmm6
 	movaps	%xmm6, 592(%rsp)
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 964(%rsp)
@@ -3189,7 +3215,7 @@ experimental:
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
 	leaq	960(%rsp), %rdx
-	movq	%r13, %rsi
+	movq	%r15, %rsi
 	movq	%r14, %rdi
 	call	wrc_exact_check@PLT
 	movl	%eax, %edi
@@ -3201,7 +3227,7 @@ experimental:
 	call	show
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	1348(%rsp), %r13
+	leaq	1348(%rsp), %r15
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 1348(%rsp)
 	movups	%xmm5, 1364(%rsp)
@@ -3216,15 +3242,15 @@ experimental:
 	movq	$0, 1348(%rsp)
 	movq	$0, 1520(%rsp)
 	leaq	1352(%rsp), %rdi
-	subq	%rdi, %r13
-	leal	180(%r13), %ecx
+	subq	%rdi, %r15
+	leal	180(%r15), %ecx
 	shrl	$3, %ecx
 	movl	%ecx, %ecx
-	movq	%r15, %rax
+	movq	%r13, %rax
 	rep stosq
 	movl	$184, 1344(%rsp)
 	movq	.LC119(%rip), %rax
-	movq	%rax, 1768(%rsp)
+	movq	%rax, 2952(%rsp)
 	movsd	.LC175(%rip), %xmm0
 	movsd	%xmm0, 712(%rsp)
 	movsd	%xmm0, 704(%rsp)
@@ -3242,11 +3268,130 @@ experimental:
 	movl	$19, %edx
 	leaq	.LC35(%rip), %rdi
 	call	show
-	leaq	464(%rsp), %rax
+	movq	.LC57(%rip), %rax
+	movq	%rax, 368(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 376(%rsp)
+	movq	.LC121(%rip), %rax
+	movq	%rax, 384(%rsp)
+	movq	.LC177(%rip), %rax
+	movq	%rax, 392(%rsp)
+	movq	.LC108(%rip), %rax
+	movq	%rax, 400(%rsp)
+	movq	.LC178(%rip), %rax
+	movq	%rax, 408(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 416(%rsp)
+	movsd	.LC68(%rip), %xmm0
+	movsd	%xmm0, 424(%rsp)
+	movq	.LC179(%rip), %rax
+	movq	%rax, 464(%rsp)
+	movq	.LC180(%rip), %rax
+	movq	%rax, 472(%rsp)
+	movsd	%xmm0, 480(%rsp)
+	movq	.LC144(%rip), %rax
+	movq	%rax, 488(%rsp)
+	movq	.LC181(%rip), %rax
+	movq	%rax, 496(%rsp)
+	movq	.LC182(%rip), %rax
+	movq	%rax, 504(%rsp)
+	movq	.LC183(%rip), %rax
+	movq	%rax, 512(%rsp)
+	movq	.LC184(%rip), %rax
+	movq	%rax, 520(%rsp)
+	movl	$47, %ecx
+	movq	%rbx, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movl	$376, 2912(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_creep_curve_init@PLT
+	movl	$47, %ecx
+	movq	%rbp, %rdi
+	movq	%rbx, %rsi
+	rep movsq
+	movl	$354, %ecx
+	movq	%rbx, %rdi
+	movq	%r13, %rax
+	rep stosq
+	movl	$2832, 2912(%rsp)
+	movl	$0, %edx
+	movsd	.LC59(%rip), %xmm2
+	movsd	.LC46(%rip), %xmm1
+.L108:
+	movslq	%edx, %rax
+	imulq	$1431655766, %rax, %rax
+	shrq	$32, %rax
+	movl	%edx, %ecx
+	sarl	$31, %ecx
+	subl	%ecx, %eax
+	leal	(%rax,%rax,2), %ecx
+	movl	%edx, %eax
+	subl	%ecx, %eax
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%eax, %xmm0
+	addsd	%xmm2, %xmm0
+	movsd	%xmm0, 576(%rsp,%rdx,8)
+	movsd	%xmm1, 688(%rsp,%rdx,8)
+	addq	$1, %rdx
+	cmpq	$8, %rdx
+	jne	.L108
+	movl	$8, 1348(%rsp)
+	leaq	368(%rsp), %rax
+	movq	%rax, 1352(%rsp)
+	leaq	464(%rsp), %rbx
+	movq	%rbx, 1360(%rsp)
+	leaq	576(%rsp), %rax
+	movq	%rax, 1368(%rsp)
+	leaq	688(%rsp), %rax
+	movq	%rax, 1376(%rsp)
+	movq	.LC185(%rip), %rax
+	movq	%rax, 1384(%rsp)
+	movq	.LC60(%rip), %rax
+	movq	%rax, 1392(%rsp)
+	movq	.LC46(%rip), %rax
+	movq	%rax, 1416(%rsp)
+	leaq	1344(%rsp), %r13
+	leaq	1448(%rsp), %rdi
+	movl	$400, %ecx
+	leaq	text(%rip), %rdx
+	leaq	.LC186(%rip), %rsi
+	call	wrc_friction_use@PLT
+	movl	%eax, %edi
+	leaq	.LC187(%rip), %rsi
+	call	done
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	leaq	960(%rsp), %rbp
+	leaq	2912(%rsp), %rdx
+	movq	%rbp, %rcx
+	movq	%r13, %rsi
+	movq	%r14, %rdi
+	call	wrc_fit_creep_curve@PLT
+	movl	%eax, %edi
+	leaq	.LC188(%rip), %rsi
+	call	done
+	leaq	2936(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC189(%rip), %rdi
+	call	show
+	leaq	3184(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC190(%rip), %rdi
+	call	show
+	leaq	3312(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC191(%rip), %rdi
+	call	show
+	movl	$8, %edx
+	movq	%rbp, %rsi
+	leaq	.LC192(%rip), %rdi
+	call	show
+	movq	%rbx, %rax
 	leaq	536(%rsp), %rcx
 	movl	$-4, %edx
 	movsd	.LC57(%rip), %xmm1
-.L108:
+.L109:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%edx, %xmm0
 	mulsd	%xmm1, %xmm0
@@ -3254,24 +3399,24 @@ experimental:
 	addl	$1, %edx
 	addq	$8, %rax
 	cmpq	%rcx, %rax
-	jne	.L108
+	jne	.L109
 	movq	$0, 176(%rsp)
 	movl	$24, 160(%rsp)
 	movl	$9, 164(%rsp)
 	leaq	464(%rsp), %rbp
 	movq	%rbp, 168(%rsp)
-	movq	$0, 1732(%rsp)
-	movq	$0, 1816(%rsp)
-	leaq	1736(%rsp), %rdi
+	movq	$0, 2916(%rsp)
+	movq	$0, 3000(%rsp)
+	leaq	2920(%rsp), %rdi
 	movl	$11, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$96, 1728(%rsp)
+	movl	$96, 2912(%rsp)
 	leaq	576(%rsp), %rbx
-	movq	%rbx, 1752(%rsp)
+	movq	%rbx, 2936(%rsp)
 	leaq	688(%rsp), %r13
-	movq	%r13, 1792(%rsp)
-	leaq	1728(%rsp), %rdx
+	movq	%r13, 2976(%rsp)
+	leaq	2912(%rsp), %rdx
 	leaq	160(%rsp), %rsi
 	movl	$400, %r8d
 	leaq	text(%rip), %r15
@@ -3279,19 +3424,19 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_profile_wheelset_geometry@PLT
 	movl	%eax, %edi
-	leaq	.LC177(%rip), %rsi
+	leaq	.LC193(%rip), %rsi
 	call	done
 	movl	$9, %edx
 	movq	%rbx, %rsi
-	leaq	.LC178(%rip), %rdi
+	leaq	.LC194(%rip), %rdi
 	call	show
 	movl	$9, %edx
 	movq	%r13, %rsi
-	leaq	.LC179(%rip), %rdi
+	leaq	.LC195(%rip), %rdi
 	call	show
 	movq	.LC57(%rip), %rax
 	movq	%rax, 96(%rsp)
-	movq	.LC180(%rip), %rax
+	movq	.LC196(%rip), %rax
 	movq	%rax, 104(%rsp)
 	leaq	1344(%rsp), %rdi
 	pxor	%xmm7, %xmm7
@@ -3327,21 +3472,21 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_equivalent_conicity@PLT
 	movl	%eax, %edi
-	leaq	.LC181(%rip), %rsi
+	leaq	.LC197(%rip), %rsi
 	call	done
 	movl	$2, %edx
 	movq	%rbp, %rsi
-	leaq	.LC182(%rip), %rdi
+	leaq	.LC198(%rip), %rdi
 	call	show
 	movl	$2, %edx
 	movq	%rbx, %rsi
-	leaq	.LC183(%rip), %rdi
+	leaq	.LC199(%rip), %rdi
 	call	show
 	movl	$0, %eax
 	leaq	arc.5(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
-	movsd	.LC184(%rip), %xmm1
-.L109:
+	movsd	.LC200(%rip), %xmm1
+.L110:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -3349,17 +3494,17 @@ experimental:
 	movsd	%xmm0, (%rdx,%rax,8)
 	addq	$1, %rax
 	cmpq	$240, %rax
-	jne	.L109
+	jne	.L110
 	leaq	depth.4(%rip), %rdx
 	movl	$-81, %eax
-.L113:
+.L114:
 	cmpl	$38, %eax
-	jbe	.L122
+	jbe	.L124
 	movq	$0x000000000, (%rdx)
 	addl	$1, %eax
 	addq	$8, %rdx
 	cmpl	$119, %eax
-	jne	.L113
+	jne	.L114
 	leaq	z.2(%rip), %r9
 	leaq	y.3(%rip), %r8
 	leaq	arc.5(%rip), %rcx
@@ -3368,11 +3513,11 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_model_arc_places@PLT
 	movl	%eax, %edi
-	leaq	.LC187(%rip), %rsi
+	leaq	.LC203(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	leaq	960+z.2(%rip), %rsi
-	leaq	.LC188(%rip), %rdi
+	leaq	.LC204(%rip), %rdi
 	call	show
 	leaq	1344(%rsp), %r15
 	movq	$0, 1348(%rsp)
@@ -3400,9 +3545,9 @@ experimental:
 	movl	$200, 972(%rsp)
 	leaq	depth.4(%rip), %rax
 	movq	%rax, 992(%rsp)
-	movq	.LC189(%rip), %rax
+	movq	.LC205(%rip), %rax
 	movq	%rax, 1000(%rsp)
-	movq	.LC190(%rip), %rax
+	movq	.LC206(%rip), %rax
 	movq	%rax, 1016(%rsp)
 	pxor	%xmm0, %xmm0
 	movups	%xmm0, 1352(%rsp)
@@ -3420,34 +3565,34 @@ experimental:
 	movq	%r15, %rsi
 	call	wrc_profile_remove_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC191(%rip), %rsi
+	leaq	.LC207(%rip), %rsi
 	call	done
 	leaq	1376(%rsp), %rsi
 	movl	$3, %edx
-	leaq	.LC192(%rip), %rdi
+	leaq	.LC208(%rip), %rdi
 	call	show
 	movl	1352(%rsp), %eax
 	shrl	%eax
 	movl	%eax, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
-	leaq	.LC193(%rip), %rdi
+	leaq	.LC209(%rip), %rdi
 	call	show
 	leaq	288(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r13, %rcx
-	movsd	.LC194(%rip), %xmm0
+	movsd	.LC179(%rip), %xmm0
 	movq	%rbp, %rdx
 	movq	%rbx, %rsi
 	movl	$240, %edi
 	call	wrc_flange_dimensions@PLT
 	movl	%eax, %edi
-	leaq	.LC195(%rip), %rsi
+	leaq	.LC210(%rip), %rsi
 	call	done
 	movl	$3, %edx
 	movq	%r13, %rsi
-	leaq	.LC196(%rip), %rdi
+	leaq	.LC211(%rip), %rdi
 	call	show
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
@@ -3455,7 +3600,7 @@ experimental:
 	call	wrc_contact_destroy@PLT
 	movq	(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$6920, %rsp
+	addq	$9032, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -3463,31 +3608,31 @@ experimental:
 	popq	%r14
 	popq	%r15
 	ret
-.L121:
+.L123:
 	movl	$2, %edi
 	call	exit@PLT
-.L122:
+.L124:
 	leal	1(%rax), %esi
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
-	mulsd	.LC185(%rip), %xmm0
+	mulsd	.LC201(%rip), %xmm0
 	movl	$39, %ecx
 	subl	%eax, %ecx
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%ecx, %xmm1
 	mulsd	%xmm1, %xmm0
-	divsd	.LC186(%rip), %xmm0
+	divsd	.LC202(%rip), %xmm0
 	movsd	%xmm0, (%rdx)
 	movl	%esi, %eax
 	addq	$8, %rdx
-	jmp	.L113
+	jmp	.L114
 	.size	experimental, .-experimental
 	.section	.rodata.str1.1
-.LC197:
+.LC212:
 	.string	"%s; %s\n"
-.LC198:
+.LC213:
 	.string	"%d %d\n"
-.LC199:
+.LC214:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -3497,22 +3642,22 @@ main:
 	movl	$900, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	je	.L124
+	je	.L126
 	movq	%rax, %rbx
 	cmpl	$359, (%rax)
-	jbe	.L124
+	jbe	.L126
 	movl	$1, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	jne	.L126
+	jne	.L128
 	call	*8(%rbx)
 	movl	%eax, %ebx
 	call	wrc_version@PLT
 	cmpl	%eax, %ebx
-	jne	.L126
+	jne	.L128
 	call	wrc_abi_version@PLT
 	cmpl	$900, %eax
-	jne	.L126
+	jne	.L128
 	movl	$1, %edi
 	call	wrc_status_text@PLT
 	movq	%rax, %rbx
@@ -3520,7 +3665,7 @@ main:
 	call	wrc_status_name@PLT
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
-	leaq	.LC197(%rip), %rdi
+	leaq	.LC212(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -3533,7 +3678,7 @@ main:
 	setne	%sil
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
-	leaq	.LC198(%rip), %rdi
+	leaq	.LC213(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
@@ -3542,22 +3687,22 @@ main:
 	call	posed
 	call	given
 	movl	blocks(%rip), %esi
-	leaq	.LC199(%rip), %rdi
+	leaq	.LC214(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	testq	%rax, %rax
-	je	.L128
+	je	.L130
 	call	experimental
-.L128:
+.L130:
 	movl	$0, %eax
 	popq	%rbx
 	ret
-.L124:
+.L126:
 	movl	$2, %edi
 	call	exit@PLT
-.L126:
+.L128:
 	movl	$2, %edi
 	call	exit@PLT
 	.size	main, .-main
@@ -3857,32 +4002,64 @@ main:
 	.long	-1133871366
 	.long	1062769524
 	.align 8
+.LC177:
+	.long	-755914244
+	.long	1065378381
+	.align 8
+.LC178:
+	.long	-1717986918
+	.long	1068079513
+	.align 8
+.LC179:
+	.long	515396076
+	.long	1068624773
+	.align 8
 .LC180:
+	.long	-343597384
+	.long	1069463633
+	.align 8
+.LC181:
+	.long	515396076
+	.long	1070721925
+	.align 8
+.LC182:
+	.long	171798692
+	.long	1070638039
+	.align 8
+.LC183:
+	.long	-687194767
+	.long	1070428323
+	.align 8
+.LC184:
+	.long	-2061584302
+	.long	1070092779
+	.align 8
+.LC185:
+	.long	-1133871366
+	.long	1064866676
+	.align 8
+.LC196:
 	.long	1202590843
 	.long	1063549665
 	.align 8
-.LC184:
+.LC200:
 	.long	-652835029
 	.long	1068758990
 	.align 8
-.LC185:
+.LC201:
 	.long	-500134854
 	.long	1044740494
 	.align 8
-.LC186:
+.LC202:
 	.long	0
 	.long	1081671680
 	.align 8
-.LC189:
+.LC205:
 	.long	-1717986918
 	.long	-1078355559
 	.align 8
-.LC190:
+.LC206:
 	.long	0
 	.long	1084178432
-	.align 8
-.LC194:
-	.long	515396076
-	.long	1068624773
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
 	.section	.note.GNU-stack,"",@progbits

@@ -14,6 +14,8 @@ wrc_friction friction_number(int i, int32_t tangential) {
   friction.speed_law = i % 3;
   friction.slope_reduction = i % 4 == 3 ? 0.4 : 1.0;
   friction.slope_fall = slope_fall_for(tangential);
+  friction.adhesion_reduction = i % 2 == 1 ? 0.7 : 1.0;
+  friction.slip_reduction = i % 3 == 1 ? 0.2 : friction.adhesion_reduction;
   friction.zone_count = i % 2 == 1 ? 4 : 0;
   friction.zone_y = zone_y;
   friction.zone_coefficients = zone_coefficient;
@@ -105,7 +107,7 @@ void add_laws(Plan& plan) {
     config.rail = plan.profiles[1];
     const std::vector<Step> steps = steps_with_laws(tangential);
     plan.jobs.push_back({"friction", plan.models.size() - 1, steps, {}});
-    if (presets[tangential].method != WRC_TANGENTIAL_FORCE_TABLE)  // it has no tractions that heat
+    if (gives_tractions(tangential))  // they heat
       plan.jobs.push_back({"friction factors", plan.models.size() - 1, with_temperature(steps), {}});
     plan.jobs.push_back(
         {"sensitivities", plan.models.size() - 1, {}, [steps](wrc_contact* contact, Hash& hash) {

@@ -30,7 +30,7 @@ namespace {
 class Running {
  public:
   Running(const Job& job, const wrc_config& config, const wrc_model* model)
-      : job_(&job), tractions_(config.tangential.method != WRC_TANGENTIAL_FORCE_TABLE) {
+      : job_(&job), tractions_(method_gives_tractions(config.tangential.method)) {
     if (wrc_contact_create(model, job.side, nullptr, &contact_, nullptr, 0) < 0)
       throw std::runtime_error("no contact");
   }

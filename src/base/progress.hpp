@@ -1,7 +1,7 @@
 /// How long work reports its progress and is cancelled.
 #pragma once
 
-namespace wrc::halfspace {
+namespace wrc {
 
 /// `report` gets the fraction done, 0..1, and `user`; it returns false to cancel. Work without one runs
 /// through.
@@ -28,4 +28,4 @@ class PartOfProgress {
   double begun_, done_;
 };
 
-}  // namespace wrc::halfspace
+}  // namespace wrc
