@@ -2329,10 +2329,10 @@ struct Description<wrc_surface> {
       {.name = "struct_size", .offset = offsetof(wrc_surface, struct_size), .type = Type::uint32, .rule = Rule::none},
       {.name = "count", .offset = offsetof(wrc_surface, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 10000000, .not_set = "was it set? its default is 0"},
       {.name = "first", .offset = offsetof(wrc_surface, first), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
-      {.name = "length", .offset = offsetof(wrc_surface, length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e4, .unit = "m", .too_small = "it is the length of one bin: did you leave it 0?", .too_large = "did you pass the length of all bins?", .not_set = "was it set? its default is 0"},
+      {.name = "length", .offset = offsetof(wrc_surface, length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e4, .unit = "m", .too_small = "it is the length of one bin", .too_large = "did you pass the length of all bins?", .not_set = "was it set? its default is 0"},
       {.name = "width", .offset = offsetof(wrc_surface, width), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 0.5, .unit = "m", .too_small = "the band has no area: a contact is 5 to 20 mm wide", .too_large = "did you pass mm?"},
       {.name = "closed", .offset = offsetof(wrc_surface, closed), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1},
-      {.name = "bin_size", .offset = offsetof(wrc_surface, bin_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_surface_bin>(832), .high = 4096, .not_set = "was it set? its default is 0"},
+      {.name = "bin_size", .offset = offsetof(wrc_surface, bin_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_surface_bin>(832), .high = 4096, .too_small = "say sizeof(wrc_surface_bin)", .too_large = "say sizeof(wrc_surface_bin)", .not_set = "was it set? its default is 0"},
       {.name = "bins", .offset = offsetof(wrc_surface, bins), .type = Type::pointer, .rule = Rule::none},
   };
 };
