@@ -143,8 +143,8 @@ void wheel_on_films(benchmark::State& state, const char* set) {
   }
   wrc_surface_laws laws = wrc_surface_laws_default();
   if (set != nullptr) wrc_surface_laws_use(&laws, set, nullptr, 0);
-  for (int32_t quantity = 0; quantity < WRC_SURFACE_HEAT; ++quantity)
-    wrc_surface_add(&surface[0], quantity, 4e-3, 0.0, 1000.0, nullptr, 0);
+  for (const int32_t wet_leaves : {WRC_SURFACE_WATER, WRC_SURFACE_FILM})
+    wrc_surface_add(&surface[0], wet_leaves, 4e-3, 0.0, 1000.0, nullptr, 0);
   wrc_wheel_input input = wrc_wheel_input_default();
   input.wheel.z = 0.1e-3;
   input.wheel.velocity[0] = 40.0;

@@ -108,7 +108,7 @@ typedef struct wrc_substance {
 typedef struct wrc_surface_laws {
   uint32_t struct_size;      /**< sizeof this struct, 720 or more */
   uint32_t reserved0;        /**< 0 */
-  wrc_substance water;       /**< wet_friction: where it covers; friction: of a trace of it */
+  wrc_substance water;       /**< it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0 */
   wrc_substance oxide;       /**< oxide and debris */
   wrc_substance film;        /**< organic film */
   wrc_substance sand;        /**< sand */
@@ -188,9 +188,10 @@ WRC_API int32_t wrc_surface_add(wrc_surface* surface, int32_t quantity, double a
                                 uint64_t size);
 
 /** Friction and layer where a wheel is on its rail, for wrc_contact_wrench(), at the beginning of a passage. Each substance covers
- * the share theta = min(1, amount of both bodies / cover); the share of bare steel is the product of all 1 - theta. Covered steel
- * has the mean friction of what covers, by theta times weight. One substance alone goes from mu to its own friction
- * in proportion to its amount, so back to mu as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
+ * the share theta = min(1, amount of both bodies / cover). Water wets: each friction goes from dry to wet by its theta. The share of
+ * bare steel is the product of the others' 1 - theta. Covered steel has the mean friction of what covers, by theta times weight. So one
+ * substance alone, dry or wet, moves friction in proportion to its amount, and lets it recover as
+ * 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
  * Layers lie in series. It is continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
  * trial steps of an integrator; derivatives are those of the wrench as they are.
  * @param rail the rail

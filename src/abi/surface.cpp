@@ -40,22 +40,29 @@ Fault read_surface(const wrc_surface* theirs, const char* name, damage::Band& ba
   return {};
 }
 
-/// A substance's members are in use together, or are zero.
-Fault read_substance(const wrc_substance& checked, const char* of, damage::Substance& substance) {
-  const bool covers = checked.cover > 0.0;
-  const auto both = [&](const char* field, double value) {
-    if ((value != 0.0) == covers) return Fault{};
-    return Fault::range({of, field}, {value, ""},
-                        covers ? "a substance that covers needs its weight and its friction, dry and wet"
-                               : "cover is 0: the substance has no effect on friction");
+/// Members of friction are in use where a substance covers, and zero elsewhere. Water covers without hiding
+/// what it wets: it has neither weight nor layer.
+Fault check_cover(const wrc_substance& checked, const char* of, bool is_water) {
+  const bool covers = checked.cover > 0.0, hides = covers && !is_water;
+  const char* const needed = "a substance that covers needs its weight and its friction, dry and wet";
+  const char* const unused = is_water ? "water wets what it covers: wet_friction alone is read"
+                                      : "cover is 0: the substance has no effect on friction and layer";
+  const auto used = [&](const char* field, double value, bool is_used) {
+    if ((value != 0.0) == is_used) return Fault{};
+    return Fault::range({of, field}, {value, ""}, is_used ? needed : unused);
   };
-  RETURN_IF_FAILED(first_of({both("weight", checked.weight), both("friction", checked.friction),
-                             both("wet_friction", checked.wet_friction)}));
-  for (const auto& [field, value] :
-       {std::pair{"layer_modulus", checked.layer_modulus}, std::pair{"layer_yield", checked.layer_yield}}) {
-    if (value > 0.0 && !covers)
-      return Fault::range({of, field}, {value, "Pa"}, "cover is 0: the substance has no effect on the layer");
-  }
+  const auto allowed = [&](const char* field, double value) {
+    return hides ? Fault{} : used(field, value, false);
+  };
+  return first_of({used("weight", checked.weight, hides), used("friction", checked.friction, hides),
+                   used("wet_friction", checked.wet_friction, covers),
+                   allowed("layer_modulus", checked.layer_modulus),
+                   allowed("layer_yield", checked.layer_yield)});
+}
+
+Fault read_substance(const wrc_substance& checked, const char* of, bool is_water,
+                     damage::Substance& substance) {
+  RETURN_IF_FAILED(check_cover(checked, of, is_water));
   if (checked.layer_hardening != 0.0 && checked.layer_yield == 0.0)
     return Fault::range({of, "layer_hardening"}, {checked.layer_hardening, "Pa/m"},
                         "layer_yield is 0: a layer that does not yield cannot harden");
@@ -86,11 +93,11 @@ Fault read_laws(const wrc_surface_laws* theirs, damage::FilmLaws& laws) {
   laws.evaporation_amount = ours.evaporation_amount;
   laws.latent_heat = ours.latent_heat;
   laws.ambient = ours.ambient;
-  return first_of({read_substance(ours.water, "laws.water", laws.of[damage::water]),
-                   read_substance(ours.oxide, "laws.oxide", laws.of[damage::oxide]),
-                   read_substance(ours.film, "laws.film", laws.of[damage::organic]),
-                   read_substance(ours.sand, "laws.sand", laws.of[damage::sand]),
-                   read_substance(ours.lubricant, "laws.lubricant", laws.of[damage::lubricant])});
+  return first_of({read_substance(ours.water, "laws.water", true, laws.of[damage::water]),
+                   read_substance(ours.oxide, "laws.oxide", false, laws.of[damage::oxide]),
+                   read_substance(ours.film, "laws.film", false, laws.of[damage::organic]),
+                   read_substance(ours.sand, "laws.sand", false, laws.of[damage::sand]),
+                   read_substance(ours.lubricant, "laws.lubricant", false, laws.of[damage::lubricant])});
 }
 
 /// A stretch of a band that one call passes.
@@ -198,13 +205,14 @@ void set_low_adhesion(wrc_surface_laws& laws, bool layers) {
   const double ambient = laws.ambient;
   laws = defaults<wrc_surface_laws>();
   laws.ambient = ambient;
-  laws.water = substance(5e-3, 1.0, 0.25, 0.25);
+  laws.water.cover = 5e-3;
+  laws.water.wet_friction = 0.25;
   laws.oxide = substance(5e-3, 3.0, 0.4, 0.1);
-  laws.film = substance(1e-2, 10.0, 0.12, 0.025);
+  laws.film = substance(1e-2, 10.0, 0.12, 0.03);
   laws.sand = substance(3e-2, 10.0, 0.45, 0.3);
   laws.lubricant = substance(2e-3, 10.0, 0.1, 0.08);
-  // Allotta and others: 1.9e-4 m/J per energy over way, times a contact 10 mm wide
-  laws.film.removal = 1.9e-6;
+  // Allotta and others: 1.9e-4 m/J per energy over way, times a band 20 mm wide
+  laws.film.removal = 3.8e-6;
   laws.oxide.removal = laws.lubricant.removal = 2e-7;
   // water and crushed sand leave the band fast, solid films hardly
   laws.water.kept = laws.water.cover;

@@ -9,8 +9,13 @@
 namespace wrc::damage {
 namespace {
 
-/// 1 - exp(-x), x >= 0, to the last digits where x is small, too.
-double spent(double x) { return x < 1e-4 ? x * (1.0 - 0.5 * x * (1.0 - x / 3.0)) : 1.0 - natural_exp(-x); }
+/// 1 - exp(-x), x >= 0, to the last digits where x is small, too: its series, which most steps need alone.
+double spent(double x) {
+  if (!(x < 0.02)) return 1.0 - natural_exp(-x);
+  constexpr double c2 = 1.0 / 2, c3 = 1.0 / 3, c4 = 1.0 / 4, c5 = 1.0 / 5, c6 = 1.0 / 6, c7 = 1.0 / 7;
+  return x *
+         (1.0 - c2 * x * (1.0 - c3 * x * (1.0 - c4 * x * (1.0 - c5 * x * (1.0 - c6 * x * (1.0 - c7 * x))))));
+}
 
 bool less(const WholeNumber& a, const WholeNumber& b) {  // of amounts, not below 0
   return a.high < b.high || (a.high == b.high && a.low < b.low);
@@ -74,12 +79,14 @@ void split(const WholeNumber& all, const Neighbours& of, WholeNumber parts[2]) {
   parts[1] = minus(all, parts[0]);
 }
 
-/// The way of a passage over one band, in pieces between middles and borders of bins: half bins.
+/// The way of a passage over one band in pieces, between whose ends the parts of two neighbours are straight
+/// lines: from middle to middle of bins; of a band with ends from middle to border to middle.
 class Way {
  public:
   Way(const Band& band, double from, double to)
-      : start_(2.0 * ((from - band.first) / band.length - 0.5)),
-        change_(2.0 * ((to - from) / band.length)),
+      : per_bin_(band.closed ? 1 : 2),
+        start_(static_cast<double>(per_bin_) * ((from - band.first) / band.length - 0.5)),
+        change_(static_cast<double>(per_bin_) * ((to - from) / band.length)),
         length_(std::abs(to - from)),
         cell_(static_cast<std::int64_t>(std::floor(start_))),
         band_(&band) {
@@ -94,16 +101,17 @@ class Way {
   bool beside() const { return !band_->closed && (cell_ < -1 || cell_ >= 2 * band_->count - 1); }
   /// At the middle of the piece from share `a` to share `b`.
   Neighbours at(double a, double b) const {
-    const std::int64_t middle = cell_ >= 0 ? cell_ / 2 : (cell_ - 1) / 2;
-    return neighbours(*band_, middle,
-                      0.5 * (start_ + 0.5 * (a + b) * change_ - 2.0 * static_cast<double>(middle)));
+    const std::int64_t middle = (cell_ >= 0 ? cell_ : cell_ - (per_bin_ - 1)) / per_bin_;
+    const double place = (start_ + 0.5 * (a + b) * change_) / static_cast<double>(per_bin_);
+    return neighbours(*band_, middle, place - static_cast<double>(middle));
   }
   double length() const { return length_; }
 
  private:
-  double start_, change_;  ///< in half bins, from the middle of the first
+  std::int64_t per_bin_;
+  double start_, change_;  ///< in pieces, from the middle of the first bin
   double length_;          ///< [m]
-  std::int64_t cell_;
+  std::int64_t cell_;      ///< the present piece
   const Band* band_;
 };
 
@@ -114,11 +122,19 @@ struct Piece {
   double way;  ///< of the body through the contact [m]
 };
 
+bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
+
+/// Does a substance lie on one of the piece's bins?
+bool lies(std::int32_t quantity, const Piece& piece) {
+  return !nothing(piece.band->bin(piece.of.bin[0]).sum[amount][quantity]) ||
+         !nothing(piece.band->bin(piece.of.bin[1]).sum[amount][quantity]);
+}
+
 /// Substances go over to the other body: each gives a share, and has a share of what the other gives.
 void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcome) {
   const double way = std::max(piece[0].way, piece[1].way);
   for (std::int32_t q = 0; q < substances; ++q) {
-    if (laws.of[q].carry == 0.0) continue;
+    if (laws.of[q].carry == 0.0 || !(lies(q, piece[0]) || lies(q, piece[1]))) continue;
     // what each gives, of both of its bins, before it receives
     WholeNumber given[2];
     for (int body = 0; body < 2; ++body) {
@@ -148,7 +164,7 @@ void wear_off(const FilmLaws& laws, const Band& band, FilmBin& bin, double dose,
   for (std::int32_t q = 0; q < substances; ++q) {
     const Substance& law = laws.of[q];
     const WholeNumber& there = bin.sum[amount][q];
-    if (there.low == 0 && there.high == 0) continue;
+    if (nothing(there)) continue;
     if (law.removal > 0.0) take(bin, q, removed, part_of(there, spent(law.removal * dose)), in_range);
     const WholeNumber kept = whole(law.kept * band.area() * film_scale(q));
     if (law.squeeze_rate > 0.0 && less(kept, there))
@@ -284,15 +300,17 @@ FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, 
   const auto covered = [&](std::int32_t q) {
     return laws.of[q].cover > 0.0 ? std::min(1.0, between(q) / laws.of[q].cover) : 0.0;
   };
+  // Water wets bare steel and what covers it.
+  const double wet = covered(water);
+  const auto wetted = [&](double dry, std::int32_t q) { return dry + (laws.of[q].wet_friction - dry) * wet; };
   // Means over what covers: friction, softness and hardening, each substance by its share times its weight.
   double bare = 1.0, weights = 0.0, friction = 0.0, softness = 0.0, hardening = 0.0;
-  const double wet = covered(water);
-  for (std::int32_t q = 0; q < substances; ++q) {
+  for (std::int32_t q = water + 1; q < substances; ++q) {
     const Substance& law = laws.of[q];
     const double share = covered(q), weight = share * law.weight;
     bare *= 1.0 - share;
     weights += weight;
-    friction += weight * (law.friction + (law.wet_friction - law.friction) * wet);
+    friction += weight * wetted(law.friction, q);
     if (law.yield > 0.0) softness += weight / law.yield;
     hardening += weight * law.hardening;
     // Layers in series.
@@ -302,10 +320,10 @@ FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, 
     mixed.thickness += thickness;
     mixed.flexibility += thickness / law.modulus;
   }
-  mixed.coefficient = clean;
+  mixed.coefficient = wetted(clean, water);
   if (!(weights > 0.0)) return mixed;
   const double film = (1.0 - bare) / weights;
-  mixed.coefficient = bare * clean + film * friction;
+  mixed.coefficient = bare * mixed.coefficient + film * friction;
   mixed.softness = film * softness;
   mixed.hardening = film * hardening;
   return mixed;

@@ -3290,7 +3290,8 @@ class SubstanceDict(TypedDict, total=False):
 class SurfaceLaws(s.Struct):
     """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name."""
     water: Substance
-    """water: wet_friction: where it covers; friction: of a trace of it"""
+    """water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
+    """
     oxide: Substance
     """oxide: oxide and debris"""
     film: Substance
@@ -3774,12 +3775,13 @@ def shakedown_limit_point(utilisation: float) -> float:
     """
 def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
     """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
-        substance covers the share theta = min(1, amount of both bodies / cover); the share of bare steel is
-        the product of all 1 - theta. Covered steel has the mean friction of what covers, by theta times
-        weight. One substance alone goes from mu to its own friction in proportion to its amount, so back to
-        mu as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie
-        in series. It is continuous in amounts, heat and places. It is an input of the wrench: hold it over
-        the step, and over trial steps of an integrator; derivatives are those of the wrench as they are.
+        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
+        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
+        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
+        or wet, moves friction in proportion to its amount, and lets it recover as 1 - exp(-tau W): Allotta,
+        Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is continuous in
+        amounts, heat and places. It is an input of the wrench: hold it over the step, and over trial steps of
+        an integrator; derivatives are those of the wrench as they are.
 
     rail: the rail
     wheel: the wheel; None: it carries nothing
