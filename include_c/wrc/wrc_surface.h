@@ -55,12 +55,12 @@ enum wrc_surface_quantity {
 
 /** Columns of the books. Amount = put on - removed - squeezed - evaporated - carried, to the last bit. */
 enum wrc_surface_book {
-  WRC_SURFACE_AMOUNT = 0,     /**< what is there now */
+  WRC_SURFACE_AMOUNT = 0,     /**< now */
   WRC_SURFACE_PUT_ON = 1,     /**< by sources; of heat: by friction, too */
   WRC_SURFACE_REMOVED = 2,    /**< by frictional energy; of heat: to the air and into the depth */
   WRC_SURFACE_SQUEEZED = 3,   /**< out of the running band by passing wheels */
-  WRC_SURFACE_EVAPORATED = 4, /**< water into the air; of heat: what that takes */
-  WRC_SURFACE_CARRIED = 5     /**< to the other body, less what came from it */
+  WRC_SURFACE_EVAPORATED = 4, /**< water into the air; of heat: taken by that */
+  WRC_SURFACE_CARRIED = 5     /**< to the other body, less the amount that came from it */
 };
 
 #define WRC_SURFACE_BOOKS 6 /**< columns of the books */
@@ -95,7 +95,7 @@ typedef struct wrc_substance {
   double wet_friction; /**< the same where water covers, too, 0 or 1e-3..2; goes with cover [0] */
   double removal;      /**< tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area, 0..1 m^2/J [0] */
   double kept;         /**< amount that a passing wheel leaves in the band, 0..100 kg/m^2 [0] */
-  double squeeze;      /**< share of what is above `kept` that one passage presses out of the band, 0..0.999 [0] */
+  double squeeze;      /**< share of the amount above `kept` that one passage presses out of the band, 0..0.999 [0] */
   double carry;        /**< share of the way to equal amounts on both bodies that one passage goes, 0..1 [0] */
   double density;      /**< of its layer, 100..1e5 kg/m^3 [1000] */
   double layer_modulus;   /**< of its layer in shear, 0 or 1e3..1e12 Pa; 0: it does not shear elastically [0] */
@@ -147,7 +147,7 @@ typedef struct wrc_surface_passage {
 typedef struct wrc_surface_exchange {
   uint32_t struct_size;  /**< sizeof this struct, 96 or more */
   uint32_t reserved0;    /**< 0 */
-  double carried[8];     /**< by enum wrc_surface_quantity: from rail to wheel, less what went back [kg] */
+  double carried[8];     /**< by enum wrc_surface_quantity: from rail to wheel, less the way back [kg] */
   double rail_energy;    /**< frictional energy that the rail's bins have booked [J] */
   double wheel_energy;   /**< the same of the wheel's [J] */
   double beside_energy;  /**< the rest: of a rail beyond its ends, of a wheel that is NULL [J] */

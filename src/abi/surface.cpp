@@ -24,12 +24,9 @@ static_assert(int{damage::quantities} == WRC_SURFACE_QUANTITIES && int{damage::h
 Fault read_surface(const wrc_surface* theirs, const char* name, damage::Band& band) {
   wrc_surface ours;
   RETURN_IF_FAILED(read(theirs, name, ours));
-  if (ours.bins == nullptr) return Fault::null({name, "bins"});
-  if (ours.bin_size < sizeof(damage::FilmBin) || ours.bin_size % alignof(damage::FilmBin) != 0)
-    return Fault::struct_size(
-        {name, "bin_size"},
-        {ours.bin_size, "bytes", sizeof(damage::FilmBin), MEMBER(wrc_surface, "bin_size").high},
-        "it is the size of one of the bins: set it to sizeof(wrc_surface_bin)");
+  RETURN_IF_FAILED(
+      check_bins<damage::FilmBin>(ours, name, MEMBER(wrc_surface, "bin_size"),
+                                  "it is the size of one of the bins: set it to sizeof(wrc_surface_bin)"));
   band = {.first = ours.first,
           .length = ours.length,
           .width = ours.width,
@@ -41,7 +38,7 @@ Fault read_surface(const wrc_surface* theirs, const char* name, damage::Band& ba
 }
 
 /// Members of friction are in use where a substance covers, and zero elsewhere. Water covers without hiding
-/// what it wets: it has neither weight nor layer.
+/// the wetted substances: it has neither weight nor layer.
 Fault check_cover(const wrc_substance& checked, const char* of, bool is_water) {
   const bool covers = checked.cover > 0.0, hides = covers && !is_water;
   const char* const needed = "a substance that covers needs its weight and its friction, dry and wet";
@@ -130,7 +127,7 @@ Fault read_meeting(const wrc_surface* rail, const wrc_surface* wheel, const wrc_
   return check_stretch(meeting.wheel, "passage.wheel_to", ours.wheel_from, ours.wheel_to);
 }
 
-/// Flags of what was done.
+/// Flags of a call that was done.
 Fault flags_of(bool beside, bool in_range) {
   Fault fault;
   if (beside) keep_worst(fault, Fault::beyond_sections("rail", "part of the stretch lies beyond the bins"));

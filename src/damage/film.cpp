@@ -17,7 +17,7 @@ double spent(double x) {
          (1.0 - c2 * x * (1.0 - c3 * x * (1.0 - c4 * x * (1.0 - c5 * x * (1.0 - c6 * x * (1.0 - c7 * x))))));
 }
 
-bool less(const WholeNumber& a, const WholeNumber& b) {  // of amounts, not below 0
+bool less(const WholeNumber& a, const WholeNumber& b) {  // amounts, not below 0
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 
@@ -119,7 +119,7 @@ class Way {
 struct Piece {
   const Band* band;
   Neighbours of;
-  double way;  ///< of the body through the contact [m]
+  double way;  ///< the body's, through the contact [m]
 };
 
 bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
@@ -130,12 +130,12 @@ bool lies(std::int32_t quantity, const Piece& piece) {
          !nothing(piece.band->bin(piece.of.bin[1]).sum[amount][quantity]);
 }
 
-/// Substances go over to the other body: each gives a share, and has a share of what the other gives.
+/// Substances go over to the other body: each gives a share, and receives the other's.
 void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcome) {
   const double way = std::max(piece[0].way, piece[1].way);
   for (std::int32_t q = 0; q < substances; ++q) {
     if (laws.of[q].carry == 0.0 || !(lies(q, piece[0]) || lies(q, piece[1]))) continue;
-    // what each gives, of both of its bins, before it receives
+    // shares that each gives from both of its bins, before it receives
     WholeNumber given[2];
     for (int body = 0; body < 2; ++body) {
       const Piece& mine = piece[body];
@@ -147,7 +147,7 @@ void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcom
         given[body] = plus(given[body], part);
       }
     }
-    // what each receives
+    // shares that each receives
     for (int body = 0; body < 2; ++body) {
       WholeNumber parts[2];
       split(given[1 - body], piece[body].of, parts);
@@ -158,7 +158,7 @@ void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcom
   }
 }
 
-/// What a bin loses by a dose of frictional energy over its area, and by being rolled over.
+/// Losses of a bin by a dose of frictional energy over its area, and by being rolled over.
 void wear_off(const FilmLaws& laws, const Band& band, FilmBin& bin, double dose, double passed,
               bool& in_range) {
   for (std::int32_t q = 0; q < substances; ++q) {
@@ -300,10 +300,11 @@ FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, 
   const auto covered = [&](std::int32_t q) {
     return laws.of[q].cover > 0.0 ? std::min(1.0, between(q) / laws.of[q].cover) : 0.0;
   };
-  // Water wets bare steel and what covers it.
+  // Water wets bare steel and its cover.
   const double wet = covered(water);
   const auto wetted = [&](double dry, std::int32_t q) { return dry + (laws.of[q].wet_friction - dry) * wet; };
-  // Means over what covers: friction, softness and hardening, each substance by its share times its weight.
+  // Means over the substances that cover: friction, softness and hardening, each substance by its share times
+  // its weight.
   double bare = 1.0, weights = 0.0, friction = 0.0, softness = 0.0, hardening = 0.0;
   for (std::int32_t q = water + 1; q < substances; ++q) {
     const Substance& law = laws.of[q];

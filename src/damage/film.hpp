@@ -1,4 +1,4 @@
-/// Films on rail and wheel: what lies in bins along the running band, how passing wheels change it, and the
+/// Films on rail and wheel: amounts in bins along the running band, how passing wheels change it, and the
 /// friction and layer it gives. Amounts and books are whole numbers (exact_sum.hpp): nothing is lost.
 #pragma once
 
@@ -36,7 +36,7 @@ struct Band {
   FilmBin* bins = nullptr;
   std::int64_t stride = sizeof(FilmBin);  ///< from one bin of the caller to the next [bytes]
 
-  double area() const { return length * width; }  ///< of a bin [m^2]
+  double area() const { return length * width; }  ///< a bin's [m^2]
   FilmBin& bin(std::int64_t k) const {
     return *reinterpret_cast<FilmBin*>(reinterpret_cast<char*>(bins) + k * stride);
   }
@@ -56,7 +56,7 @@ struct Substance {
 struct FilmLaws {
   Substance of[substances];
   double rail_share = 0.5;
-  double capacity[2] = {};  ///< of rail and wheel [J/(m^2 K)]
+  double capacity[2] = {};  ///< rail's and wheel's [J/(m^2 K)]
   double cooling_time = 60.0, drying_time = 1800.0;
   double evaporation_share = 0.0, evaporation_amount = 5e-3, latent_heat = 2.4e6;
   double ambient = 20.0;
@@ -92,7 +92,7 @@ bool rest(const Band& band, const FilmLaws& laws, double duration);
 /// Adds bins of the same band. False: a sum passed its range.
 bool merge(const Band& into, const Band& from);
 
-/// What lies at a place of a band.
+/// Amounts at a place of a band.
 struct FilmAt {
   double per_area[quantities] = {};  ///< [kg/m^2], heat [J/m^2]
   bool beside = false, in_range = true;

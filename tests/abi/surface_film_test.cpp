@@ -150,7 +150,7 @@ TEST(SurfaceFilm, BooksBalanceToTheBit) {
   EXPECT_GT(by_friction, 0.0);
   EXPECT_LT(by_friction, both(WRC_SURFACE_WATER, WRC_SURFACE_EVAPORATED));
   for (int32_t q = 0; q < WRC_SURFACE_HEAT; ++q) {
-    // what one body hands over the other has, and each way out is used
+    // amounts that one body hands over the other has, and each way out is used
     EXPECT_EQ(both(q, WRC_SURFACE_CARRIED), 0.0) << q;
     EXPECT_NE(run.wheel.total(q, WRC_SURFACE_CARRIED), 0.0) << q;
     double gone = 0.0;
@@ -192,6 +192,7 @@ TEST(SurfaceFilm, FrictionRecoversByThePublishedLaw) {
   for (const int parts : {1, 7, 400}) {
     Band rail = rail_of();
     rail.add(WRC_SURFACE_FILM, 0.008, 0.0, 100.0);
+    laws.film.friction = 0.04;
     if (parts == 7) {  // wet: the same between the frictions of the wet
       laws.water.cover = 1e-3;
       laws.water.wet_friction = 0.35;
@@ -367,7 +368,7 @@ TEST(SurfaceFilm, AWheelCarriesLubricantOn) {
 }
 
 TEST(SurfaceFilm, WheelsPassInTheirOrder) {
-  // the second of two unlike wheels meets what the first has left
+  // the second of two unlike wheels meets the leavings of the first
   const auto after = [](double first, double second) {
     Journey run;
     const double start = run.at;
@@ -381,7 +382,7 @@ TEST(SurfaceFilm, WheelsPassInTheirOrder) {
   EXPECT_TRUE(once.rail.same(again.rail));
   EXPECT_TRUE(once.wheel.same(again.wheel));
   EXPECT_FALSE(once.rail.same(swapped.rail));
-  // of the film as such only the sum of the energies counts
+  // for the film as such only the sum of the energies counts
   EXPECT_NEAR(once.rail.total(WRC_SURFACE_FILM), swapped.rail.total(WRC_SURFACE_FILM),
               1e-2 * once.rail.total(WRC_SURFACE_FILM));
 }

@@ -593,20 +593,20 @@ class SurfaceQuantity(s.Choice):
 class SurfaceBook(s.Choice):
     """Columns of the books. Amount = put on - removed - squeezed - evaporated - carried, to the last bit.
 
-    AMOUNT: what is there now
+    AMOUNT: now
     PUT_ON: by sources; of heat: by friction, too
     REMOVED: by frictional energy; of heat: to the air and into the depth
     SQUEEZED: out of the running band by passing wheels
-    EVAPORATED: water into the air; of heat: what that takes
-    CARRIED: to the other body, less what came from it
+    EVAPORATED: water into the air; of heat: taken by that
+    CARRIED: to the other body, less the amount that came from it
     """
 
-    AMOUNT = 0, 'what is there now'
+    AMOUNT = 0, 'now'
     PUT_ON = 1, 'by sources; of heat: by friction, too'
     REMOVED = 2, 'by frictional energy; of heat: to the air and into the depth'
     SQUEEZED = 3, 'out of the running band by passing wheels'
-    EVAPORATED = 4, 'water into the air; of heat: what that takes'
-    CARRIED = 5, 'to the other body, less what came from it'
+    EVAPORATED = 4, 'water into the air; of heat: taken by that'
+    CARRIED = 5, 'to the other body, less the amount that came from it'
 
 
 class Profile(s.Struct):
@@ -3268,7 +3268,7 @@ class Substance(s.Struct):
       removal [m^2/J]: tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area (0 .. 1;
           default 0)
       kept [kg/m^2]: amount that a passing wheel leaves in the band (0 .. 100; default 0)
-      squeeze: share of what is above kept that one passage presses out of the band (0 .. 0.999; default 0)
+      squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
       carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)
       density [kg/m^3]: of its layer (100 .. 1e5; default 1000)
       layer_modulus [Pa]: of its layer in shear; 0: it does not shear elastically (0 or 1e3 .. 1e12; default
@@ -3407,7 +3407,7 @@ class SurfaceExchange(s.Struct):
     """What a passage moved.
 
     Members:
-      carried [kg]: by SurfaceQuantity: from rail to wheel, less what went back
+      carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back
       rail_energy [J]: frictional energy that the rail's bins have booked
       wheel_energy [J]: the same of the wheel's
       beside_energy [J]: the rest: of a rail beyond its ends, of a wheel that is None

@@ -499,7 +499,7 @@ SurfaceQuantityLike = Union[SurfaceQuantity, Literal['WATER', 'OXIDE', 'FILM', '
 
 class SurfaceBook(s.Choice):
     AMOUNT = 0
-    """what is there now"""
+    """now"""
     PUT_ON = 1
     """by sources; of heat: by friction, too"""
     REMOVED = 2
@@ -507,9 +507,9 @@ class SurfaceBook(s.Choice):
     SQUEEZED = 3
     """out of the running band by passing wheels"""
     EVAPORATED = 4
-    """water into the air; of heat: what that takes"""
+    """water into the air; of heat: taken by that"""
     CARRIED = 5
-    """to the other body, less what came from it"""
+    """to the other body, less the amount that came from it"""
 SurfaceBookLike = Union[SurfaceBook, Literal['AMOUNT', 'PUT_ON', 'REMOVED', 'SQUEEZED', 'EVAPORATED', 'CARRIED']]
 
 class Profile(s.Struct):
@@ -3252,7 +3252,7 @@ class Substance(s.Struct):
     kept: float
     """kept [kg/m^2]: amount that a passing wheel leaves in the band (0 .. 100; default 0)"""
     squeeze: float
-    """squeeze: share of what is above kept that one passage presses out of the band (0 .. 0.999; default 0)
+    """squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
     """
     carry: float
     """carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)"""
@@ -3375,7 +3375,7 @@ class SurfaceExchange(s.Struct):
     """What a passage moved."""
     @property
     def carried(self) -> NDArray[Any]:
-        """carried [kg]: by SurfaceQuantity: from rail to wheel, less what went back"""
+        """carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back"""
     @carried.setter
     def carried(self, value: s.Floats) -> None: ...
     rail_energy: float
