@@ -261,7 +261,7 @@ static void traction(FILE* file) {
   make_train(&engine, 4, axle_load);
   engine.dry.speed_law = WRC_SPEED_LAW_EXPONENTIAL; /* more slip cleans more, and slides faster */
   engine.dry.fall_rate = 0.2;                       /* Polach, wet */
-  engine.mass = 1200e3;
+  engine.mass = 1e30;                               /* the train holds its speed */
   engine.inertia = 250.0;
   engine.full_torque = 0.4 * axle_load * radius;
   for (int i = 0; i < 4; ++i) engine.axles[i].behind = 9.9 * (i / 2) + 2.6 * (i % 2);
@@ -269,19 +269,19 @@ static void traction(FILE* file) {
   lay(&engine, WRC_SURFACE_WATER, 0.020);
   set_speed(&engine, 8.0);
   double wish = 0.04, change = 0.01, before = 0.0, pulled = 0.0, first = 0.0;
-  for (long step = 0; step < 40000; ++step) {
+  for (long step = 0; step < 60000; ++step) {
     for (int i = 0; i < 4; ++i) { /* motor: proportional to what is missing of the slip */
       axle* one = &engine.axles[i];
       one->torque = fmax(0.0, fmin(1.0, 0.3 + 20.0 * (wish - slip_of(&engine, one))));
       pulled += 2.0 * one->force * 1e-3; /* mean over a second */
     }
-    step_train(&engine, 0.9 * 2.0 * engine.axles[0].force * 4.0); /* so that it hardly accelerates */
+    step_train(&engine, 0.0);
     if (step % 100 == 0) write_line(file, &engine, 0.5 * axle_load);
     if (step % 1000 != 999) continue;
     if (step == 1999) first = pulled; /* its motors are there by then */
     if (pulled < before) change = -change;
     before = pulled;
-    wish = fmin(0.3, fmax(0.005, wish + change));
+    wish = fmin(0.5, fmax(0.005, wish + change));
     pulled = 0.0;
   }
   printf("traction on wet leaves: %.0f kN at 4 %% slip, %.0f kN at the %.1f %% found\n", 1e-3 * first,
