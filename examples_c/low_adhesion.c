@@ -190,7 +190,7 @@ static void write_line(FILE* file, const train* of, double wheel_load) {
   fprintf(file, "%.2f,%.4f,%.3f", of->time, of->speed, of->place);
   for (int i = 0; i < of->count; ++i)
     fprintf(file, ",%.5f,%.5f", slip_of(of, &of->axles[i]), of->axles[i].force / wheel_load);
-  fputc('\n', file);
+  fprintf(file, "\n");
 }
 
 /* The books of the rail and all treads: what was put on, less what is gone and what is there, over what was

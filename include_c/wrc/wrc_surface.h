@@ -190,8 +190,8 @@ WRC_API int32_t wrc_surface_add(wrc_surface* surface, int32_t quantity, double a
 /** Friction and layer where a wheel is on its rail, for wrc_contact_wrench(), at the beginning of a passage. Each substance covers
  * the share theta = min(1, amount of both bodies / cover). Water wets: each friction goes from dry to wet by its theta. The share of
  * bare steel is the product of the others' 1 - theta. Covered steel has the mean friction of what covers, by theta times weight. So one
- * substance alone, dry or wet, moves friction in proportion to its amount, and lets it recover as
- * 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
+ * substance alone, dry or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
+ * Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
  * Layers lie in series. It is continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
  * trial steps of an integrator; derivatives are those of the wrench as they are.
  * @param rail the rail
@@ -209,8 +209,8 @@ WRC_API int32_t wrc_surface_friction(const wrc_surface* rail, const wrc_surface*
                                      const wrc_surface_passage* passage, const wrc_friction* base, wrc_friction* friction,
                                      char* text, uint64_t size);
 
-/** A wheel passes: it exchanges substances with the rail, frictional energy removes them and heats both, water evaporates, and what
- * is too much is pressed out of the band. Divided into shorter passages the outcome is nearly the same. Either may go backwards, and
+/** A wheel passes: it exchanges substances with the rail, frictional energy removes them and heats both. Water evaporates,
+ * and too much is pressed out of the band. Divided into shorter passages the outcome is nearly the same. Either may go backwards, and
  * either may stand still: a wheel that is locked, or that spins.
  * @param[in,out] rail the rail
  * @param[in,out] wheel the wheel; NULL: it carries nothing

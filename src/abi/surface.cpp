@@ -199,9 +199,6 @@ void set_low_adhesion(wrc_surface_laws& laws, bool layers) {
     made.wet_friction = wet;
     return made;
   };
-  const double ambient = laws.ambient;
-  laws = defaults<wrc_surface_laws>();
-  laws.ambient = ambient;
   laws.water.cover = 5e-3;
   laws.water.wet_friction = 0.25;
   laws.oxide = substance(5e-3, 3.0, 0.4, 0.1);
@@ -242,11 +239,19 @@ Fault use_set(wrc_surface_laws* laws, const char* name) {
   const auto* const found = std::find_if(std::begin(set_names), std::end(set_names),
                                          [&](const char* each) { return std::strcmp(each, name) == 0; });
   if (found == std::end(set_names)) return Fault::unsupported("name", known_sets);
-  wrc_surface_laws ours = defaults<wrc_surface_laws>();
-  ours.ambient = laws->ambient;
+  wrc_surface_laws theirs = defaults<wrc_surface_laws>(), ours = theirs;
+  const std::size_t known = std::min<std::size_t>(laws->struct_size, sizeof theirs);
+  std::memcpy(&theirs, laws, known);
   set_low_adhesion(ours, found != std::begin(set_names));
-  ours.struct_size = laws->struct_size;
-  std::memcpy(laws, &ours, std::min<std::size_t>(laws->struct_size, sizeof ours));
+  // members that no set has, and those of a newer header, stay
+  ours.struct_size = theirs.struct_size;
+  ours.reserved0 = theirs.reserved0;
+  ours.ambient = theirs.ambient;
+  for (wrc_substance wrc_surface_laws::*const each :
+       {&wrc_surface_laws::water, &wrc_surface_laws::oxide, &wrc_surface_laws::film, &wrc_surface_laws::sand,
+        &wrc_surface_laws::lubricant})
+    std::memcpy((ours.*each).reserved, (theirs.*each).reserved, sizeof(wrc_substance::reserved));
+  std::memcpy(laws, &ours, known);
   return {};
 }
 

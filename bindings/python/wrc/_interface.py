@@ -4034,10 +4034,10 @@ def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, 
         substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
         goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
         Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
-        or wet, moves friction in proportion to its amount, and lets it recover as 1 - exp(-tau W): Allotta,
-        Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is continuous in
-        amounts, heat and places. It is an input of the wrench: hold it over the step, and over trial steps of
-        an integrator; derivatives are those of the wrench as they are.
+        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
+        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
+        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
+        trial steps of an integrator; derivatives are those of the wrench as they are.
 
     rail: the rail
     wheel: the wheel; None: it carries nothing
