@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_surface.h"
 
 static const wrc_contact* asked; /* whose sentence explains a failure */
 
@@ -221,6 +222,24 @@ static void exact_bodies(void) {
   printf("        %.0f K at the end of a strip\n", rise[3]);
 }
 
+/* Rain on a stretch by one thread, leaves by another, put together. */
+static void films(void) {
+  static wrc_surface_bin wet[20], leaves[20];
+  wrc_surface rain = wrc_surface_default();
+  rain.count = 20;
+  rain.length = 1.0;
+  rain.bins = wet;
+  rain.bin_size = sizeof wet[0];
+  wrc_surface rail = rain;
+  rail.bins = leaves;
+  double water;
+  DO(wrc_surface_add(&rain, WRC_SURFACE_WATER, 0.02, 0.0, 20.0, NULL, 0));
+  DO(wrc_surface_add(&rail, WRC_SURFACE_FILM, 0.01, 5.0, 15.0, NULL, 0));
+  DO(wrc_surface_merge(&rail, &rain, NULL, 0));
+  DO(wrc_surface_values(&rail, WRC_SURFACE_WATER, WRC_SURFACE_AMOUNT, NULL, &water, NULL, 0));
+  printf("films:  %.0f g of water on a band of 20 m\n", 1e3 * water);
+}
+
 int main(void) {
   if (wrc_abi_version() != WRC_ABI_VERSION || wrc_version() >> 16 != WRC_VERSION_MAJOR ||
       wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION) == NULL) {
@@ -251,5 +270,6 @@ int main(void) {
   line(model, contact);
   exact_bodies();
   for (int i = 0; i < 2; ++i) free(of_malloc[i]);
+  films();
   return EXIT_SUCCESS;
 }

@@ -7,8 +7,10 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "proof/wheel.hpp"
+#include "wrc/wrc_surface.h"
 
 namespace {
 
@@ -117,6 +119,57 @@ void save_and_restore(benchmark::State& state, Methods methods) {
   }
 }
 
+/// A wheel on its rail at "real time": the wrench alone, or with friction of films before it and the passage
+/// behind it, without and with layers.
+void wheel_on_films(benchmark::State& state, const char* set) {
+  wrc_config config = wrc_config_default();
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_60E1;
+  config.track.rail_inclination = 1.0 / 40.0;
+  wrc_config_use(&config, "real time", nullptr, 0);
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  wrc_model_create(&config, nullptr, &model, nullptr, 0);
+  wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
+  std::vector<wrc_surface_bin> bins[2] = {std::vector<wrc_surface_bin>(1000),
+                                          std::vector<wrc_surface_bin>(24)};
+  wrc_surface surface[2] = {wrc_surface_default(), wrc_surface_default()};
+  for (int body = 0; body < 2; ++body) {
+    surface[body].count = static_cast<uint32_t>(bins[body].size());
+    surface[body].length = body == 0 ? 1.0 : 2.89 / 24;
+    surface[body].closed = 1;
+    surface[body].bins = bins[body].data();
+    surface[body].bin_size = sizeof(wrc_surface_bin);
+  }
+  wrc_surface_laws laws = wrc_surface_laws_default();
+  if (set != nullptr) wrc_surface_laws_use(&laws, set, nullptr, 0);
+  for (const int32_t wet_leaves : {WRC_SURFACE_WATER, WRC_SURFACE_FILM})
+    wrc_surface_add(&surface[0], wet_leaves, 4e-3, 0.0, 1000.0, nullptr, 0);
+  wrc_wheel_input input = wrc_wheel_input_default();
+  input.wheel.z = 0.1e-3;
+  input.wheel.velocity[0] = 40.0;
+  input.wheel.pitch_rate = -40.0 / 0.46 * 0.98;
+  input.friction.coefficient = 0.1;
+  wrc_surface_passage passage = {sizeof passage, 0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  wrc_wrench wrench = {};
+  wrench.struct_size = sizeof wrench;
+  int i = 0;
+  for (auto _ : state) {
+    input.wheel.y = 4e-3 * (++i % positions) / positions - 2e-3;
+    passage.rail_from = passage.rail_to;
+    passage.wheel_from = passage.wheel_to;
+    passage.rail_to += 0.04;
+    passage.wheel_to += 0.0392;
+    if (set != nullptr)
+      wrc_surface_friction(&surface[0], &surface[1], &laws, &passage, nullptr, &input.friction, nullptr, 0);
+    benchmark::DoNotOptimize(wrc_contact_wrench(contact, &input, &wrench));
+    passage.energy = wrench.power * 1e-3;
+    if (set != nullptr) wrc_surface_pass(&surface[0], &surface[1], &laws, &passage, nullptr, nullptr, 0);
+  }
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
 void creation(benchmark::State& state, Methods methods) {
   for (auto _ : state) Wheel wheel(methods);
 }
@@ -133,6 +186,10 @@ void add_all() {
   const std::pair<int, int> grids[] = {{16, 16}, {32, 32}, {60, 32}, {60, 50}, {128, 64}};
   Methods methods;
   add("geometry", "pose", methods, geometry);
+  for (const auto& [name, set] : {std::pair<const char*, const char*>{"wheel/wrench alone", nullptr},
+                                  {"wheel/with films", "low adhesion"},
+                                  {"wheel/with films and layers", "low adhesion, layers"}})
+    benchmark::RegisterBenchmark(name, wheel_on_films, set)->Unit(benchmark::kMicrosecond);
   for (const auto& [strips, cells] : grids) {
     methods.strips = strips;
     methods.cells = cells;

@@ -300,6 +300,7 @@ outcome model_start(instance* of) {
       how = standing(of, of->contact[of->now.integer[WHEEL_side]], now[WHEEL_load], &now[WHEEL_standing_z]);
   } else {
     for (int i = SET_y; i <= SET_pitch_rate; ++i) now[i] = 0.0;
+    for (int i = SET_water_behind; i <= SET_heat_on_wheel; ++i) now[i] = 0.0;
     now[SET_y] = now[SET_start_y];
     now[SET_yaw] = now[SET_start_yaw];
     now[SET_pitch_rate] = -now[SET_speed] / now[SET_wheel_radius];

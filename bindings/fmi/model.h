@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "wrc/wrc.h"
+#include "wrc/wrc_surface.h"
 
-enum { TIME = 999, FIRST_INTEGER = 1000, MOST_REALS = 64, MOST_INTEGERS = 8 };
+enum { TIME = 999, FIRST_INTEGER = 1000, MOST_REALS = 96, MOST_INTEGERS = 8 };
 
 /* Numbers of the variables: WHEEL_y and so on. */
 #define TOKEN(text)

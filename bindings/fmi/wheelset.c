@@ -39,6 +39,74 @@ static double component(const wrc_wrench* wrench, int number) {
   return number < 3 ? wrench->force[number] : wrench->moment[number - 3];
 }
 
+/* A rail piece of the way's length and a tread, of one bin each, with the amounts of the variables. */
+typedef struct films {
+  wrc_surface_bin bin[2];
+  wrc_surface band[2];
+  wrc_surface_laws laws;
+} films;
+
+/* Amounts of the rail ahead and of the tread into bins. Status of the library. */
+static int32_t lay_films(const instance* of, double way, films* made, char* sentence, size_t size) {
+  const double* now = of->now.real;
+  const double length[2] = {fmin(1e4, fmax(1e-3, way)), 2.0 * 3.14159265358979 * now[SET_wheel_radius]};
+  memset(made->bin, 0, sizeof made->bin);
+  for (int body = 0; body < 2; ++body) {
+    wrc_surface* band = &made->band[body];
+    *band = wrc_surface_default();
+    band->count = band->closed = 1;
+    band->length = length[body];
+    band->bins = &made->bin[body];
+    band->bin_size = sizeof made->bin[body];
+    for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) {
+      if (body == 0 && q == WRC_SURFACE_HEAT) continue; /* a rail ahead is cold */
+      const double amount = now[(body == 0 ? SET_water_ahead : SET_water_on_wheel) + q];
+      const int32_t status = wrc_surface_add(band, q, amount, 0.0, length[body], sentence, size);
+      if (status < 0) return status;
+    }
+  }
+  made->laws = wrc_surface_laws_default();
+  return wrc_surface_laws_use(&made->laws, "low adhesion", sentence, size);
+}
+
+/* Friction for the library: the number, or that of films as they are at the beginning of a step. */
+static void give_friction(instance* of) {
+  of->input.friction = wrc_friction_default();
+  of->input.friction.coefficient = of->now.real[SET_friction];
+  if (of->now.integer[SET_films] == 0) return;
+  films made;
+  wrc_surface_passage passage = {.struct_size = sizeof passage};
+  const wrc_friction base = of->input.friction;
+  if (lay_films(of, 1.0, &made, NULL, 0) >= 0)
+    wrc_surface_friction(&made.band[0], &made.band[1], &made.laws, &passage, &base, &of->input.friction, NULL,
+                         0);
+}
+
+/* The passage of a communication step: frictional energy of one wheel [J]. Amounts behind and on the tread
+ * become its outcome. 0: not done, sentence[] says why. */
+static int pass_films(instance* of, double duration, double energy, char* sentence, size_t size) {
+  double* now = of->now.real;
+  const double way = now[SET_speed] * duration,
+               rolled = -now[SET_pitch_rate] * now[SET_wheel_radius] * duration;
+  films made;
+  wrc_surface_passage passage = {
+      .struct_size = sizeof passage, .rail_to = way, .wheel_to = rolled, .energy = energy};
+  if (lay_films(of, fabs(way), &made, sentence, size) < 0) return 0;
+  if (wrc_surface_pass(&made.band[0], &made.band[1], &made.laws, &passage, NULL, sentence, size) < 0)
+    return 0;
+  if (wrc_surface_rest(&made.band[1], &made.laws, duration, sentence, size) < 0) return 0;
+  for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) {
+    double amount[2];
+    for (int body = 0; body < 2; ++body)
+      if (wrc_surface_values(&made.band[body], q, WRC_SURFACE_AMOUNT, &amount[body], NULL, sentence, size) <
+          0)
+        return 0;
+    if (q != WRC_SURFACE_HEAT) now[SET_water_behind + q] = amount[0];
+    now[SET_water_on_wheel + q] = amount[1];
+  }
+  return 1;
+}
+
 /* Gives the library a state u: the motion, friction, and the rail of a side. */
 static void give(instance* of, const double u[states], int side) {
   const double* now = of->now.real;
@@ -53,7 +121,6 @@ static void give(instance* of, const double u[states], int side) {
   wheel->roll_rate = u[6];
   wheel->yaw_rate = u[7];
   wheel->pitch_rate = u[8];
-  of->input.friction.coefficient = now[SET_friction];
   of->input.damping = now[SET_damping];
   const double* rail = now + (side == WRC_SIDE_RIGHT ? SET_right_rail_y : SET_left_rail_y);
   of->input.rail.y = rail[0];
@@ -125,6 +192,8 @@ int32_t wheelset_solve(instance* of, const wrc_contact** failed) {
   wrc_wrench wrench = {.struct_size = sizeof wrench};
   double power = 0.0;
   uint32_t flags = 0;
+  give_friction(of);
+  now[SET_fx] = 0.0;
   for (int side = 0; side < wheels; ++side) {
     give(of, state_of(of), side);
     *failed = of->contact[side];
@@ -133,6 +202,7 @@ int32_t wheelset_solve(instance* of, const wrc_contact** failed) {
     double* shown = now + (side == WRC_SIDE_RIGHT ? SET_right_fy : SET_left_fy);
     shown[0] = wrench.force[1];
     shown[1] = wrench.force[2];
+    now[SET_fx] += wrench.force[0];
     power += wrench.power;
     flags |= wrench.flags;
   }
@@ -284,6 +354,8 @@ outcome model_step(instance* of, double from, double length) {
     return model_say(of, WRONG, sentence);
   }
   of->now.integer[SET_steps] = 0;
+  give_friction(of); /* held over the step */
+  const double power_before = of->now.real[SET_power];
   for (double n = 0.0; n < count; n += 1.0)
     if (!go_on(of, part, sentence, sizeof sentence)) {
       of->now = before;
@@ -291,6 +363,13 @@ outcome model_step(instance* of, double from, double length) {
     }
   if (wheelset_solve(of, &failed) < 0) { /* the outputs could not be read */
     wrc_contact_last_error(failed, sentence, sizeof sentence);
+    of->now = before;
+    return model_say(of, DISCARDED, sentence);
+  }
+  /* Films: the passage, with the mean power of one wheel; forces are then those of the new friction. */
+  const double energy = 0.25 * (power_before + of->now.real[SET_power]) * length;
+  if (of->now.integer[SET_films] != 0 &&
+      (!pass_films(of, length, energy, sentence, sizeof sentence) || wheelset_solve(of, &failed) < 0)) {
     of->now = before;
     return model_say(of, DISCARDED, sentence);
   }

@@ -4,6 +4,7 @@
 
 #include "wrc/wrc_offline.h"
 #include "wrc/wrc_profiles.h"
+#include "wrc/wrc_surface.h"
 
 extern const size_t layout_wrc_profile[];
 const size_t layout_wrc_profile[] = {sizeof(wrc_profile), offsetof(wrc_profile, kind), offsetof(wrc_profile, count), offsetof(wrc_profile, y), offsetof(wrc_profile, z), offsetof(wrc_profile, smoothing), offsetof(wrc_profile, reserved)};
@@ -149,3 +150,15 @@ extern const size_t layout_wrc_found_faces[];
 const size_t layout_wrc_found_faces[] = {sizeof(wrc_found_faces), offsetof(wrc_found_faces, struct_size), offsetof(wrc_found_faces, face_count), offsetof(wrc_found_faces, outline_count), offsetof(wrc_found_faces, rail_section_count), offsetof(wrc_found_faces, rail_section_size), offsetof(wrc_found_faces, reserved0), offsetof(wrc_found_faces, rail_sections), offsetof(wrc_found_faces, notes), offsetof(wrc_found_faces, thin)};
 extern const size_t layout_wrc_face_outline[];
 const size_t layout_wrc_face_outline[] = {sizeof(wrc_face_outline), offsetof(wrc_face_outline, struct_size), offsetof(wrc_face_outline, kind), offsetof(wrc_face_outline, face), offsetof(wrc_face_outline, number), offsetof(wrc_face_outline, count), offsetof(wrc_face_outline, mark_count), offsetof(wrc_face_outline, distance), offsetof(wrc_face_outline, spacing_error), offsetof(wrc_face_outline, y), offsetof(wrc_face_outline, z), offsetof(wrc_face_outline, marks)};
+extern const size_t layout_wrc_surface_bin[];
+const size_t layout_wrc_surface_bin[] = {sizeof(wrc_surface_bin), offsetof(wrc_surface_bin, sum), offsetof(wrc_surface_bin, overflow), offsetof(wrc_surface_bin, reserved)};
+extern const size_t layout_wrc_surface[];
+const size_t layout_wrc_surface[] = {sizeof(wrc_surface), offsetof(wrc_surface, struct_size), offsetof(wrc_surface, count), offsetof(wrc_surface, first), offsetof(wrc_surface, length), offsetof(wrc_surface, width), offsetof(wrc_surface, closed), offsetof(wrc_surface, bin_size), offsetof(wrc_surface, bins)};
+extern const size_t layout_wrc_substance[];
+const size_t layout_wrc_substance[] = {sizeof(wrc_substance), offsetof(wrc_substance, cover), offsetof(wrc_substance, weight), offsetof(wrc_substance, friction), offsetof(wrc_substance, wet_friction), offsetof(wrc_substance, removal), offsetof(wrc_substance, kept), offsetof(wrc_substance, squeeze), offsetof(wrc_substance, carry), offsetof(wrc_substance, density), offsetof(wrc_substance, layer_modulus), offsetof(wrc_substance, layer_yield), offsetof(wrc_substance, layer_hardening), offsetof(wrc_substance, reserved)};
+extern const size_t layout_wrc_surface_laws[];
+const size_t layout_wrc_surface_laws[] = {sizeof(wrc_surface_laws), offsetof(wrc_surface_laws, struct_size), offsetof(wrc_surface_laws, reserved0), offsetof(wrc_surface_laws, water), offsetof(wrc_surface_laws, oxide), offsetof(wrc_surface_laws, film), offsetof(wrc_surface_laws, sand), offsetof(wrc_surface_laws, lubricant), offsetof(wrc_surface_laws, rail_share), offsetof(wrc_surface_laws, rail_heat_capacity), offsetof(wrc_surface_laws, wheel_heat_capacity), offsetof(wrc_surface_laws, cooling_time), offsetof(wrc_surface_laws, drying_time), offsetof(wrc_surface_laws, evaporation_share), offsetof(wrc_surface_laws, evaporation_amount), offsetof(wrc_surface_laws, latent_heat), offsetof(wrc_surface_laws, ambient)};
+extern const size_t layout_wrc_surface_passage[];
+const size_t layout_wrc_surface_passage[] = {sizeof(wrc_surface_passage), offsetof(wrc_surface_passage, struct_size), offsetof(wrc_surface_passage, reserved0), offsetof(wrc_surface_passage, rail_from), offsetof(wrc_surface_passage, rail_to), offsetof(wrc_surface_passage, wheel_from), offsetof(wrc_surface_passage, wheel_to), offsetof(wrc_surface_passage, energy)};
+extern const size_t layout_wrc_surface_exchange[];
+const size_t layout_wrc_surface_exchange[] = {sizeof(wrc_surface_exchange), offsetof(wrc_surface_exchange, struct_size), offsetof(wrc_surface_exchange, reserved0), offsetof(wrc_surface_exchange, carried), offsetof(wrc_surface_exchange, rail_energy), offsetof(wrc_surface_exchange, wheel_energy), offsetof(wrc_surface_exchange, beside_energy)};

@@ -74,6 +74,12 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_rail_faces_problem(14)
   integer(c_size_t), bind(C) :: layout_wrc_found_faces(10)
   integer(c_size_t), bind(C) :: layout_wrc_face_outline(12)
+  integer(c_size_t), bind(C) :: layout_wrc_surface_bin(4)
+  integer(c_size_t), bind(C) :: layout_wrc_surface(9)
+  integer(c_size_t), bind(C) :: layout_wrc_substance(14)
+  integer(c_size_t), bind(C) :: layout_wrc_surface_laws(17)
+  integer(c_size_t), bind(C) :: layout_wrc_surface_passage(8)
+  integer(c_size_t), bind(C) :: layout_wrc_surface_exchange(7)
 end module
 program layout_test
   use wrc
@@ -152,7 +158,13 @@ program layout_test
   call test_wrc_rail_faces_problem()
   call test_wrc_found_faces()
   call test_wrc_face_outline()
-  print '(i0,a)', 72, ' types compared'
+  call test_wrc_surface_bin()
+  call test_wrc_surface()
+  call test_wrc_substance()
+  call test_wrc_surface_laws()
+  call test_wrc_surface_passage()
+  call test_wrc_surface_exchange()
+  print '(i0,a)', 78, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -1885,6 +1897,154 @@ contains
       distance(c_loc(a), c_loc(a%z)), layout_wrc_face_outline(11))
     call same('wrc_face_outline', 'marks', &
       distance(c_loc(a), c_loc(a%marks)), layout_wrc_face_outline(12))
+  end subroutine
+  subroutine test_wrc_surface_bin()
+    type(wrc_surface_bin), target :: a
+    call wrc_init(a)
+    call same('wrc_surface_bin', 'size', c_sizeof(a), layout_wrc_surface_bin(1))
+    call same('wrc_surface_bin', 'sum', &
+      distance(c_loc(a), c_loc(a%sum)), layout_wrc_surface_bin(2))
+    call same('wrc_surface_bin', 'overflow', &
+      distance(c_loc(a), c_loc(a%overflow)), layout_wrc_surface_bin(3))
+    call same('wrc_surface_bin', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_surface_bin(4))
+  end subroutine
+  subroutine test_wrc_surface()
+    type(wrc_surface), target :: a
+    call same('wrc_surface', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_surface', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_surface', 'size', c_sizeof(a), layout_wrc_surface(1))
+    call same('wrc_surface', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_surface(2))
+    call same('wrc_surface', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_surface(3))
+    call same('wrc_surface', 'first', &
+      distance(c_loc(a), c_loc(a%first)), layout_wrc_surface(4))
+    call same('wrc_surface', 'length', &
+      distance(c_loc(a), c_loc(a%length)), layout_wrc_surface(5))
+    call same('wrc_surface', 'width', &
+      distance(c_loc(a), c_loc(a%width)), layout_wrc_surface(6))
+    call same('wrc_surface', 'closed', &
+      distance(c_loc(a), c_loc(a%closed)), layout_wrc_surface(7))
+    call same('wrc_surface', 'bin_size', &
+      distance(c_loc(a), c_loc(a%bin_size)), layout_wrc_surface(8))
+    call same('wrc_surface', 'bins', &
+      distance(c_loc(a), c_loc(a%bins)), layout_wrc_surface(9))
+  end subroutine
+  subroutine test_wrc_substance()
+    type(wrc_substance), target :: a
+    call wrc_init(a)
+    call same('wrc_substance', 'size', c_sizeof(a), layout_wrc_substance(1))
+    call same('wrc_substance', 'cover', &
+      distance(c_loc(a), c_loc(a%cover)), layout_wrc_substance(2))
+    call same('wrc_substance', 'weight', &
+      distance(c_loc(a), c_loc(a%weight)), layout_wrc_substance(3))
+    call same('wrc_substance', 'friction', &
+      distance(c_loc(a), c_loc(a%friction)), layout_wrc_substance(4))
+    call same('wrc_substance', 'wet_friction', &
+      distance(c_loc(a), c_loc(a%wet_friction)), layout_wrc_substance(5))
+    call same('wrc_substance', 'removal', &
+      distance(c_loc(a), c_loc(a%removal)), layout_wrc_substance(6))
+    call same('wrc_substance', 'kept', &
+      distance(c_loc(a), c_loc(a%kept)), layout_wrc_substance(7))
+    call same('wrc_substance', 'squeeze', &
+      distance(c_loc(a), c_loc(a%squeeze)), layout_wrc_substance(8))
+    call same('wrc_substance', 'carry', &
+      distance(c_loc(a), c_loc(a%carry)), layout_wrc_substance(9))
+    call same('wrc_substance', 'density', &
+      distance(c_loc(a), c_loc(a%density)), layout_wrc_substance(10))
+    call same('wrc_substance', 'layer_modulus', &
+      distance(c_loc(a), c_loc(a%layer_modulus)), layout_wrc_substance(11))
+    call same('wrc_substance', 'layer_yield', &
+      distance(c_loc(a), c_loc(a%layer_yield)), layout_wrc_substance(12))
+    call same('wrc_substance', 'layer_hardening', &
+      distance(c_loc(a), c_loc(a%layer_hardening)), layout_wrc_substance(13))
+    call same('wrc_substance', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_substance(14))
+  end subroutine
+  subroutine test_wrc_surface_laws()
+    type(wrc_surface_laws), target :: a
+    call same('wrc_surface_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_surface_laws', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_surface_laws', 'size', c_sizeof(a), layout_wrc_surface_laws(1))
+    call same('wrc_surface_laws', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_surface_laws(2))
+    call same('wrc_surface_laws', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_surface_laws(3))
+    call same('wrc_surface_laws', 'water', &
+      distance(c_loc(a), c_loc(a%water)), layout_wrc_surface_laws(4))
+    call same('wrc_surface_laws', 'oxide', &
+      distance(c_loc(a), c_loc(a%oxide)), layout_wrc_surface_laws(5))
+    call same('wrc_surface_laws', 'film', &
+      distance(c_loc(a), c_loc(a%film)), layout_wrc_surface_laws(6))
+    call same('wrc_surface_laws', 'sand', &
+      distance(c_loc(a), c_loc(a%sand)), layout_wrc_surface_laws(7))
+    call same('wrc_surface_laws', 'lubricant', &
+      distance(c_loc(a), c_loc(a%lubricant)), layout_wrc_surface_laws(8))
+    call same('wrc_surface_laws', 'rail_share', &
+      distance(c_loc(a), c_loc(a%rail_share)), layout_wrc_surface_laws(9))
+    call same('wrc_surface_laws', 'rail_heat_capacity', &
+      distance(c_loc(a), c_loc(a%rail_heat_capacity)), layout_wrc_surface_laws(10))
+    call same('wrc_surface_laws', 'wheel_heat_capacity', &
+      distance(c_loc(a), c_loc(a%wheel_heat_capacity)), layout_wrc_surface_laws(11))
+    call same('wrc_surface_laws', 'cooling_time', &
+      distance(c_loc(a), c_loc(a%cooling_time)), layout_wrc_surface_laws(12))
+    call same('wrc_surface_laws', 'drying_time', &
+      distance(c_loc(a), c_loc(a%drying_time)), layout_wrc_surface_laws(13))
+    call same('wrc_surface_laws', 'evaporation_share', &
+      distance(c_loc(a), c_loc(a%evaporation_share)), layout_wrc_surface_laws(14))
+    call same('wrc_surface_laws', 'evaporation_amount', &
+      distance(c_loc(a), c_loc(a%evaporation_amount)), layout_wrc_surface_laws(15))
+    call same('wrc_surface_laws', 'latent_heat', &
+      distance(c_loc(a), c_loc(a%latent_heat)), layout_wrc_surface_laws(16))
+    call same('wrc_surface_laws', 'ambient', &
+      distance(c_loc(a), c_loc(a%ambient)), layout_wrc_surface_laws(17))
+  end subroutine
+  subroutine test_wrc_surface_passage()
+    type(wrc_surface_passage), target :: a
+    call same('wrc_surface_passage', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_surface_passage', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_surface_passage', 'size', c_sizeof(a), layout_wrc_surface_passage(1))
+    call same('wrc_surface_passage', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_surface_passage(2))
+    call same('wrc_surface_passage', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_surface_passage(3))
+    call same('wrc_surface_passage', 'rail_from', &
+      distance(c_loc(a), c_loc(a%rail_from)), layout_wrc_surface_passage(4))
+    call same('wrc_surface_passage', 'rail_to', &
+      distance(c_loc(a), c_loc(a%rail_to)), layout_wrc_surface_passage(5))
+    call same('wrc_surface_passage', 'wheel_from', &
+      distance(c_loc(a), c_loc(a%wheel_from)), layout_wrc_surface_passage(6))
+    call same('wrc_surface_passage', 'wheel_to', &
+      distance(c_loc(a), c_loc(a%wheel_to)), layout_wrc_surface_passage(7))
+    call same('wrc_surface_passage', 'energy', &
+      distance(c_loc(a), c_loc(a%energy)), layout_wrc_surface_passage(8))
+  end subroutine
+  subroutine test_wrc_surface_exchange()
+    type(wrc_surface_exchange), target :: a
+    call same('wrc_surface_exchange', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_surface_exchange', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_surface_exchange', 'size', c_sizeof(a), layout_wrc_surface_exchange(1))
+    call same('wrc_surface_exchange', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_surface_exchange(2))
+    call same('wrc_surface_exchange', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_surface_exchange(3))
+    call same('wrc_surface_exchange', 'carried', &
+      distance(c_loc(a), c_loc(a%carried)), layout_wrc_surface_exchange(4))
+    call same('wrc_surface_exchange', 'rail_energy', &
+      distance(c_loc(a), c_loc(a%rail_energy)), layout_wrc_surface_exchange(5))
+    call same('wrc_surface_exchange', 'wheel_energy', &
+      distance(c_loc(a), c_loc(a%wheel_energy)), layout_wrc_surface_exchange(6))
+    call same('wrc_surface_exchange', 'beside_energy', &
+      distance(c_loc(a), c_loc(a%beside_energy)), layout_wrc_surface_exchange(7))
   end subroutine
   function distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

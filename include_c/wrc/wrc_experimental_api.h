@@ -1,5 +1,5 @@
 /** @file wrc_experimental_api.h
- * Every function of wrc_damage.h, wrc_offline.h and wrc_profiles.h as a table, for hosts that load the library at run time: wrc_get_experimental_api().
+ * Every function of wrc_damage.h, wrc_offline.h, wrc_profiles.h and wrc_surface.h as a table, for hosts that load the library at run time: wrc_get_experimental_api().
  * Written by tools/interface/describe.py from the headers in include_c/wrc: do not edit.
  */
 #ifndef WRC_EXPERIMENTAL_API_H
@@ -7,6 +7,7 @@
 
 #include "wrc_offline.h"
 #include "wrc_profiles.h"
+#include "wrc_surface.h"
 
 /** The functions, each under its name without wrc_. */
 struct wrc_experimental_api {
@@ -81,6 +82,18 @@ struct wrc_experimental_api {
   int32_t (*creep_curve_init)(wrc_creep_curve*); /**< wrc_creep_curve_init() */
   int32_t (*fit_creep_curve)(wrc_contact*, const wrc_creep_curve*, wrc_creep_fit*, double*);
     /**< wrc_fit_creep_curve() */
+  int32_t (*surface_init)(wrc_surface*); /**< wrc_surface_init() */
+  int32_t (*surface_laws_init)(wrc_surface_laws*); /**< wrc_surface_laws_init() */
+  int32_t (*surface_laws_use)(wrc_surface_laws*, const char*, char*, uint64_t); /**< wrc_surface_laws_use() */
+  int32_t (*surface_add)(wrc_surface*, int32_t, double, double, double, char*, uint64_t); /**< wrc_surface_add() */
+  int32_t (*surface_friction)(const wrc_surface*, const wrc_surface*, const wrc_surface_laws*, const wrc_surface_passage*, const wrc_friction*, wrc_friction*, char*, uint64_t);
+    /**< wrc_surface_friction() */
+  int32_t (*surface_pass)(wrc_surface*, wrc_surface*, const wrc_surface_laws*, const wrc_surface_passage*, wrc_surface_exchange*, char*, uint64_t);
+    /**< wrc_surface_pass() */
+  int32_t (*surface_rest)(wrc_surface*, const wrc_surface_laws*, double, char*, uint64_t); /**< wrc_surface_rest() */
+  int32_t (*surface_merge)(wrc_surface*, const wrc_surface*, char*, uint64_t); /**< wrc_surface_merge() */
+  int32_t (*surface_values)(const wrc_surface*, int32_t, int32_t, double*, double*, char*, uint64_t);
+    /**< wrc_surface_values() */
 };
 
 #endif /* WRC_EXPERIMENTAL_API_H */

@@ -18,12 +18,9 @@ static_assert(int{damage::damage_sums} == WRC_DAMAGE_SUMS && int{damage::sum_tim
 Fault read_bins(const wrc_damage_bins* theirs, const char* name, damage::DamageBins& bins) {
   wrc_damage_bins ours;
   RETURN_IF_FAILED(read(theirs, name, ours));
-  if (ours.bins == nullptr) return Fault::null({name, "bins"});
-  if (ours.bin_size < sizeof(damage::DamageBin) || ours.bin_size % alignof(damage::DamageBin) != 0)
-    return Fault::struct_size(
-        {name, "bin_size"},
-        {ours.bin_size, "bytes", sizeof(damage::DamageBin), MEMBER(wrc_damage_bins, "bin_size").high},
-        "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)");
+  RETURN_IF_FAILED(
+      check_bins<damage::DamageBin>(ours, name, MEMBER(wrc_damage_bins, "bin_size"),
+                                    "it is the size of one of the bins: set it to sizeof(wrc_damage_bin)"));
   bins.across = {ours.first, ours.width, static_cast<std::int64_t>(ours.count)};
   bins.along = {ours.row_first, ours.row_length, static_cast<std::int64_t>(ours.row_count)};
   constexpr std::int64_t most = 100000000;

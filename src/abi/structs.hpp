@@ -245,6 +245,14 @@ std::int32_t init(Struct* theirs) {
   return WRC_OK;
 }
 
+/// An array of bins of the caller in `ours`, whose size is that of the caller's header. `size`: its member.
+template <typename Bin, typename Struct>
+Fault check_bins(const Struct& ours, const char* name, const Member& size, const char* remedy) {
+  if (ours.bins == nullptr) return Fault::null({name, "bins"});
+  if (ours.bin_size >= sizeof(Bin) && ours.bin_size % alignof(Bin) == 0) return {};
+  return Fault::struct_size({name, "bin_size"}, {ours.bin_size, "bytes", sizeof(Bin), size.high}, remedy);
+}
+
 /// The first that failed, or none. All are evaluated: outputs beside one that cannot be cleared are cleared.
 inline Fault first_of(std::initializer_list<Fault> faults) {
   for (const Fault& each : faults) {

@@ -134,7 +134,7 @@ static void told(fmi3InstanceEnvironment of, fmi3Status status, fmi3String categ
 
 static void run_fmu(const functions* fmu, const trial* of, double u[states], double result[3],
                     double start[states]) {
-  fmi3Instance set = fmu->instantiate("set", "wrc_wheelset 3", "/nowhere", false, true, false, false, NULL, 0,
+  fmi3Instance set = fmu->instantiate("set", "wrc_wheelset 4", "/nowhere", false, true, false, false, NULL, 0,
                                       NULL, told, NULL);
   const uint32_t numbers[] = {SET_speed,        SET_load,    SET_mass,      SET_inertia_about_axle,
                               SET_wheel_radius, SET_start_y, SET_start_yaw, SET_right_rail_y_slope};

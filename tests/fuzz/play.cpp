@@ -10,6 +10,7 @@
 #include "inputs.hpp"
 #include "test_config.hpp"
 #include "versions.hpp"
+#include "wrc/wrc_surface.h"
 
 namespace hostile {
 namespace {
@@ -225,6 +226,64 @@ class Case {
       expect(std::isfinite(rate) && rate >= 0.0, "no strip grows");
   }
 
+  /// A wheel over films: sources, passages and friction of any numbers; books balance, friction is some.
+  void films() {
+    where_ = "films";
+    std::vector<wrc_surface_bin> rail_bin(1 + choices_.below(30)), wheel_bin(1 + choices_.below(30));
+    wrc_surface rail = wrc_surface_default(), wheel = wrc_surface_default();
+    for (const auto& [surface, bins] : {std::pair{&rail, &rail_bin}, std::pair{&wheel, &wheel_bin}}) {
+      surface->count = static_cast<std::uint32_t>(bins->size());
+      surface->length = choices_.magnitude(1e-3, 1e4);
+      surface->first = choices_.signed_magnitude(1e-3, 1e3);
+      surface->closed = choices_.below(2);
+      surface->bins = bins->data();
+      surface->bin_size = sizeof(wrc_surface_bin);
+    }
+    if (choices_.one_in(12)) rail.width = choices_.poison();
+    wrc_surface_laws laws = wrc_surface_laws_default();
+    wrc_surface_laws_use(&laws, choices_.one_in(2) ? "low adhesion" : "low adhesion, layers", nullptr, 0);
+    if (choices_.one_in(3)) laws.film.carry = choices_.between(0.0, 1.0);
+    if (choices_.one_in(12)) laws.sand.removal = choices_.poison();
+    for (int k = 0; k < 6; ++k) {
+      const double from = choices_.signed_magnitude(1e-3, 1e4), way = choices_.magnitude(1e-6, 1e3);
+      const double amount = choices_.one_in(12) ? choices_.poison() : choices_.magnitude(1e-9, 100.0);
+      const auto quantity = static_cast<std::int32_t>(choices_.below(WRC_SURFACE_QUANTITIES + 1));
+      film_status(wrc_surface_add(&rail, quantity, amount, from, from + way, sentence_, sizeof sentence_));
+      wrc_surface_passage passage = sized<wrc_surface_passage>();
+      passage.rail_from = choices_.signed_magnitude(1e-3, 1e4);
+      passage.rail_to = passage.rail_from + choices_.signed_magnitude(1e-6, 1e3);
+      passage.wheel_from = choices_.signed_magnitude(1e-3, 1e4);
+      passage.wheel_to = passage.wheel_from + choices_.signed_magnitude(1e-6, 1e3);
+      passage.energy = choices_.one_in(12) ? choices_.poison() : choices_.magnitude(1e-9, 1e9);
+      wrc_friction friction = wrc_friction_default();
+      wrc_surface* const rolls = choices_.one_in(6) ? nullptr : &wheel;
+      film_status(wrc_surface_friction(&rail, rolls, &laws, &passage, nullptr, &friction, sentence_,
+                                       sizeof sentence_));
+      expect(friction.coefficient >= 1e-4 && friction.coefficient <= 2.0 && friction.layer_yield >= 0.0 &&
+                 friction.layer_yield <= 1e11 && std::isfinite(friction.layer_modulus) &&
+                 friction.bulk.rail <= 2000.0,
+             "films give friction that a contact takes");
+      film_status(wrc_surface_pass(&rail, rolls, &laws, &passage, nullptr, sentence_, sizeof sentence_));
+      film_status(
+          wrc_surface_rest(&wheel, &laws, choices_.magnitude(1e-6, 1e6), sentence_, sizeof sentence_));
+    }
+    for (std::int32_t quantity = 0; quantity < WRC_SURFACE_QUANTITIES; ++quantity) {
+      double book[WRC_SURFACE_BOOKS] = {};
+      for (std::int32_t k = 0; k < WRC_SURFACE_BOOKS; ++k)
+        wrc_surface_values(&rail, quantity, k, nullptr, &book[k], nullptr, 0);
+      const double gone = book[2] + book[3] + book[4] + book[5];
+      expect(book[0] >= 0.0 && std::fabs(book[1] - gone - book[0]) <=
+                                   1e-12 * (std::fabs(book[1]) + std::fabs(book[5]) + std::fabs(book[4])),
+             "amounts are what was put on less what is gone");
+    }
+  }
+
+  /// A call on films was done, or says in a sentence why not.
+  void film_status(std::int32_t status) {
+    expect(documented(status), "the status is documented for this call");
+    expect((status == WRC_OK) == (sentence_[0] == '\0'), "a status has a sentence");
+  }
+
   /// Temperatures of whatever is in the contact.
   void temperatures() {
     where_ = "temperatures";
@@ -366,6 +425,7 @@ class Case {
     if (choices_.one_in(2)) wear();
     if (choices_.one_in(2)) temperatures();
     if (choices_.one_in(2)) creepages();
+    if (choices_.one_in(8)) films();
   }
 
   /// Ellipse, damage and one field of a region.
@@ -633,6 +693,7 @@ class Case {
   std::int32_t side_ = WRC_SIDE_RIGHT;
   Verdict verdict_;
   const char* where_ = "model";
+  char sentence_[400] = "";       ///< of the last call on films
   AlongTrackArrays along_track_;  // config_ points into it
   wrc_config config_{};
   wrc_model* model_ = nullptr;

@@ -30,7 +30,7 @@ WRC_API int32_t %s(double x, double* y);
 
 """
 FUNCTIONS = {"wrc_grown": "wrc.h", "wrc_grown_experimental": "wrc_damage.h"}
-KEEPS = ("wrc_config_use", "wrc_friction_use")  # sets some members, which it does not look at, and leaves all others as they are
+KEEPS = ("wrc_config_use", "wrc_friction_use", "wrc_surface_laws_use")  # sets some members, which it does not look at, and leaves all others as they are
 
 
 def described(interface):

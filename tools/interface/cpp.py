@@ -17,7 +17,7 @@ def written(interface, described, mark):
 
 def members(interface, described, mark):
     lines = [f"/// {mark}", "/// What every member of every struct may be, and what it is by default.", "#pragma once", "",
-             "// clang-format off", '#include "abi/member.hpp"', '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', "",
+             "// clang-format off", '#include "abi/member.hpp"', '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', '#include "wrc/wrc_surface.h"', "",
              "namespace wrc::abi {", "", "namespace enumerations {", ""]
     for each in interface.enumerations.values():
         lines += [f"inline constexpr Enumerator {each.name}_values[] = {{"]

@@ -4,7 +4,7 @@ import headers
 # The beginning of a table says what these do, or they give the tables.
 NOT_IN_TABLE = ("wrc_get_api", "wrc_get_experimental_api", "wrc_abi_version")
 VERSIONS = {"wrc_api": ("WRC_ABI_VERSION", "abi_version"), "wrc_experimental_api": ("WRC_EXPERIMENTAL_VERSION", "experimental_version")}
-INCLUDES = {"wrc_api": ("wrc_planar.h",), "wrc_experimental_api": ("wrc_offline.h", "wrc_profiles.h")}
+INCLUDES = {"wrc_api": ("wrc_planar.h",), "wrc_experimental_api": ("wrc_offline.h", "wrc_profiles.h", "wrc_surface.h")}
 
 
 def written(interface, order, mark):
@@ -26,7 +26,7 @@ def written(interface, order, mark):
 
 def header(table, functions, members, mark):
     number, member = VERSIONS[table]
-    of = "wrc.h and wrc_planar.h" if table == "wrc_api" else "wrc_damage.h, wrc_offline.h and wrc_profiles.h"
+    of = "wrc.h and wrc_planar.h" if table == "wrc_api" else "wrc_damage.h, wrc_offline.h, wrc_profiles.h and wrc_surface.h"
     lines = [f"/** @file {table}.h", f" * Every function of {of} as a table, for hosts that load the library at run time: wrc_get_{table[4:]}().",
              f" * {mark}", " */", f"#ifndef {table.upper()}_H", f"#define {table.upper()}_H", ""]
     lines += [f'#include "{name}"' for name in INCLUDES[table]] + [""]

@@ -204,7 +204,7 @@ def layout_fortran(interface, mark):
 
 
 def layout_c(interface, mark):
-    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', ""]
+    lines = ["/* clang-format off */", f"/* {mark} See layout_test.f90. */", "#include <stddef.h>", "", '#include "wrc/wrc_offline.h"', '#include "wrc/wrc_profiles.h"', '#include "wrc/wrc_surface.h"', ""]
     for struct in interface.structs.values():
         offsets = "".join(f", offsetof({struct.name}, {member.name})" for member in struct.members)
         lines += [f"extern const size_t layout_{struct.name}[];",

@@ -19,7 +19,7 @@ import re
 
 UNITS = ("m", "rad", "N", "Pa", "Pa/m", "m/s", "rad/s", "s/m", "1/m", "W", "N m", "m^2", "m^2/m", "m/m", "W/m^2", "W/m", "N/m",
          "kg/m^3", "W/(m K)", "J/(kg K)", "K", "degC", "mm^3/(km N)", "mm^3/km", "N/mm^2", "microgram/(m N)", "kg/J", "s",
-         "J", "m^3", "s m", "-")
+         "J", "m^3", "s m", "kg", "kg/m^2", "J/m^2", "m^2/J", "J/kg", "J/(m^2 K)", "-")
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 RANGE = re.compile(rf"(?P<or_zero>0 or )?(?P<low>{NUMBER})\.\.(?P<high>{NUMBER}|config\.\w+(?:\.\w+)*)(?![\w.])")
 BRACKET = re.compile(r"(?:^|(?<=\s))\[(?P<inside>[^\]]*)\]")

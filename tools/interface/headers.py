@@ -9,7 +9,7 @@ import sys
 import tomllib
 
 STABLE = ("wrc.h", "wrc_methods.h", "wrc_status.h", "wrc_planar.h")  # frozen from 1.0 on
-EXPERIMENTAL = ("wrc_damage.h", "wrc_offline.h", "wrc_profiles.h")    # may change in a minor version
+EXPERIMENTAL = ("wrc_damage.h", "wrc_offline.h", "wrc_profiles.h", "wrc_surface.h")    # may change in a minor version
 HEADERS = tuple(f"wrc/{name}" for name in ("wrc.h", "wrc_planar.h") + EXPERIMENTAL)
 TABLES = {"wrc_api": "wrc/wrc_api.h", "wrc_experimental_api": "wrc/wrc_experimental_api.h"}  # made of the others
 HINTS = "tools/interface/members.toml"

@@ -69,6 +69,7 @@
 
 #include "wrc/wrc_offline.h"
 #include "wrc/wrc_profiles.h"
+#include "wrc/wrc_surface.h"
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define WRC_EXCEPTIONS 1

@@ -45,6 +45,10 @@ template <>
 inline wrc_profile_wear defaults() noexcept { return wrc_profile_wear_default(); }
 template <>
 inline wrc_rail_faces_problem defaults() noexcept { return wrc_rail_faces_problem_default(); }
+template <>
+inline wrc_surface defaults() noexcept { return wrc_surface_default(); }
+template <>
+inline wrc_surface_laws defaults() noexcept { return wrc_surface_laws_default(); }
 
 /** wrc_config_use() */
 inline status config_use(wrc_config& config, const char* name, span<char> text) noexcept { return wrc_config_use(&config, name, text.data(), text.size()); }
@@ -120,6 +124,20 @@ inline answer<wrc_section_line> section_file_line(const wrc_section_file& file, 
 #endif
 /** wrc_section_file_write(); may change in a minor version */
 inline status section_file_write(const char* path, const wrc_section_line& lines, std::uint32_t count, span<char> text) noexcept { return wrc_section_file_write(path, &lines, count, text.data(), text.size()); }
+/** wrc_surface_laws_use(); may change in a minor version */
+inline status surface_laws_use(wrc_surface_laws& laws, const char* name, span<char> text) noexcept { return wrc_surface_laws_use(&laws, name, text.data(), text.size()); }
+/** wrc_surface_add(); may change in a minor version */
+inline status surface_add(wrc_surface& surface, std::int32_t quantity, double amount, double from, double to, span<char> text) noexcept { return wrc_surface_add(&surface, quantity, amount, from, to, text.data(), text.size()); }
+/** wrc_surface_friction(); may change in a minor version */
+inline status surface_friction(const wrc_surface& rail, const wrc_surface* wheel, const wrc_surface_laws& laws, const wrc_surface_passage& passage, const wrc_friction* base, wrc_friction& friction, span<char> text) noexcept { return wrc_surface_friction(&rail, wheel, &laws, &passage, base, &friction, text.data(), text.size()); }
+/** wrc_surface_pass(); may change in a minor version */
+inline status surface_pass(wrc_surface& rail, wrc_surface* wheel, const wrc_surface_laws& laws, const wrc_surface_passage& passage, wrc_surface_exchange* exchange, span<char> text) noexcept { return wrc_surface_pass(&rail, wheel, &laws, &passage, exchange, text.data(), text.size()); }
+/** wrc_surface_rest(); may change in a minor version */
+inline status surface_rest(wrc_surface& surface, const wrc_surface_laws& laws, double duration, span<char> text) noexcept { return wrc_surface_rest(&surface, &laws, duration, text.data(), text.size()); }
+/** wrc_surface_merge(); may change in a minor version */
+inline status surface_merge(wrc_surface& into, const wrc_surface& from, span<char> text) noexcept { return wrc_surface_merge(&into, &from, text.data(), text.size()); }
+/** wrc_surface_values(); may change in a minor version */
+inline status surface_values(const wrc_surface& surface, std::int32_t quantity, std::int32_t book, double* values, double& total, span<char> text) noexcept { return wrc_surface_values(&surface, quantity, book, values, &total, text.data(), text.size()); }
 
 namespace detail {
 

@@ -26,6 +26,7 @@ from . import damage, exact, plot, profiles, raw, sections, shapes
 from .profiles import ProfileError, ProfileFile, ProfileWarning, cone, conicity, flange_dimensions, read_profile, remove_wear
 from .shapes import shape
 from .sections import Face, MeasuredSection, RailFaces, SectionError, rail_faces, read_sections, write_sections
+from .surface import Band, surface_friction, surface_laws, surface_pass
 from .tables import to_frame
 
 _library.check_version(ABI_VERSION, EXPERIMENTAL_VERSION)
@@ -44,7 +45,8 @@ def __getattr__(name: str) -> _Any:
     raise AttributeError(f"wrc has no {name}" + (f": {now}" if now else ""))
 
 
-__all__ = [*_interface.__all__, "Batch", "Bins", "Cancelled", "Contact", "CreepCurveFit", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
+__all__ = [*_interface.__all__, "Band", "Batch", "Bins", "Cancelled", "Contact", "CreepCurveFit", "Error", "Face", "MeasuredSection", "Model", "ProfileError",
            "ProfileFile", "ProfileWarning", "RailFaces", "SectionError", "build_info", "cone", "conicity", "damage", "exact", "fit_creep_curve", "flange_dimensions",
            "flash_temperature", "force_table", "frictions", "methods", "plot", "presets", "profiles", "rail_faces", "raw", "read_profile",
-           "read_sections", "remove_wear", "sections", "shape", "shapes", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]
+           "read_sections", "remove_wear", "sections", "shape", "shapes", "surface_friction", "surface_laws",
+           "surface_pass", "sweep", "to_frame", "use", "whole_life_damage", "write_sections"]

@@ -23,6 +23,8 @@ WRENCH_INPUTS = 24
 ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 CREEP_PARAMETERS = 10
+SURFACE_QUANTITIES = 6
+SURFACE_BOOKS = 6
 
 
 class Status(s.Choice):
@@ -631,6 +633,44 @@ class FaceKind(s.Choice):
     WING = 3, 'wing rail: a nose lies beside it'
     NOSE = 4, 'begins or ends low, beside a flangeway'
     CHECK = 5, 'check rail: as high as the face on its field side, all along'
+
+
+class SurfaceQuantity(s.Choice):
+    """What lies on a surface.
+
+    WATER: [kg/m^2]
+    OXIDE: oxide and debris of wear [kg/m^2]
+    FILM: organic film: leaves [kg/m^2]
+    SAND: [kg/m^2]
+    LUBRICANT: grease, friction modifier [kg/m^2]
+    HEAT: above the ambient temperature [J/m^2]
+    """
+
+    WATER = 0, '[kg/m^2]'
+    OXIDE = 1, 'oxide and debris of wear [kg/m^2]'
+    FILM = 2, 'organic film: leaves [kg/m^2]'
+    SAND = 3, '[kg/m^2]'
+    LUBRICANT = 4, 'grease, friction modifier [kg/m^2]'
+    HEAT = 5, 'above the ambient temperature [J/m^2]'
+
+
+class SurfaceBook(s.Choice):
+    """Columns of the books. Amount = put on - removed - squeezed - evaporated - carried, to the last bit.
+
+    AMOUNT: now
+    PUT_ON: by sources; of heat: by friction, too
+    REMOVED: by frictional energy; of heat: to the air and into the depth
+    SQUEEZED: out of the running band by passing wheels
+    EVAPORATED: water into the air; of heat: taken by that
+    CARRIED: to the other body, less the amount that came from it
+    """
+
+    AMOUNT = 0, 'now'
+    PUT_ON = 1, 'by sources; of heat: by friction, too'
+    REMOVED = 2, 'by frictional energy; of heat: to the air and into the depth'
+    SQUEEZED = 3, 'out of the running band by passing wheels'
+    EVAPORATED = 4, 'water into the air; of heat: taken by that'
+    CARRIED = 5, 'to the other body, less the amount that came from it'
 
 
 class Profile(s.Struct):
@@ -3497,6 +3537,241 @@ class FaceOutline(s.Struct):
 assert c.sizeof(FaceOutline) == 64
 
 
+class SurfaceBin(s.Struct):
+    """One bin: all zero, it is clean and at ambient temperature.
+
+    Members:
+      sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer of
+          128 bits, two's complement. wrc_surface_values() converts it
+      overflow: bit i: sum i, or a contribution to it, passed its range and is worthless
+    """
+
+    _c_name_ = 'wrc_surface_bin'
+    __slots__ = ()
+    sum: np.ndarray = s.Array('sum', 0, (48, 2), c.c_uint64)  # type: ignore[assignment]
+    overflow: int
+    _fields_ = [
+        ('_sum', (c.c_uint64 * 2) * 48),
+        ('overflow', c.c_uint64),
+        ('_reserved', c.c_double * 7),
+    ]
+assert c.sizeof(SurfaceBin) == 832
+
+
+class Surface(s.Struct):
+    """Running band of a rail along the track, or of a wheel round its tread. Amounts belong to the middles of
+        its bins, straight lines lie between. Beyond the ends of one that is not closed the end's amounts
+        hold, and nothing is changed there.
+
+    Members:
+      count: bins (1 .. 10000000; default 0)
+      first [m]: distance at which the first begins (-1e9 .. 1e9; default 0)
+      length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)
+      width [m]: of the running band (1e-3 .. 0.5; default 0.02)
+      closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1;
+          default 0)
+      bins: count of the caller, zeroed before the first use
+    """
+
+    _c_name_ = 'wrc_surface'
+    __slots__ = ()
+    count: int
+    first: float
+    length: float
+    width: float
+    closed: int
+    bins: Optional[SurfaceBin] = s.Reference('bins', size='bin_size')  # type: ignore[assignment]
+    _units_ = {'first': 'm', 'length': 'm', 'width': 'm'}
+    _defaults_ = {'width': 0.02}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('count', c.c_uint32),
+        ('first', c.c_double),
+        ('length', c.c_double),
+        ('width', c.c_double),
+        ('closed', c.c_uint32),
+        ('_bin_size', c.c_uint32),
+        ('_bins', c.POINTER(SurfaceBin)),
+    ]
+assert c.sizeof(Surface) == 48
+
+
+class Substance(s.Struct):
+    """How one substance acts and goes. All zero: it lies there, and does nothing.
+
+    Members:
+      cover [kg/m^2]: on both bodies together: amount from which it covers the surface; 0: no effect on
+          friction and layer (0 or 1e-6 .. 100; default 0)
+      weight: of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000;
+          default 0)
+      friction: of a surface that it covers, dry; goes with cover (0 or 1e-3 .. 2; default 0)
+      wet_friction: the same where water covers, too; goes with cover (0 or 1e-3 .. 2; default 0)
+      removal [m^2/J]: tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area (0 .. 1;
+          default 0)
+      kept [kg/m^2]: amount that a passing wheel leaves in the band (0 .. 100; default 0)
+      squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
+      carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)
+      density [kg/m^3]: of its layer (100 .. 1e5; default 1000)
+      layer_modulus [Pa]: of its layer in shear; 0: it does not shear elastically (0 or 1e3 .. 1e12; default
+          0)
+      layer_yield [Pa]: traction at which its layer yields; 0: it does not yield (0 or 1e3 .. 1e11; default 0)
+      layer_hardening [Pa/m]: as Friction.layer_hardening, goes with layer_yield (-1e13 .. 1e14; default 0)
+    """
+
+    _c_name_ = 'wrc_substance'
+    __slots__ = ()
+    cover: float
+    weight: float
+    friction: float
+    wet_friction: float
+    removal: float
+    kept: float
+    squeeze: float
+    carry: float
+    density: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
+    _units_ = {'cover': 'kg/m^2', 'removal': 'm^2/J', 'kept': 'kg/m^2', 'density': 'kg/m^3', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
+    _defaults_ = {'density': 1000.0}
+    _fields_ = [
+        ('cover', c.c_double),
+        ('weight', c.c_double),
+        ('friction', c.c_double),
+        ('wet_friction', c.c_double),
+        ('removal', c.c_double),
+        ('kept', c.c_double),
+        ('squeeze', c.c_double),
+        ('carry', c.c_double),
+        ('density', c.c_double),
+        ('layer_modulus', c.c_double),
+        ('layer_yield', c.c_double),
+        ('layer_hardening', c.c_double),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(Substance) == 128
+
+
+class SurfaceLaws(s.Struct):
+    """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name.
+
+    Members:
+      water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
+      oxide: oxide and debris
+      film: organic film
+      sand: sand
+      lubricant: lubricant
+      rail_share: of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default 0.5)
+      rail_heat_capacity [J/(m^2 K)]: of the rail per area of its band (1e2 .. 1e8; default 35e3)
+      wheel_heat_capacity [J/(m^2 K)]: of the wheel per area of its band (1e2 .. 1e8; default 35e3)
+      cooling_time [s]: in which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
+      drying_time [s]: in which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
+      evaporation_share: of frictional heat that evaporates water where there is plenty (0 .. 1; default 0)
+      evaporation_amount [kg/m^2]: water at which half of that share is left (1e-6 .. 10; default 5e-3)
+      latent_heat [J/kg]: of evaporation (1e5 .. 1e7; default 2.4e6)
+      ambient [degC]: temperature of bodies without heat (-100 .. 200; default 20)
+    """
+
+    _c_name_ = 'wrc_surface_laws'
+    __slots__ = ()
+    water: Substance
+    oxide: Substance
+    film: Substance
+    sand: Substance
+    lubricant: Substance
+    rail_share: float
+    rail_heat_capacity: float
+    wheel_heat_capacity: float
+    cooling_time: float
+    drying_time: float
+    evaporation_share: float
+    evaporation_amount: float
+    latent_heat: float
+    ambient: float
+    _units_ = {'rail_heat_capacity': 'J/(m^2 K)', 'wheel_heat_capacity': 'J/(m^2 K)', 'cooling_time': 's', 'drying_time': 's', 'evaporation_amount': 'kg/m^2', 'latent_heat': 'J/kg', 'ambient': 'degC'}
+    _defaults_ = {'rail_share': 0.5, 'rail_heat_capacity': 35000.0, 'wheel_heat_capacity': 35000.0, 'cooling_time': 60.0, 'drying_time': 1800.0, 'evaporation_amount': 0.005, 'latent_heat': 2400000.0, 'ambient': 20.0}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('water', Substance),
+        ('oxide', Substance),
+        ('film', Substance),
+        ('sand', Substance),
+        ('lubricant', Substance),
+        ('rail_share', c.c_double),
+        ('rail_heat_capacity', c.c_double),
+        ('wheel_heat_capacity', c.c_double),
+        ('cooling_time', c.c_double),
+        ('drying_time', c.c_double),
+        ('evaporation_share', c.c_double),
+        ('evaporation_amount', c.c_double),
+        ('latent_heat', c.c_double),
+        ('ambient', c.c_double),
+    ]
+assert c.sizeof(SurfaceLaws) == 720
+
+
+class SurfacePassage(s.Struct):
+    """A step of a wheel on its rail: which stretches of both passed through the contact, and with which
+        frictional energy.
+
+    Members:
+      rail_from [m]: distance along the rail at the beginning (-1e9 .. 1e9; default 0)
+      rail_to [m]: the same at the end (-1e9 .. 1e9; default 0)
+      wheel_from [m]: distance round the wheel at the beginning, growing as it rolls forwards (-1e9 .. 1e9;
+          default 0)
+      wheel_to [m]: the same at the end, equal at a locked wheel (-1e9 .. 1e9; default 0)
+      energy [J]: frictional: Wrench.power times the duration (0 .. 1e9; default 0)
+    """
+
+    _c_name_ = 'wrc_surface_passage'
+    __slots__ = ()
+    rail_from: float
+    rail_to: float
+    wheel_from: float
+    wheel_to: float
+    energy: float
+    _units_ = {'rail_from': 'm', 'rail_to': 'm', 'wheel_from': 'm', 'wheel_to': 'm', 'energy': 'J'}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('rail_from', c.c_double),
+        ('rail_to', c.c_double),
+        ('wheel_from', c.c_double),
+        ('wheel_to', c.c_double),
+        ('energy', c.c_double),
+    ]
+assert c.sizeof(SurfacePassage) == 48
+
+
+class SurfaceExchange(s.Struct):
+    """What a passage moved.
+
+    Members:
+      carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back
+      rail_energy [J]: frictional energy that the rail's bins have booked
+      wheel_energy [J]: the same of the wheel's
+      beside_energy [J]: the rest: of a rail beyond its ends, of a wheel that is None
+    """
+
+    _c_name_ = 'wrc_surface_exchange'
+    __slots__ = ()
+    carried: np.ndarray = s.Array('carried', 8, (8,), c.c_double)  # type: ignore[assignment]
+    rail_energy: float
+    wheel_energy: float
+    beside_energy: float
+    _units_ = {'carried': 'kg', 'rail_energy': 'J', 'wheel_energy': 'J', 'beside_energy': 'J'}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_carried', c.c_double * 8),
+        ('rail_energy', c.c_double),
+        ('wheel_energy', c.c_double),
+        ('beside_energy', c.c_double),
+    ]
+assert c.sizeof(SurfaceExchange) == 96
+
+
 # The C functions, as ctypes calls them: without the GIL.
 FUNCTIONS: dict = {}
 _wrc_version = _l.function(FUNCTIONS, 'wrc_version', c.c_uint32, [])
@@ -3597,6 +3872,15 @@ _wrc_section_file_read = _l.function(FUNCTIONS, 'wrc_section_file_read', c.c_int
 _wrc_section_file_line = _l.function(FUNCTIONS, 'wrc_section_file_line', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(SectionLine)])
 _wrc_section_file_destroy = _l.function(FUNCTIONS, 'wrc_section_file_destroy', None, [c.c_void_p])
 _wrc_section_file_write = _l.function(FUNCTIONS, 'wrc_section_file_write', c.c_int32, [c.c_char_p, c.POINTER(SectionLine), c.c_uint32, c.c_char_p, c.c_uint64])
+_wrc_surface_init = _l.function(FUNCTIONS, 'wrc_surface_init', c.c_int32, [c.POINTER(Surface)])
+_wrc_surface_laws_init = _l.function(FUNCTIONS, 'wrc_surface_laws_init', c.c_int32, [c.POINTER(SurfaceLaws)])
+_wrc_surface_laws_use = _l.function(FUNCTIONS, 'wrc_surface_laws_use', c.c_int32, [c.POINTER(SurfaceLaws), c.c_char_p, c.c_char_p, c.c_uint64])
+_wrc_surface_add = _l.function(FUNCTIONS, 'wrc_surface_add', c.c_int32, [c.POINTER(Surface), c.c_int32, c.c_double, c.c_double, c.c_double, c.c_char_p, c.c_uint64])
+_wrc_surface_friction = _l.function(FUNCTIONS, 'wrc_surface_friction', c.c_int32, [c.POINTER(Surface), c.POINTER(Surface), c.POINTER(SurfaceLaws), c.POINTER(SurfacePassage), c.POINTER(Friction), c.POINTER(Friction), c.c_char_p, c.c_uint64])
+_wrc_surface_pass = _l.function(FUNCTIONS, 'wrc_surface_pass', c.c_int32, [c.POINTER(Surface), c.POINTER(Surface), c.POINTER(SurfaceLaws), c.POINTER(SurfacePassage), c.POINTER(SurfaceExchange), c.c_char_p, c.c_uint64])
+_wrc_surface_rest = _l.function(FUNCTIONS, 'wrc_surface_rest', c.c_int32, [c.POINTER(Surface), c.POINTER(SurfaceLaws), c.c_double, c.c_char_p, c.c_uint64])
+_wrc_surface_merge = _l.function(FUNCTIONS, 'wrc_surface_merge', c.c_int32, [c.POINTER(Surface), c.POINTER(Surface), c.c_char_p, c.c_uint64])
+_wrc_surface_values = _l.function(FUNCTIONS, 'wrc_surface_values', c.c_int32, [c.POINTER(Surface), c.c_int32, c.c_int32, s.Numbers(c.c_double), s.Numbers(c.c_double), c.c_char_p, c.c_uint64])
 
 
 class ModelCalls(_l.Handle):
@@ -4099,6 +4383,38 @@ def shakedown_limit_point(utilisation: float) -> float:
     return load_factor.value
 
 
+def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
+    """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
+        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
+        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
+        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
+        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
+        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
+        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
+        trial steps of an integrator; derivatives are those of the wrench as they are.
+
+    rail: the rail
+    wheel: the wheel; None: it carries nothing
+    laws: constants
+    passage: its rail_from and wheel_from count
+    base: friction of clean, dry bodies; None: the defaults. Laws of speed and temperature stay; a layer of
+        its own lies in series. Without zones
+    out: base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults
+        on failure; None: a new one
+
+    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken);
+        Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
+    """
+    if out is None:
+        out = Friction._new()
+    _text = c.create_string_buffer(1024)
+    try:
+        _l.check(_wrc_surface_friction(rail, wheel, laws, passage, base, out, _text, len(_text)), _text)
+    except c.ArgumentError as _why:
+        raise _l.misfit(_why, rail=(rail, Surface), wheel=(wheel, Surface), laws=(laws, SurfaceLaws), passage=(passage, SurfacePassage), base=(base, Friction), out=(out, Friction)) from None
+    return out
+
+
 STRUCTS = {
     'wrc_profile': Profile,
     'wrc_material': Material,
@@ -4172,6 +4488,12 @@ STRUCTS = {
     'wrc_rail_faces_problem': RailFacesProblem,
     'wrc_found_faces': FoundFaces,
     'wrc_face_outline': FaceOutline,
+    'wrc_surface_bin': SurfaceBin,
+    'wrc_surface': Surface,
+    'wrc_substance': Substance,
+    'wrc_surface_laws': SurfaceLaws,
+    'wrc_surface_passage': SurfacePassage,
+    'wrc_surface_exchange': SurfaceExchange,
 }
 __all__ = [
     'Status',
@@ -4206,6 +4528,8 @@ __all__ = [
     'Scatter',
     'ConicityMethod',
     'FaceKind',
+    'SurfaceQuantity',
+    'SurfaceBook',
     'Profile',
     'Material',
     'HeatProperties',
@@ -4278,11 +4602,20 @@ __all__ = [
     'RailFacesProblem',
     'FoundFaces',
     'FaceOutline',
+    'SurfaceBin',
+    'Surface',
+    'Substance',
+    'SurfaceLaws',
+    'SurfacePassage',
+    'SurfaceExchange',
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
+    'SURFACE_QUANTITIES',
+    'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',
+    'surface_friction',
 ]

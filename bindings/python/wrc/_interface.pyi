@@ -19,6 +19,8 @@ WRENCH_INPUTS: int
 ALL_REGIONS: int
 DAMAGE_SUMS: int
 CREEP_PARAMETERS: int
+SURFACE_QUANTITIES: int
+SURFACE_BOOKS: int
 STATUS_TEXTS: Dict[int, str]
 STRUCTS: Dict[str, Type[s.Struct]]
 FUNCTIONS: Dict[str, Callable[..., Any]]
@@ -533,6 +535,36 @@ class FaceKind(s.Choice):
     CHECK = 5
     """check rail: as high as the face on its field side, all along"""
 FaceKindLike = Union[FaceKind, Literal['RAIL', 'STOCK', 'BLADE', 'WING', 'NOSE', 'CHECK']]
+
+class SurfaceQuantity(s.Choice):
+    WATER = 0
+    """[kg/m^2]"""
+    OXIDE = 1
+    """oxide and debris of wear [kg/m^2]"""
+    FILM = 2
+    """organic film: leaves [kg/m^2]"""
+    SAND = 3
+    """[kg/m^2]"""
+    LUBRICANT = 4
+    """grease, friction modifier [kg/m^2]"""
+    HEAT = 5
+    """above the ambient temperature [J/m^2]"""
+SurfaceQuantityLike = Union[SurfaceQuantity, Literal['WATER', 'OXIDE', 'FILM', 'SAND', 'LUBRICANT', 'HEAT']]
+
+class SurfaceBook(s.Choice):
+    AMOUNT = 0
+    """now"""
+    PUT_ON = 1
+    """by sources; of heat: by friction, too"""
+    REMOVED = 2
+    """by frictional energy; of heat: to the air and into the depth"""
+    SQUEEZED = 3
+    """out of the running band by passing wheels"""
+    EVAPORATED = 4
+    """water into the air; of heat: taken by that"""
+    CARRIED = 5
+    """to the other body, less the amount that came from it"""
+SurfaceBookLike = Union[SurfaceBook, Literal['AMOUNT', 'PUT_ON', 'REMOVED', 'SQUEEZED', 'EVAPORATED', 'CARRIED']]
 
 class Profile(s.Struct):
     """A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over
@@ -3517,6 +3549,225 @@ class FaceOutlineDict(TypedDict, total=False):
     z: Optional[s.Floats]
     marks: Optional[s.Floats]
 
+class SurfaceBin(s.Struct):
+    """One bin: all zero, it is clean and at ambient temperature."""
+    @property
+    def sum(self) -> NDArray[Any]:
+        """sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer
+            of 128 bits, two's complement. wrc_surface_values() converts it
+        """
+    @sum.setter
+    def sum(self, value: s.Floats) -> None: ...
+    overflow: int
+    """overflow: bit i: sum i, or a contribution to it, passed its range and is worthless"""
+    def __init__(self, *, sum: s.Floats = ..., overflow: int = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, sum: s.Floats = ..., overflow: int = ...) -> SurfaceBin:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SurfaceBinDict(TypedDict, total=False):
+    """Members of wrc.SurfaceBin as a dict."""
+    sum: s.Floats
+    overflow: int
+
+class Surface(s.Struct):
+    """Running band of a rail along the track, or of a wheel round its tread. Amounts belong to the middles of
+        its bins, straight lines lie between. Beyond the ends of one that is not closed the end's amounts
+        hold, and nothing is changed there.
+    """
+    count: int
+    """count: bins (1 .. 10000000; default 0)"""
+    first: float
+    """first [m]: distance at which the first begins (-1e9 .. 1e9; default 0)"""
+    length: float
+    """length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)"""
+    width: float
+    """width [m]: of the running band (1e-3 .. 0.5; default 0.02)"""
+    closed: int
+    """closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1; default
+        0)
+    """
+    bins: Optional[SurfaceBin]
+    """bins: count of the caller, zeroed before the first use"""
+    def __init__(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> Surface:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SurfaceDict(TypedDict, total=False):
+    """Members of wrc.Surface as a dict."""
+    count: int
+    first: float
+    length: float
+    width: float
+    closed: int
+    bins: Optional[SurfaceBin]
+
+class Substance(s.Struct):
+    """How one substance acts and goes. All zero: it lies there, and does nothing."""
+    cover: float
+    """cover [kg/m^2]: on both bodies together: amount from which it covers the surface; 0: no effect on friction
+        and layer (0 or 1e-6 .. 100; default 0)
+    """
+    weight: float
+    """weight: of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000; default
+        0)
+    """
+    friction: float
+    """friction: of a surface that it covers, dry; goes with cover (0 or 1e-3 .. 2; default 0)"""
+    wet_friction: float
+    """wet_friction: the same where water covers, too; goes with cover (0 or 1e-3 .. 2; default 0)"""
+    removal: float
+    """removal [m^2/J]: tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area (0 .. 1;
+        default 0)
+    """
+    kept: float
+    """kept [kg/m^2]: amount that a passing wheel leaves in the band (0 .. 100; default 0)"""
+    squeeze: float
+    """squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
+    """
+    carry: float
+    """carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)"""
+    density: float
+    """density [kg/m^3]: of its layer (100 .. 1e5; default 1000)"""
+    layer_modulus: float
+    """layer_modulus [Pa]: of its layer in shear; 0: it does not shear elastically (0 or 1e3 .. 1e12; default 0)
+    """
+    layer_yield: float
+    """layer_yield [Pa]: traction at which its layer yields; 0: it does not yield (0 or 1e3 .. 1e11; default 0)
+    """
+    layer_hardening: float
+    """layer_hardening [Pa/m]: as Friction.layer_hardening, goes with layer_yield (-1e13 .. 1e14; default 0)
+    """
+    def __init__(self, *, cover: float = ..., weight: float = ..., friction: float = ..., wet_friction: float = ..., removal: float = ..., kept: float = ..., squeeze: float = ..., carry: float = ..., density: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, cover: float = ..., weight: float = ..., friction: float = ..., wet_friction: float = ..., removal: float = ..., kept: float = ..., squeeze: float = ..., carry: float = ..., density: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ...) -> Substance:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SubstanceDict(TypedDict, total=False):
+    """Members of wrc.Substance as a dict."""
+    cover: float
+    weight: float
+    friction: float
+    wet_friction: float
+    removal: float
+    kept: float
+    squeeze: float
+    carry: float
+    density: float
+    layer_modulus: float
+    layer_yield: float
+    layer_hardening: float
+
+class SurfaceLaws(s.Struct):
+    """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name."""
+    water: Substance
+    """water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
+    """
+    oxide: Substance
+    """oxide: oxide and debris"""
+    film: Substance
+    """film: organic film"""
+    sand: Substance
+    """sand: sand"""
+    lubricant: Substance
+    """lubricant: lubricant"""
+    rail_share: float
+    """rail_share: of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default 0.5)
+    """
+    rail_heat_capacity: float
+    """rail_heat_capacity [J/(m^2 K)]: of the rail per area of its band (1e2 .. 1e8; default 35e3)"""
+    wheel_heat_capacity: float
+    """wheel_heat_capacity [J/(m^2 K)]: of the wheel per area of its band (1e2 .. 1e8; default 35e3)"""
+    cooling_time: float
+    """cooling_time [s]: in which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)"""
+    drying_time: float
+    """drying_time [s]: in which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)"""
+    evaporation_share: float
+    """evaporation_share: of frictional heat that evaporates water where there is plenty (0 .. 1; default 0)
+    """
+    evaporation_amount: float
+    """evaporation_amount [kg/m^2]: water at which half of that share is left (1e-6 .. 10; default 5e-3)"""
+    latent_heat: float
+    """latent_heat [J/kg]: of evaporation (1e5 .. 1e7; default 2.4e6)"""
+    ambient: float
+    """ambient [degC]: temperature of bodies without heat (-100 .. 200; default 20)"""
+    def __init__(self, *, water: Union[Substance, SubstanceDict] = ..., oxide: Union[Substance, SubstanceDict] = ..., film: Union[Substance, SubstanceDict] = ..., sand: Union[Substance, SubstanceDict] = ..., lubricant: Union[Substance, SubstanceDict] = ..., rail_share: float = ..., rail_heat_capacity: float = ..., wheel_heat_capacity: float = ..., cooling_time: float = ..., drying_time: float = ..., evaporation_share: float = ..., evaporation_amount: float = ..., latent_heat: float = ..., ambient: float = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, water: Union[Substance, SubstanceDict] = ..., oxide: Union[Substance, SubstanceDict] = ..., film: Union[Substance, SubstanceDict] = ..., sand: Union[Substance, SubstanceDict] = ..., lubricant: Union[Substance, SubstanceDict] = ..., rail_share: float = ..., rail_heat_capacity: float = ..., wheel_heat_capacity: float = ..., cooling_time: float = ..., drying_time: float = ..., evaporation_share: float = ..., evaporation_amount: float = ..., latent_heat: float = ..., ambient: float = ...) -> SurfaceLaws:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SurfaceLawsDict(TypedDict, total=False):
+    """Members of wrc.SurfaceLaws as a dict."""
+    water: Union[Substance, SubstanceDict]
+    oxide: Union[Substance, SubstanceDict]
+    film: Union[Substance, SubstanceDict]
+    sand: Union[Substance, SubstanceDict]
+    lubricant: Union[Substance, SubstanceDict]
+    rail_share: float
+    rail_heat_capacity: float
+    wheel_heat_capacity: float
+    cooling_time: float
+    drying_time: float
+    evaporation_share: float
+    evaporation_amount: float
+    latent_heat: float
+    ambient: float
+
+class SurfacePassage(s.Struct):
+    """A step of a wheel on its rail: which stretches of both passed through the contact, and with which
+        frictional energy.
+    """
+    rail_from: float
+    """rail_from [m]: distance along the rail at the beginning (-1e9 .. 1e9; default 0)"""
+    rail_to: float
+    """rail_to [m]: the same at the end (-1e9 .. 1e9; default 0)"""
+    wheel_from: float
+    """wheel_from [m]: distance round the wheel at the beginning, growing as it rolls forwards (-1e9 .. 1e9;
+        default 0)
+    """
+    wheel_to: float
+    """wheel_to [m]: the same at the end, equal at a locked wheel (-1e9 .. 1e9; default 0)"""
+    energy: float
+    """energy [J]: frictional: Wrench.power times the duration (0 .. 1e9; default 0)"""
+    def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> SurfacePassage:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SurfacePassageDict(TypedDict, total=False):
+    """Members of wrc.SurfacePassage as a dict."""
+    rail_from: float
+    rail_to: float
+    wheel_from: float
+    wheel_to: float
+    energy: float
+
+class SurfaceExchange(s.Struct):
+    """What a passage moved."""
+    @property
+    def carried(self) -> NDArray[Any]:
+        """carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back"""
+    @carried.setter
+    def carried(self, value: s.Floats) -> None: ...
+    rail_energy: float
+    """rail_energy [J]: frictional energy that the rail's bins have booked"""
+    wheel_energy: float
+    """wheel_energy [J]: the same of the wheel's"""
+    beside_energy: float
+    """beside_energy [J]: the rest: of a rail beyond its ends, of a wheel that is None"""
+    def __init__(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> SurfaceExchange:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SurfaceExchangeDict(TypedDict, total=False):
+    """Members of wrc.SurfaceExchange as a dict."""
+    carried: s.Floats
+    rail_energy: float
+    wheel_energy: float
+    beside_energy: float
+
 _wrc_version: Callable[..., Any]
 _wrc_abi_version: Callable[..., Any]
 _wrc_version_text: Callable[..., Any]
@@ -3615,6 +3866,15 @@ _wrc_section_file_read: Callable[..., Any]
 _wrc_section_file_line: Callable[..., Any]
 _wrc_section_file_destroy: Callable[..., Any]
 _wrc_section_file_write: Callable[..., Any]
+_wrc_surface_init: Callable[..., Any]
+_wrc_surface_laws_init: Callable[..., Any]
+_wrc_surface_laws_use: Callable[..., Any]
+_wrc_surface_add: Callable[..., Any]
+_wrc_surface_friction: Callable[..., Any]
+_wrc_surface_pass: Callable[..., Any]
+_wrc_surface_rest: Callable[..., Any]
+_wrc_surface_merge: Callable[..., Any]
+_wrc_surface_values: Callable[..., Any]
 
 class ModelCalls(_l.Handle):
     """What Model has of the C interface as it is."""
@@ -3898,6 +4158,28 @@ def shakedown_limit_point(utilisation: float) -> float:
 
     C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
     """
+def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
+    """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
+        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
+        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
+        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
+        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
+        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
+        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
+        trial steps of an integrator; derivatives are those of the wrench as they are.
+
+    rail: the rail
+    wheel: the wheel; None: it carries nothing
+    laws: constants
+    passage: its rail_from and wheel_from count
+    base: friction of clean, dry bodies; None: the defaults. Laws of speed and temperature stay; a layer of
+        its own lies in series. Without zones
+    out: base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults
+        on failure; None: a new one
+
+    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken);
+        Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
+    """
 
 __all__ = [
     'Status',
@@ -3932,6 +4214,8 @@ __all__ = [
     'Scatter',
     'ConicityMethod',
     'FaceKind',
+    'SurfaceQuantity',
+    'SurfaceBook',
     'Profile',
     'Material',
     'HeatProperties',
@@ -4004,11 +4288,20 @@ __all__ = [
     'RailFacesProblem',
     'FoundFaces',
     'FaceOutline',
+    'SurfaceBin',
+    'Surface',
+    'Substance',
+    'SurfaceLaws',
+    'SurfacePassage',
+    'SurfaceExchange',
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
+    'SURFACE_QUANTITIES',
+    'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',
+    'surface_friction',
 ]

@@ -68,7 +68,7 @@ def check_version(abi: int, experimental: int) -> None:
     if _library.wrc_abi_version() != abi:
         raise ImportError(f"{_library._name}: {text(c.c_uint32(abi)).decode()}")
     if not _library.wrc_get_experimental_api(c.c_uint32(experimental)):
-        raise ImportError(f"{_library._name} has another version of wrc_damage.h, wrc_offline.h and wrc_profiles.h than this package's "
+        raise ImportError(f"{_library._name} has another version of wrc_damage.h, wrc_offline.h, wrc_profiles.h and wrc_surface.h than this package's "
                           f"{experimental}")
 
 

@@ -6,6 +6,7 @@
 #include "abi/member.hpp"
 #include "wrc/wrc_offline.h"
 #include "wrc/wrc_profiles.h"
+#include "wrc/wrc_surface.h"
 
 namespace wrc::abi {
 
@@ -308,6 +309,28 @@ inline constexpr Enumerator wrc_face_kind_values[] = {
 };
 inline constexpr Enumeration wrc_face_kind{wrc_face_kind_values, 6,
     "see enum wrc_face_kind: WRC_FACE_RAIL (0), _STOCK (1), _BLADE (2), _WING (3), _NOSE (4), _CHECK (5)"};
+
+inline constexpr Enumerator wrc_surface_quantity_values[] = {
+    {"WRC_SURFACE_WATER", WRC_SURFACE_WATER},
+    {"WRC_SURFACE_OXIDE", WRC_SURFACE_OXIDE},
+    {"WRC_SURFACE_FILM", WRC_SURFACE_FILM},
+    {"WRC_SURFACE_SAND", WRC_SURFACE_SAND},
+    {"WRC_SURFACE_LUBRICANT", WRC_SURFACE_LUBRICANT},
+    {"WRC_SURFACE_HEAT", WRC_SURFACE_HEAT},
+};
+inline constexpr Enumeration wrc_surface_quantity{wrc_surface_quantity_values, 6,
+    "see enum wrc_surface_quantity: WRC_SURFACE_WATER (0), _OXIDE (1), _FILM (2), _SAND (3), _LUBRICANT (4), _HEAT (5)"};
+
+inline constexpr Enumerator wrc_surface_book_values[] = {
+    {"WRC_SURFACE_AMOUNT", WRC_SURFACE_AMOUNT},
+    {"WRC_SURFACE_PUT_ON", WRC_SURFACE_PUT_ON},
+    {"WRC_SURFACE_REMOVED", WRC_SURFACE_REMOVED},
+    {"WRC_SURFACE_SQUEEZED", WRC_SURFACE_SQUEEZED},
+    {"WRC_SURFACE_EVAPORATED", WRC_SURFACE_EVAPORATED},
+    {"WRC_SURFACE_CARRIED", WRC_SURFACE_CARRIED},
+};
+inline constexpr Enumeration wrc_surface_book{wrc_surface_book_values, 6,
+    "see enum wrc_surface_book: WRC_SURFACE_AMOUNT (0), _PUT_ON (1), _REMOVED (2), _SQUEEZED (3), _EVAPORATED (4), _CARRIED (5)"};
 
 }  // namespace enumerations
 
@@ -2538,5 +2561,221 @@ struct Description<wrc_face_outline> {
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_face_outline) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_surface_bin> {
+  static constexpr const char* name = "wrc_surface_bin";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = first_size<wrc_surface_bin>(832);
+  static constexpr wrc_surface_bin defaults = [] {
+    wrc_surface_bin value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "sum", .offset = offsetof(wrc_surface_bin, sum), .type = Type::uint64, .elements = 96, .rule = Rule::none},
+      {.name = "overflow", .offset = offsetof(wrc_surface_bin, overflow), .type = Type::uint64, .rule = Rule::none},
+      {.name = "reserved", .offset = offsetof(wrc_surface_bin, reserved), .type = Type::real, .elements = 7, .rule = Rule::zero},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface_bin) == 832, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_surface> {
+  static constexpr const char* name = "wrc_surface";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_surface>(48);
+  static constexpr wrc_surface defaults = [] {
+    wrc_surface value{};
+    value.struct_size = sizeof value;
+    value.width = 0.02;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_surface, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_surface, count), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 10000000, .not_set = "was it set? its default is 0"},
+      {.name = "first", .offset = offsetof(wrc_surface, first), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "length", .offset = offsetof(wrc_surface, length), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e4, .unit = "m", .too_small = "it is the length of one bin", .too_large = "did you pass the length of all bins?", .not_set = "was it set? its default is 0"},
+      {.name = "width", .offset = offsetof(wrc_surface, width), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 0.5, .unit = "m", .too_small = "the band has no area: a contact is 5 to 20 mm wide", .too_large = "did you pass mm?"},
+      {.name = "closed", .offset = offsetof(wrc_surface, closed), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "bin_size", .offset = offsetof(wrc_surface, bin_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_surface_bin>(832), .high = 4096, .too_small = "say sizeof(wrc_surface_bin)", .too_large = "say sizeof(wrc_surface_bin)", .not_set = "was it set? its default is 0"},
+      {.name = "bins", .offset = offsetof(wrc_surface, bins), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_substance> {
+  static constexpr const char* name = "wrc_substance";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = first_size<wrc_substance>(128);
+  static constexpr wrc_substance defaults = [] {
+    wrc_substance value{};
+    value.density = 1000;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "cover", .offset = offsetof(wrc_substance, cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "weight", .offset = offsetof(wrc_substance, weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "friction", .offset = offsetof(wrc_substance, friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "wet_friction", .offset = offsetof(wrc_substance, wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "removal", .offset = offsetof(wrc_substance, removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "kept", .offset = offsetof(wrc_substance, kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "squeeze", .offset = offsetof(wrc_substance, squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "carry", .offset = offsetof(wrc_substance, carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "density", .offset = offsetof(wrc_substance, density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "layer_modulus", .offset = offsetof(wrc_substance, layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_yield", .offset = offsetof(wrc_substance, layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "layer_hardening", .offset = offsetof(wrc_substance, layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "reserved", .offset = offsetof(wrc_substance, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_substance) == 128, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_surface_laws> {
+  static constexpr const char* name = "wrc_surface_laws";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_surface_laws>(720);
+  static constexpr wrc_surface_laws defaults = [] {
+    wrc_surface_laws value{};
+    value.struct_size = sizeof value;
+    value.water = Description<wrc_substance>::defaults;
+    value.oxide = Description<wrc_substance>::defaults;
+    value.film = Description<wrc_substance>::defaults;
+    value.sand = Description<wrc_substance>::defaults;
+    value.lubricant = Description<wrc_substance>::defaults;
+    value.rail_share = 0.5;
+    value.rail_heat_capacity = 35e3;
+    value.wheel_heat_capacity = 35e3;
+    value.cooling_time = 60;
+    value.drying_time = 1800;
+    value.evaporation_amount = 5e-3;
+    value.latent_heat = 2.4e6;
+    value.ambient = 20;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_surface_laws, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_surface_laws, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "water.cover", .offset = offsetof(wrc_surface_laws, water.cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "water.weight", .offset = offsetof(wrc_surface_laws, water.weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "water.friction", .offset = offsetof(wrc_surface_laws, water.friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "water.wet_friction", .offset = offsetof(wrc_surface_laws, water.wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "water.removal", .offset = offsetof(wrc_surface_laws, water.removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "water.kept", .offset = offsetof(wrc_surface_laws, water.kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "water.squeeze", .offset = offsetof(wrc_surface_laws, water.squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "water.carry", .offset = offsetof(wrc_surface_laws, water.carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "water.density", .offset = offsetof(wrc_surface_laws, water.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "water.layer_modulus", .offset = offsetof(wrc_surface_laws, water.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "water.layer_yield", .offset = offsetof(wrc_surface_laws, water.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "water.layer_hardening", .offset = offsetof(wrc_surface_laws, water.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "water.reserved", .offset = offsetof(wrc_surface_laws, water.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "oxide.cover", .offset = offsetof(wrc_surface_laws, oxide.cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "oxide.weight", .offset = offsetof(wrc_surface_laws, oxide.weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "oxide.friction", .offset = offsetof(wrc_surface_laws, oxide.friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "oxide.wet_friction", .offset = offsetof(wrc_surface_laws, oxide.wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "oxide.removal", .offset = offsetof(wrc_surface_laws, oxide.removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "oxide.kept", .offset = offsetof(wrc_surface_laws, oxide.kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "oxide.squeeze", .offset = offsetof(wrc_surface_laws, oxide.squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "oxide.carry", .offset = offsetof(wrc_surface_laws, oxide.carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "oxide.density", .offset = offsetof(wrc_surface_laws, oxide.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "oxide.layer_modulus", .offset = offsetof(wrc_surface_laws, oxide.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "oxide.layer_yield", .offset = offsetof(wrc_surface_laws, oxide.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "oxide.layer_hardening", .offset = offsetof(wrc_surface_laws, oxide.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "oxide.reserved", .offset = offsetof(wrc_surface_laws, oxide.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "film.cover", .offset = offsetof(wrc_surface_laws, film.cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "film.weight", .offset = offsetof(wrc_surface_laws, film.weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "film.friction", .offset = offsetof(wrc_surface_laws, film.friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "film.wet_friction", .offset = offsetof(wrc_surface_laws, film.wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "film.removal", .offset = offsetof(wrc_surface_laws, film.removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "film.kept", .offset = offsetof(wrc_surface_laws, film.kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "film.squeeze", .offset = offsetof(wrc_surface_laws, film.squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "film.carry", .offset = offsetof(wrc_surface_laws, film.carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "film.density", .offset = offsetof(wrc_surface_laws, film.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "film.layer_modulus", .offset = offsetof(wrc_surface_laws, film.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "film.layer_yield", .offset = offsetof(wrc_surface_laws, film.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "film.layer_hardening", .offset = offsetof(wrc_surface_laws, film.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "film.reserved", .offset = offsetof(wrc_surface_laws, film.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "sand.cover", .offset = offsetof(wrc_surface_laws, sand.cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "sand.weight", .offset = offsetof(wrc_surface_laws, sand.weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "sand.friction", .offset = offsetof(wrc_surface_laws, sand.friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "sand.wet_friction", .offset = offsetof(wrc_surface_laws, sand.wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "sand.removal", .offset = offsetof(wrc_surface_laws, sand.removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "sand.kept", .offset = offsetof(wrc_surface_laws, sand.kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "sand.squeeze", .offset = offsetof(wrc_surface_laws, sand.squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "sand.carry", .offset = offsetof(wrc_surface_laws, sand.carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "sand.density", .offset = offsetof(wrc_surface_laws, sand.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "sand.layer_modulus", .offset = offsetof(wrc_surface_laws, sand.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "sand.layer_yield", .offset = offsetof(wrc_surface_laws, sand.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "sand.layer_hardening", .offset = offsetof(wrc_surface_laws, sand.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "sand.reserved", .offset = offsetof(wrc_surface_laws, sand.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "lubricant.cover", .offset = offsetof(wrc_surface_laws, lubricant.cover), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 100, .or_zero = true, .unit = "kg/m^2", .too_large = "did you pass g/m^2?"},
+      {.name = "lubricant.weight", .offset = offsetof(wrc_surface_laws, lubricant.weight), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1000, .or_zero = true},
+      {.name = "lubricant.friction", .offset = offsetof(wrc_surface_laws, lubricant.friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "lubricant.wet_friction", .offset = offsetof(wrc_surface_laws, lubricant.wet_friction), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 2, .or_zero = true},
+      {.name = "lubricant.removal", .offset = offsetof(wrc_surface_laws, lubricant.removal), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1, .unit = "m^2/J"},
+      {.name = "lubricant.kept", .offset = offsetof(wrc_surface_laws, lubricant.kept), .type = Type::real, .rule = Rule::range, .low = 0, .high = 100, .unit = "kg/m^2"},
+      {.name = "lubricant.squeeze", .offset = offsetof(wrc_surface_laws, lubricant.squeeze), .type = Type::real, .rule = Rule::range, .low = 0, .high = 0.999},
+      {.name = "lubricant.carry", .offset = offsetof(wrc_surface_laws, lubricant.carry), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "lubricant.density", .offset = offsetof(wrc_surface_laws, lubricant.density), .type = Type::real, .rule = Rule::range, .low = 100, .high = 1e5, .unit = "kg/m^3"},
+      {.name = "lubricant.layer_modulus", .offset = offsetof(wrc_surface_laws, lubricant.layer_modulus), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e12, .or_zero = true, .unit = "Pa"},
+      {.name = "lubricant.layer_yield", .offset = offsetof(wrc_surface_laws, lubricant.layer_yield), .type = Type::real, .rule = Rule::range, .low = 1e3, .high = 1e11, .or_zero = true, .unit = "Pa"},
+      {.name = "lubricant.layer_hardening", .offset = offsetof(wrc_surface_laws, lubricant.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
+      {.name = "lubricant.reserved", .offset = offsetof(wrc_surface_laws, lubricant.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+      {.name = "rail_share", .offset = offsetof(wrc_surface_laws, rail_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "rail_heat_capacity", .offset = offsetof(wrc_surface_laws, rail_heat_capacity), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e8, .unit = "J/(m^2 K)"},
+      {.name = "wheel_heat_capacity", .offset = offsetof(wrc_surface_laws, wheel_heat_capacity), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e8, .unit = "J/(m^2 K)"},
+      {.name = "cooling_time", .offset = offsetof(wrc_surface_laws, cooling_time), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "s"},
+      {.name = "drying_time", .offset = offsetof(wrc_surface_laws, drying_time), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 1e9, .unit = "s"},
+      {.name = "evaporation_share", .offset = offsetof(wrc_surface_laws, evaporation_share), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1},
+      {.name = "evaporation_amount", .offset = offsetof(wrc_surface_laws, evaporation_amount), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 10, .unit = "kg/m^2"},
+      {.name = "latent_heat", .offset = offsetof(wrc_surface_laws, latent_heat), .type = Type::real, .rule = Rule::range, .low = 1e5, .high = 1e7, .unit = "J/kg"},
+      {.name = "ambient", .offset = offsetof(wrc_surface_laws, ambient), .type = Type::real, .rule = Rule::range, .low = -100, .high = 200, .unit = "degC"},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface_laws) == 720, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_surface_passage> {
+  static constexpr const char* name = "wrc_surface_passage";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_surface_passage>(48);
+  static constexpr wrc_surface_passage defaults = [] {
+    wrc_surface_passage value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_surface_passage, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_surface_passage, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "rail_from", .offset = offsetof(wrc_surface_passage, rail_from), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "rail_to", .offset = offsetof(wrc_surface_passage, rail_to), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "wheel_from", .offset = offsetof(wrc_surface_passage, wheel_from), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "wheel_to", .offset = offsetof(wrc_surface_passage, wheel_to), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
+      {.name = "energy", .offset = offsetof(wrc_surface_passage, energy), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e9, .unit = "J", .negative = "frictional energy is wrc_wrench.power times the duration"},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface_passage) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_surface_exchange> {
+  static constexpr const char* name = "wrc_surface_exchange";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_surface_exchange>(96);
+  static constexpr wrc_surface_exchange defaults = [] {
+    wrc_surface_exchange value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_surface_exchange, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_surface_exchange, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "carried", .offset = offsetof(wrc_surface_exchange, carried), .type = Type::real, .elements = 8, .rule = Rule::none, .unit = "kg"},
+      {.name = "rail_energy", .offset = offsetof(wrc_surface_exchange, rail_energy), .type = Type::real, .rule = Rule::none, .unit = "J"},
+      {.name = "wheel_energy", .offset = offsetof(wrc_surface_exchange, wheel_energy), .type = Type::real, .rule = Rule::none, .unit = "J"},
+      {.name = "beside_energy", .offset = offsetof(wrc_surface_exchange, beside_energy), .type = Type::real, .rule = Rule::none, .unit = "J"},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface_exchange) == 96, "run tools/interface/describe.py");
 
 }  // namespace wrc::abi

@@ -598,6 +598,48 @@ static void collected(wrc_contact* contact) {
   SHOW_ONE(life);
 }
 
+/* A wheel that passes films of its rail. */
+static void filmed(void) {
+  enum { count = 12 };
+  static wrc_surface_bin bin[3][count];
+  wrc_surface surface[3];
+  memset(bin, 0, sizeof bin);
+  for (int i = 0; i < 3; ++i) {
+    surface[i] = wrc_surface_default();
+    surface[i].count = count;
+    surface[i].length = i == 1 ? 0.24 : 1.0;
+    surface[i].closed = i == 1;
+    surface[i].bin_size = sizeof bin[i][0];
+    surface[i].bins = bin[i];
+  }
+  wrc_surface_laws laws = wrc_surface_laws_default();
+  DO(wrc_surface_laws_use(&laws, "low adhesion, layers", text, sizeof text));
+  laws.ambient = 5.0;
+  for (int32_t quantity = 0; quantity < WRC_SURFACE_QUANTITIES; ++quantity)
+    DO(wrc_surface_add(&surface[0], quantity, 4e-3, 1.0, 11.0, text, sizeof text));
+  wrc_surface_passage passage = {sizeof passage};
+  passage.rail_from = 3.0;
+  passage.rail_to = 9.0;
+  passage.wheel_to = 5.5;
+  passage.energy = 4e3;
+  wrc_friction base = wrc_friction_default(), friction;
+  base.coefficient = 0.35;
+  wrc_surface_exchange exchange = {sizeof exchange};
+  DO(wrc_surface_pass(&surface[0], &surface[1], &laws, &passage, &exchange, text, sizeof text));
+  SHOW(exchange, carried[0], beside_energy);
+  DO(wrc_surface_friction(&surface[0], &surface[1], &laws, &passage, &base, &friction, text, sizeof text));
+  SHOW_ONE(friction.coefficient);
+  SHOW_ONE(friction.layer_yield);
+  DO(wrc_surface_rest(&surface[0], &laws, 20.0, text, sizeof text));
+  DO(wrc_surface_merge(&surface[2], &surface[0], text, sizeof text));
+  double values[count], total;
+  for (int32_t book = 0; book < WRC_SURFACE_BOOKS; ++book) {
+    DO(wrc_surface_values(&surface[2], WRC_SURFACE_WATER, book, values, &total, text, sizeof text));
+    SHOW_ALL(values);
+    SHOW_ONE(total);
+  }
+}
+
 static void numbers(void) {
   wrc_coefficients coefficients;
   double limit;
@@ -810,6 +852,7 @@ static void experimental(void) {
   OF(planar, wrc_planar_step(planar, &step, NULL));
   damage_of(wheel);
   collected(wheel);
+  filmed();
   numbers();
   half_spaces(planar);
   OF(planar, wrc_planar_step(planar, &step, NULL));

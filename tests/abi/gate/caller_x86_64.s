@@ -270,6 +270,53 @@ show_peaks:
 	popq	%r12
 	ret
 	.size	show_peaks, .-show_peaks
+	.type	wrc_friction_default, @function
+wrc_friction_default:
+	pushq	%rbx
+	subq	$240, %rsp
+	movq	%rdi, %rbx
+	movq	%rsp, %rdx
+	movl	$30, %ecx
+	movl	$0, %eax
+	movq	%rdx, %rdi
+	rep stosq
+	movq	%rdx, %rdi
+	call	wrc_friction_init@PLT
+	movdqa	(%rsp), %xmm0
+	movups	%xmm0, (%rbx)
+	movdqa	16(%rsp), %xmm1
+	movups	%xmm1, 16(%rbx)
+	movdqa	32(%rsp), %xmm2
+	movups	%xmm2, 32(%rbx)
+	movdqa	48(%rsp), %xmm3
+	movups	%xmm3, 48(%rbx)
+	movdqa	64(%rsp), %xmm4
+	movups	%xmm4, 64(%rbx)
+	movdqa	80(%rsp), %xmm5
+	movups	%xmm5, 80(%rbx)
+	movdqa	96(%rsp), %xmm6
+	movups	%xmm6, 96(%rbx)
+	movdqa	112(%rsp), %xmm7
+	movups	%xmm7, 112(%rbx)
+	movdqa	128(%rsp), %xmm0
+	movups	%xmm0, 128(%rbx)
+	movdqa	144(%rsp), %xmm1
+	movups	%xmm1, 144(%rbx)
+	movdqa	160(%rsp), %xmm2
+	movups	%xmm2, 160(%rbx)
+	movdqa	176(%rsp), %xmm3
+	movups	%xmm3, 176(%rbx)
+	movdqa	192(%rsp), %xmm4
+	movups	%xmm4, 192(%rbx)
+	movdqa	208(%rsp), %xmm5
+	movups	%xmm5, 208(%rbx)
+	movdqa	224(%rsp), %xmm6
+	movups	%xmm6, 224(%rbx)
+	movq	%rbx, %rax
+	addq	$240, %rsp
+	popq	%rbx
+	ret
+	.size	wrc_friction_default, .-wrc_friction_default
 	.section	.rodata.str1.1
 .LC13:
 	.string	"("
@@ -295,21 +342,21 @@ done:
 	movl	$0, %eax
 	call	printf@PLT
 	testl	%ebp, %ebp
-	js	.L29
+	js	.L31
 	addq	$8, %rsp
 	popq	%rbx
 	popq	%rbp
 	ret
-.L29:
+.L31:
 	cmpb	$0, text(%rip)
-	jne	.L26
+	jne	.L28
 	movq	spoken(%rip), %rdi
 	testq	%rdi, %rdi
-	je	.L26
+	je	.L28
 	movl	$400, %edx
 	leaq	text(%rip), %rsi
 	call	wrc_contact_last_error@PLT
-.L26:
+.L28:
 	movl	%ebp, %edi
 	call	wrc_status_name@PLT
 	movq	%rax, %rcx
@@ -442,19 +489,19 @@ show_regions:
 	subq	$584, %rsp
 	movq	%rsi, 8(%rsp)
 	cmpl	$0, 8(%rsi)
-	jle	.L34
+	jle	.L36
 	movq	%rdi, %rbp
 	movl	$0, %r12d
-	jmp	.L39
-.L36:
+	jmp	.L41
+.L38:
 	leaq	24(%rsp), %rsi
 	movl	$1, %edx
 	leaq	.LC27(%rip), %rdi
 	call	show
 	addl	$1, %ebx
 	cmpl	$20, %ebx
-	je	.L44
-.L38:
+	je	.L46
+.L40:
 	movq	$0x000000000, 24(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbp, spoken(%rip)
@@ -471,18 +518,18 @@ show_regions:
 	movq	32(%rsp), %rdx
 	imulq	40(%rsp), %rdx
 	testq	%rdx, %rdx
-	je	.L36
-	leaq	values.13(%rip), %rax
+	je	.L38
+	leaq	values.14(%rip), %rax
 	leaq	(%rax,%rdx,8), %rdx
 	pxor	%xmm0, %xmm0
-.L37:
+.L39:
 	addsd	(%rax), %xmm0
 	addq	$8, %rax
 	cmpq	%rdx, %rax
-	jne	.L37
+	jne	.L39
 	movsd	%xmm0, 24(%rsp)
-	jmp	.L36
-.L44:
+	jmp	.L38
+.L46:
 	movb	$0, text(%rip)
 	movq	%rbp, spoken(%rip)
 	leaq	32(%rsp), %rbx
@@ -500,8 +547,8 @@ show_regions:
 	addl	$1, %r12d
 	movq	8(%rsp), %rax
 	cmpl	%r12d, 8(%rax)
-	jle	.L34
-.L39:
+	jle	.L36
+.L41:
 	leaq	160(%rsp), %rdi
 	movl	$51, %ecx
 	movl	$0, %eax
@@ -541,10 +588,10 @@ show_regions:
 	call	show
 	movl	$0, %ebx
 	leaq	32(%rsp), %r15
-	leaq	values.13(%rip), %r14
+	leaq	values.14(%rip), %r14
 	leaq	.LC26(%rip), %r13
-	jmp	.L38
-.L34:
+	jmp	.L40
+.L36:
 	addq	$584, %rsp
 	popq	%rbx
 	popq	%rbp
@@ -800,11 +847,11 @@ posed:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$3320, %rsp
-	leaq	2128(%rsp), %rbx
+	subq	$3288, %rsp
+	leaq	2096(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
-	movl	$40, 2960(%rsp)
+	movl	$40, 2928(%rsp)
 	movl	$400, %ecx
 	leaq	text(%rip), %rdx
 	leaq	.LC36(%rip), %rsi
@@ -815,144 +862,110 @@ posed:
 	call	done
 	movq	%rbx, %rdi
 	call	model_of
-	movq	%rax, %r12
+	movq	%rax, %rbp
 	movl	$1, %esi
 	movq	%rax, %rdi
 	call	contact_of
 	movq	%rax, %rbx
-	leaq	2080(%rsp), %rsi
+	leaq	2048(%rsp), %rsi
 	pxor	%xmm0, %xmm0
-	movups	%xmm0, 2088(%rsp)
-	movups	%xmm0, 2104(%rsp)
-	movq	$0, 2120(%rsp)
+	movups	%xmm0, 2056(%rsp)
+	movups	%xmm0, 2072(%rsp)
+	movq	$0, 2088(%rsp)
 	movq	.LC38(%rip), %rax
-	movq	%rax, 2080(%rsp)
+	movq	%rax, 2048(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	1984(%rsp), %rbp
-	movq	%rbp, %rdx
+	leaq	1952(%rsp), %r12
+	movq	%r12, %rdx
 	movq	%rbx, %rdi
 	call	wrc_planar_geometry@PLT
 	movl	%eax, %edi
 	leaq	.LC39(%rip), %rsi
 	call	done
 	movl	$8, %edx
-	movq	%rbp, %rsi
+	movq	%r12, %rsi
 	leaq	.LC40(%rip), %rdi
 	call	show
-	leaq	1904(%rsp), %rsi
+	leaq	1872(%rsp), %rsi
 	pxor	%xmm0, %xmm0
+	movaps	%xmm0, 1888(%rsp)
+	movaps	%xmm0, 1904(%rsp)
 	movaps	%xmm0, 1920(%rsp)
 	movaps	%xmm0, 1936(%rsp)
-	movaps	%xmm0, 1952(%rsp)
-	movaps	%xmm0, 1968(%rsp)
 	movq	.LC41(%rip), %rax
-	movq	%rax, 1904(%rsp)
+	movq	%rax, 1872(%rsp)
 	movq	.LC42(%rip), %rax
-	movq	%rax, 1944(%rsp)
-	movq	.LC43(%rip), %rax
 	movq	%rax, 1912(%rsp)
+	movq	.LC43(%rip), %rax
+	movq	%rax, 1880(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	1824(%rsp), %r14
-	movq	%r14, %rdx
+	leaq	1792(%rsp), %r13
+	movq	%r13, %rdx
 	movq	%rbx, %rdi
 	call	wrc_planar_creepages@PLT
 	movl	%eax, %edi
 	leaq	.LC44(%rip), %rsi
 	call	done
 	movl	$6, %edx
-	movq	%r14, %rsi
+	movq	%r13, %rsi
 	leaq	.LC45(%rip), %rdi
 	call	show
-	movq	%rsp, %rbp
+	movq	%rsp, %r14
 	pxor	%xmm0, %xmm0
 	movaps	%xmm0, (%rsp)
 	movaps	%xmm0, 16(%rsp)
 	movaps	%xmm0, 32(%rsp)
 	movaps	%xmm0, 48(%rsp)
 	movq	$0, 64(%rsp)
-	movq	%rbp, %rdi
+	movq	%r14, %rdi
 	call	wrc_planar_load_init@PLT
 	movdqa	(%rsp), %xmm1
-	movaps	%xmm1, 1744(%rsp)
+	movaps	%xmm1, 1712(%rsp)
 	movdqa	16(%rsp), %xmm2
-	movaps	%xmm2, 1760(%rsp)
+	movaps	%xmm2, 1728(%rsp)
 	movdqa	32(%rsp), %xmm3
-	movaps	%xmm3, 1776(%rsp)
+	movaps	%xmm3, 1744(%rsp)
 	movdqa	48(%rsp), %xmm4
-	movaps	%xmm4, 1792(%rsp)
+	movaps	%xmm4, 1760(%rsp)
 	movq	64(%rsp), %rax
-	movq	%rax, 1808(%rsp)
+	movq	%rax, 1776(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 1752(%rsp)
+	movq	%rax, 1720(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	1552(%rsp), %r13
-	leaq	1744(%rsp), %rdx
-	movq	%r13, %rcx
+	leaq	1520(%rsp), %r12
+	leaq	1712(%rsp), %rdx
+	movq	%r12, %rcx
 	movl	$0, %esi
 	movq	%rbx, %rdi
 	call	wrc_planar_normal@PLT
 	movl	%eax, %edi
 	leaq	.LC47(%rip), %rsi
 	call	done
-	movq	%r13, %rdi
+	movq	%r12, %rdi
 	call	show_solution
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	movq	%r13, %rdx
+	movq	%r12, %rdx
 	movl	$0, %esi
 	movq	%rbx, %rdi
 	call	wrc_planar_regularise@PLT
 	movl	%eax, %edi
 	leaq	.LC48(%rip), %rsi
 	call	done
-	movq	%r13, %rdi
+	movq	%r12, %rdi
 	call	show_solution
-	movl	$0, %r13d
-	movl	$30, %ecx
-	movq	%rbp, %rdi
-	movq	%r13, %rax
-	rep stosq
-	movq	%rbp, %rdi
-	call	wrc_friction_init@PLT
-	movdqa	(%rsp), %xmm5
-	movaps	%xmm5, 1312(%rsp)
-	movdqa	16(%rsp), %xmm6
-	movaps	%xmm6, 1328(%rsp)
-	movdqa	32(%rsp), %xmm7
-	movaps	%xmm7, 1344(%rsp)
-	movdqa	48(%rsp), %xmm1
-	movaps	%xmm1, 1360(%rsp)
-	movdqa	64(%rsp), %xmm2
-	movaps	%xmm2, 1376(%rsp)
-	movdqa	80(%rsp), %xmm3
-	movaps	%xmm3, 1392(%rsp)
-	movdqa	96(%rsp), %xmm4
-	movaps	%xmm4, 1408(%rsp)
-	movdqa	112(%rsp), %xmm5
-	movaps	%xmm5, 1424(%rsp)
-	movdqa	128(%rsp), %xmm6
-	movaps	%xmm6, 1440(%rsp)
-	movdqa	144(%rsp), %xmm7
-	movaps	%xmm7, 1456(%rsp)
-	movdqa	160(%rsp), %xmm1
-	movaps	%xmm1, 1472(%rsp)
-	movdqa	176(%rsp), %xmm2
-	movaps	%xmm2, 1488(%rsp)
-	movdqa	192(%rsp), %xmm3
-	movaps	%xmm3, 1504(%rsp)
-	movdqa	208(%rsp), %xmm4
-	movaps	%xmm4, 1520(%rsp)
-	movdqa	224(%rsp), %xmm5
-	movaps	%xmm5, 1536(%rsp)
+	leaq	1280(%rsp), %r15
+	movq	%r15, %rdi
+	call	wrc_friction_default
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	1216(%rsp), %r15
-	leaq	1312(%rsp), %rcx
-	movq	%r15, %r8
-	movq	%r14, %rdx
+	leaq	1184(%rsp), %r12
+	movq	%r12, %r8
+	movq	%r15, %rcx
+	movq	%r13, %rdx
 	movl	$0, %esi
 	movq	%rbx, %rdi
 	call	wrc_planar_tangential@PLT
@@ -960,10 +973,12 @@ posed:
 	leaq	.LC49(%rip), %rsi
 	call	done
 	movl	$6, %edx
-	movq	%r15, %rsi
+	movq	%r12, %rsi
 	leaq	.LC50(%rip), %rdi
 	call	show
+	movl	$0, %r13d
 	movq	$0, 4(%rsp)
+	leaq	208(%rsp), %r12
 	movq	$0, 192(%rsp)
 	leaq	8(%rsp), %rdi
 	movl	$24, %ecx
@@ -972,7 +987,7 @@ posed:
 	movl	$200, (%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	movq	%rbp, %rsi
+	movq	%r14, %rsi
 	movq	%rbx, %rdi
 	call	wrc_planar_tangential_derivatives@PLT
 	movl	%eax, %edi
@@ -982,98 +997,98 @@ posed:
 	movl	$24, %edx
 	leaq	.LC52(%rip), %rdi
 	call	show
-	leaq	752(%rsp), %rbp
-	movq	%rbp, %rdi
+	leaq	720(%rsp), %r14
+	movq	%r14, %rdi
 	call	wrc_planar_input_default
-	leaq	240(%rsp), %rdi
 	movl	$64, %ecx
+	movq	%r12, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$512, 240(%rsp)
-	movdqa	2080(%rsp), %xmm6
-	movups	%xmm6, 760(%rsp)
-	movdqa	2096(%rsp), %xmm7
-	movups	%xmm7, 776(%rsp)
-	movdqa	2112(%rsp), %xmm1
-	movups	%xmm1, 792(%rsp)
-	movdqa	1744(%rsp), %xmm2
-	movaps	%xmm2, 816(%rsp)
-	movdqa	1760(%rsp), %xmm3
-	movaps	%xmm3, 832(%rsp)
-	movdqa	1776(%rsp), %xmm4
-	movaps	%xmm4, 848(%rsp)
+	movl	$512, 208(%rsp)
+	movdqa	2048(%rsp), %xmm5
+	movups	%xmm5, 728(%rsp)
+	movdqa	2064(%rsp), %xmm6
+	movups	%xmm6, 744(%rsp)
+	movdqa	2080(%rsp), %xmm7
+	movups	%xmm7, 760(%rsp)
+	movdqa	1712(%rsp), %xmm1
+	movaps	%xmm1, 784(%rsp)
+	movdqa	1728(%rsp), %xmm2
+	movaps	%xmm2, 800(%rsp)
+	movdqa	1744(%rsp), %xmm3
+	movaps	%xmm3, 816(%rsp)
+	movdqa	1760(%rsp), %xmm4
+	movaps	%xmm4, 832(%rsp)
+	movq	1776(%rsp), %rax
+	movq	%rax, 848(%rsp)
 	movdqa	1792(%rsp), %xmm5
-	movaps	%xmm5, 864(%rsp)
-	movq	1808(%rsp), %rax
-	movq	%rax, 880(%rsp)
-	movdqa	1824(%rsp), %xmm6
-	movups	%xmm6, 888(%rsp)
-	movdqa	1840(%rsp), %xmm7
-	movups	%xmm7, 904(%rsp)
-	movdqa	1856(%rsp), %xmm1
-	movups	%xmm1, 920(%rsp)
-	movdqa	1872(%rsp), %xmm2
-	movups	%xmm2, 936(%rsp)
-	movdqa	1888(%rsp), %xmm3
-	movups	%xmm3, 952(%rsp)
-	movdqa	1312(%rsp), %xmm4
-	movups	%xmm4, 968(%rsp)
-	movdqa	1328(%rsp), %xmm5
-	movups	%xmm5, 984(%rsp)
-	movdqa	1344(%rsp), %xmm6
-	movups	%xmm6, 1000(%rsp)
-	movdqa	1360(%rsp), %xmm7
-	movups	%xmm7, 1016(%rsp)
-	movdqa	1376(%rsp), %xmm1
-	movups	%xmm1, 1032(%rsp)
-	movdqa	1392(%rsp), %xmm2
-	movups	%xmm2, 1048(%rsp)
-	movdqa	1408(%rsp), %xmm3
-	movups	%xmm3, 1064(%rsp)
-	movdqa	1424(%rsp), %xmm4
-	movups	%xmm4, 1080(%rsp)
-	movdqa	1440(%rsp), %xmm5
-	movups	%xmm5, 1096(%rsp)
-	movdqa	1456(%rsp), %xmm6
-	movups	%xmm6, 1112(%rsp)
-	movdqa	1472(%rsp), %xmm7
-	movups	%xmm7, 1128(%rsp)
-	movdqa	1488(%rsp), %xmm1
-	movups	%xmm1, 1144(%rsp)
-	movdqa	1504(%rsp), %xmm2
-	movups	%xmm2, 1160(%rsp)
-	movdqa	1520(%rsp), %xmm3
-	movups	%xmm3, 1176(%rsp)
-	movdqa	1536(%rsp), %xmm4
-	movups	%xmm4, 1192(%rsp)
+	movups	%xmm5, 856(%rsp)
+	movdqa	1808(%rsp), %xmm6
+	movups	%xmm6, 872(%rsp)
+	movdqa	1824(%rsp), %xmm7
+	movups	%xmm7, 888(%rsp)
+	movdqa	1840(%rsp), %xmm1
+	movups	%xmm1, 904(%rsp)
+	movdqa	1856(%rsp), %xmm2
+	movups	%xmm2, 920(%rsp)
+	movdqa	1280(%rsp), %xmm3
+	movups	%xmm3, 936(%rsp)
+	movdqa	1296(%rsp), %xmm4
+	movups	%xmm4, 952(%rsp)
+	movdqa	1312(%rsp), %xmm5
+	movups	%xmm5, 968(%rsp)
+	movdqa	1328(%rsp), %xmm6
+	movups	%xmm6, 984(%rsp)
+	movdqa	1344(%rsp), %xmm7
+	movups	%xmm7, 1000(%rsp)
+	movdqa	1360(%rsp), %xmm1
+	movups	%xmm1, 1016(%rsp)
+	movdqa	1376(%rsp), %xmm2
+	movups	%xmm2, 1032(%rsp)
+	movdqa	1392(%rsp), %xmm3
+	movups	%xmm3, 1048(%rsp)
+	movdqa	1408(%rsp), %xmm4
+	movups	%xmm4, 1064(%rsp)
+	movdqa	1424(%rsp), %xmm5
+	movups	%xmm5, 1080(%rsp)
+	movdqa	1440(%rsp), %xmm6
+	movups	%xmm6, 1096(%rsp)
+	movdqa	1456(%rsp), %xmm7
+	movups	%xmm7, 1112(%rsp)
+	movdqa	1472(%rsp), %xmm1
+	movups	%xmm1, 1128(%rsp)
+	movdqa	1488(%rsp), %xmm2
+	movups	%xmm2, 1144(%rsp)
+	movdqa	1504(%rsp), %xmm3
+	movups	%xmm3, 1160(%rsp)
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
-	leaq	240(%rsp), %rdx
-	movq	%rbp, %rsi
+	movq	%r12, %rdx
+	movq	%r14, %rsi
 	movq	%rbx, %rdi
 	call	wrc_planar_step@PLT
 	movl	%eax, %edi
 	leaq	.LC53(%rip), %rsi
 	call	done
-	leaq	248(%rsp), %rsi
+	leaq	216(%rsp), %rsi
 	movl	$8, %edx
 	leaq	.LC54(%rip), %rdi
 	call	show
-	leaq	344(%rsp), %rdi
+	leaq	312(%rsp), %rdi
 	call	show_solution
-	leaq	536(%rsp), %rsi
+	leaq	504(%rsp), %rsi
 	movl	$6, %edx
 	leaq	.LC55(%rip), %rdi
 	call	show
-	leaq	624(%rsp), %rsi
+	leaq	592(%rsp), %rsi
 	movl	$9, %edx
 	leaq	.LC56(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	call	wrc_contact_destroy@PLT
-	movq	%r12, %rdi
+	movq	%rbp, %rdi
 	call	wrc_model_destroy@PLT
-	addq	$3320, %rsp
+	addq	$3288, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -1128,7 +1143,7 @@ given:
 	movsd	.LC59(%rip), %xmm5
 	movsd	.LC60(%rip), %xmm4
 	movsd	.LC61(%rip), %xmm3
-.L54:
+.L56:
 	leal	-20(%rax), %edx
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%edx, %xmm0
@@ -1150,7 +1165,7 @@ given:
 	movsd	%xmm0, 1792(%rsp,%rax,8)
 	addq	$1, %rax
 	cmpq	$41, %rax
-	jne	.L54
+	jne	.L56
 	leaq	1696(%rsp), %r13
 	movl	$0, %r14d
 	movq	$0, 1700(%rsp)
@@ -1653,7 +1668,7 @@ wheel_on_a_rail:
 	leaq	5136(%rsp), %r12
 	leaq	5152(%rsp), %rax
 	movq	%rax, (%rsp)
-.L62:
+.L64:
 	movq	(%r12), %rbx
 	leaq	1152(%rsp), %r13
 	movq	%r13, %rdi
@@ -1761,7 +1776,7 @@ wheel_on_a_rail:
 	addq	$8, %r12
 	movq	(%rsp), %rax
 	cmpq	%rax, %r12
-	jne	.L62
+	jne	.L64
 	movl	$46, %ecx
 	movl	$0, %eax
 	movq	%rbp, %rdi
@@ -1885,8 +1900,8 @@ wheel_on_a_rail:
 	leaq	784(%rsp), %r15
 	leaq	.LC98(%rip), %r14
 	leaq	.LC99(%rip), %r13
-	jmp	.L67
-.L73:
+	jmp	.L69
+.L75:
 	movb	$0, text(%rip)
 	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
@@ -1896,9 +1911,9 @@ wheel_on_a_rail:
 	movl	%eax, %edi
 	leaq	.LC100(%rip), %rsi
 	call	done
-.L64:
+.L66:
 	addl	$1, %ebx
-.L67:
+.L69:
 	movq	.LC97(%rip), %rax
 	movq	%rax, 2376(%rsp)
 	movb	$0, text(%rip)
@@ -1915,12 +1930,12 @@ wheel_on_a_rail:
 	movq	%r13, %rdi
 	call	show
 	testl	%ebx, %ebx
-	je	.L73
+	je	.L75
 	cmpl	$1, %ebx
-	je	.L74
+	je	.L76
 	addl	$1, %ebx
 	cmpl	$3, %ebx
-	jne	.L67
+	jne	.L69
 	movq	%r12, %rdi
 	call	free@PLT
 	movq	%rbp, %rdi
@@ -1951,7 +1966,7 @@ wheel_on_a_rail:
 	movq	5136(%rsp), %rdi
 	call	*224(%r8)
 	cmpl	$-4, %eax
-	jne	.L75
+	jne	.L77
 	movl	$400, %edx
 	leaq	text(%rip), %rbx
 	movq	%rbx, %rsi
@@ -1976,7 +1991,7 @@ wheel_on_a_rail:
 	popq	%r14
 	popq	%r15
 	ret
-.L74:
+.L76:
 	movb	$0, text(%rip)
 	movq	5136(%rsp), %rdi
 	movq	%rdi, spoken(%rip)
@@ -1986,8 +2001,8 @@ wheel_on_a_rail:
 	movl	%eax, %edi
 	leaq	.LC101(%rip), %rsi
 	call	done
-	jmp	.L64
-.L75:
+	jmp	.L66
+.L77:
 	movl	$3, %edi
 	call	exit@PLT
 	.size	wheel_on_a_rail, .-wheel_on_a_rail
@@ -2016,7 +2031,7 @@ other_rails:
 	movq	%rdx, %rdi
 	movsd	.LC57(%rip), %xmm2
 	leaq	8080(%rsp), %rdx
-.L77:
+.L79:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	movapd	%xmm0, %xmm1
@@ -2030,7 +2045,7 @@ other_rails:
 	addl	$1, %eax
 	addq	$168, %rdi
 	cmpl	$3, %eax
-	jne	.L77
+	jne	.L79
 	movl	$3, 9984(%rsp)
 	movl	$168, 9988(%rsp)
 	leaq	7568(%rsp), %rax
@@ -2040,7 +2055,7 @@ other_rails:
 	movsd	.LC110(%rip), %xmm4
 	movsd	.LC111(%rip), %xmm3
 	movsd	.LC112(%rip), %xmm2
-.L78:
+.L80:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm5, %xmm0
@@ -2062,7 +2077,7 @@ other_rails:
 	movsd	%xmm0, 7024(%rsp,%rax,8)
 	addq	$1, %rax
 	cmpq	$33, %rax
-	jne	.L78
+	jne	.L80
 	movl	$33, 9752(%rsp)
 	movl	$1, 9756(%rsp)
 	leaq	7296(%rsp), %rax
@@ -2102,23 +2117,23 @@ other_rails:
 	movsd	.LC105(%rip), %xmm10
 	movsd	.LC117(%rip), %xmm9
 	movsd	.LC108(%rip), %xmm7
-	jmp	.L83
-.L94:
+	jmp	.L85
+.L96:
 	pxor	%xmm1, %xmm1
 	comisd	%xmm0, %xmm1
-	ja	.L79
+	ja	.L81
 	movapd	%xmm10, %xmm1
 	comisd	%xmm0, %xmm8
-	jbe	.L79
+	jbe	.L81
 	movapd	%xmm0, %xmm1
 	mulsd	%xmm9, %xmm1
-.L79:
+.L81:
 	mulsd	.LC75(%rip), %xmm1
 	addsd	%xmm1, %xmm11
 	addq	$1, %rax
 	cmpq	$356, %rax
-	je	.L97
-.L83:
+	je	.L99
+.L85:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm5, %xmm0
@@ -2128,24 +2143,24 @@ other_rails:
 	addsd	%xmm3, %xmm0
 	movapd	%xmm12, %xmm1
 	comisd	%xmm0, %xmm2
-	ja	.L79
+	ja	.L81
 	comisd	%xmm0, %xmm6
-	jbe	.L94
+	jbe	.L96
 	addsd	%xmm7, %xmm0
 	movapd	%xmm0, %xmm1
 	divsd	.LC60(%rip), %xmm1
-	jmp	.L79
-.L97:
+	jmp	.L81
+.L99:
 	movsd	2928(%rsp), %xmm1
 	leaq	1328(%rsp), %rax
 	leaq	4176(%rsp), %rdx
-.L84:
+.L86:
 	movsd	(%rax), %xmm0
 	subsd	%xmm1, %xmm0
 	movsd	%xmm0, (%rax)
 	addq	$8, %rax
 	cmpq	%rdx, %rax
-	jne	.L84
+	jne	.L86
 	movdqa	9872(%rsp), %xmm7
 	movaps	%xmm7, 1216(%rsp)
 	movdqa	9888(%rsp), %xmm7
@@ -2249,7 +2264,7 @@ remembering:
 	leaq	.LC80(%rip), %r15
 	leaq	.LC35(%rip), %r14
 	leaq	.LC120(%rip), %r13
-.L99:
+.L101:
 	movb	$0, text(%rip)
 	movq	%rbx, spoken(%rip)
 	movq	%rsp, %rdx
@@ -2273,7 +2288,7 @@ remembering:
 	movq	.LC75(%rip), %rax
 	movq	%rax, 904(%rsp)
 	subl	$1, %ebp
-	jne	.L99
+	jne	.L101
 	movq	%rbx, %rdi
 	call	wrc_contact_destroy@PLT
 	movq	%r12, %rdi
@@ -2340,83 +2355,120 @@ remembering:
 	.section	.rodata.str1.1
 .LC143:
 	.string	"life"
+.LC144:
+	.string	"low adhesion, layers"
 	.section	.rodata.str1.8
 	.align 8
-.LC147:
+.LC145:
+	.string	"wrc_surface_laws_use(&laws, \"low adhesion, layers\", text, sizeof text)"
+	.align 8
+.LC148:
+	.string	"wrc_surface_add(&surface[0], quantity, 4e-3, 1.0, 11.0, text, sizeof text)"
+	.align 8
+.LC153:
+	.string	"wrc_surface_pass(&surface[0], &surface[1], &laws, &passage, &exchange, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC154:
+	.string	"exchange.carried[0]"
+	.section	.rodata.str1.8
+	.align 8
+.LC155:
+	.string	"wrc_surface_friction(&surface[0], &surface[1], &laws, &passage, &base, &friction, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC156:
+	.string	"friction.coefficient"
+.LC157:
+	.string	"friction.layer_yield"
+	.section	.rodata.str1.8
+	.align 8
+.LC158:
+	.string	"wrc_surface_rest(&surface[0], &laws, 20.0, text, sizeof text)"
+	.align 8
+.LC159:
+	.string	"wrc_surface_merge(&surface[2], &surface[0], text, sizeof text)"
+	.align 8
+.LC160:
+	.string	"wrc_surface_values(&surface[2], WRC_SURFACE_WATER, book, values, &total, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC161:
+	.string	"total"
+	.section	.rodata.str1.8
+	.align 8
+.LC165:
 	.string	"wrc_linear_coefficients(1.5, 0.3, 0.27, &coefficients)"
 	.section	.rodata.str1.1
-.LC148:
+.LC166:
 	.string	"coefficients.c11"
 	.section	.rodata.str1.8
 	.align 8
-.LC149:
+.LC167:
 	.string	"wrc_shakedown_limit(0.2, &limit)"
 	.section	.rodata.str1.1
-.LC150:
+.LC168:
 	.string	"limit"
 	.section	.rodata.str1.8
 	.align 8
-.LC151:
+.LC169:
 	.string	"wrc_shakedown_limit_point(0.2, &limit)"
 	.align 8
-.LC154:
+.LC172:
 	.string	"wrc_flash_temperature(16, 0.5e-3, density, speed, &wheel, &rail, rise)"
 	.section	.rodata.str1.1
-.LC155:
+.LC173:
 	.string	"rise"
 	.section	.rodata.str1.8
 	.align 8
-.LC159:
+.LC177:
 	.string	"wrc_exact_gap(contact, &grid, gap)"
 	.section	.rodata.str1.1
-.LC160:
+.LC178:
 	.string	"gap"
 	.section	.rodata.str1.8
 	.align 8
-.LC161:
+.LC179:
 	.string	"wrc_exact_normal(&press, &pressed, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC162:
+.LC180:
 	.string	"pressed.approach"
-.LC163:
+.LC181:
 	.string	"pressure"
 	.section	.rodata.str1.8
 	.align 8
-.LC164:
+.LC182:
 	.string	"wrc_exact_rolling(&roll, &rolled, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC165:
+.LC183:
 	.string	"rolled.fx"
-.LC166:
+.LC184:
 	.string	"traction_x"
-.LC167:
+.LC185:
 	.string	"slip_y"
 	.section	.rodata.str1.8
 	.align 8
-.LC168:
+.LC186:
 	.string	"wrc_exact_transient_create(&grid, &wheel, &rail, &bodies, text, sizeof text)"
 	.align 8
-.LC169:
+.LC187:
 	.string	"wrc_exact_transient_step(bodies, &roll, &rolled, text, sizeof text)"
 	.align 8
-.LC170:
+.LC188:
 	.string	"wrc_exact_stress(&loads, points, 2, tensors, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC171:
+.LC189:
 	.string	"tensors"
 	.section	.rodata.str1.8
 	.align 8
-.LC172:
+.LC190:
 	.string	"wrc_exact_largest_stresses(&loads, depths, 2, levels, &stresses, hear, &calls, text, sizeof text)"
 	.align 8
-.LC173:
+.LC191:
 	.string	"wrc_exact_check(planar, &options, &result)"
 	.section	.rodata.str1.1
-.LC174:
+.LC192:
 	.string	"result.fx"
 	.section	.rodata.str1.8
 	.align 8
-.LC176:
+.LC194:
 	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
 	.section	.rodata.str1.1
 .LC186:
@@ -2481,6 +2533,45 @@ remembering:
 	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
 	.section	.rodata.str1.1
 .LC211:
+	.align 8
+.LC195:
+	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC196:
+	.string	"radius_difference"
+.LC197:
+	.string	"y_wheel"
+	.section	.rodata.str1.8
+	.align 8
+.LC199:
+	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC200:
+	.string	"conicity"
+.LC201:
+	.string	"wavelength"
+	.section	.rodata.str1.8
+	.align 8
+.LC205:
+	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
+	.section	.rodata.str1.1
+.LC206:
+	.string	"z[points / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC209:
+	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC210:
+	.string	"worn.passages"
+.LC211:
+	.string	"worn_z[worn.count / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC213:
+	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC214:
 	.string	"flange.height"
 	.text
 	.type	experimental, @function
@@ -2497,6 +2588,12 @@ experimental:
 	cmpl	$303, (%rax)
 	jbe	.L123
 	leaq	7840(%rsp), %rbx
+	subq	$6936, %rsp
+	movl	$1, %edi
+	call	wrc_get_experimental_api@PLT
+	cmpl	$303, (%rax)
+	jbe	.L132
+	leaq	5744(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -2532,6 +2629,27 @@ experimental:
 	movq	.LC57(%rip), %r15
 	movq	%r15, 6600(%rsp)
 	leaq	5744(%rsp), %rdi
+	leaq	5024(%rsp), %rbx
+	movq	%rbx, %rdi
+	call	rolling
+	movl	$0, %r13d
+	movq	$0, 4836(%rsp)
+	movq	$0, 5008(%rsp)
+	leaq	4840(%rsp), %rdi
+	movl	$22, %ecx
+	movq	%r13, %rax
+	rep stosq
+	movl	$184, 4832(%rsp)
+	leaq	4368(%rsp), %rbp
+	movq	%rbp, %rdi
+	call	wrc_planar_input_default
+	movq	.LC121(%rip), %rax
+	movq	%rax, 4376(%rsp)
+	movq	.LC46(%rip), %rax
+	movq	%rax, 4440(%rsp)
+	movq	.LC57(%rip), %r15
+	movq	%r15, 4504(%rsp)
+	leaq	3648(%rsp), %rdi
 	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
@@ -2541,6 +2659,11 @@ experimental:
 	movq	%r12, spoken(%rip)
 	leaq	6928(%rsp), %rdx
 	leaq	5744(%rsp), %rsi
+	movq	%rax, 3688(%rsp)
+	movb	$0, text(%rip)
+	movq	%r12, spoken(%rip)
+	leaq	4832(%rsp), %rdx
+	leaq	3648(%rsp), %rsi
 	movq	%r12, %rdi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
@@ -2555,14 +2678,14 @@ experimental:
 	movl	%eax, %edi
 	leaq	.LC123(%rip), %rsi
 	call	done
-	leaq	1344(%rsp), %rbp
+	leaq	1360(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_wear_laws_default
 	movq	.LC124(%rip), %rax
-	movq	%rax, 1440(%rsp)
+	movq	%rax, 1456(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	960(%rsp), %rbx
+	leaq	976(%rsp), %rbx
 	movq	%rbx, %rcx
 	movq	%rbp, %rdx
 	movl	$0, %esi
@@ -2584,44 +2707,54 @@ experimental:
 	movdqa	2912(%rsp), %xmm7
 	movaps	%xmm7, 576(%rsp)
 	movdqa	2928(%rsp), %xmm7
-	movaps	%xmm7, 592(%rsp)
-	movq	.LC127(%rip), %rax
-	movq	%rax, 576(%rsp)
+	leaq	2464(%rsp), %rbp
 	pxor	%xmm6, %xmm6
-	movups	%xmm6, 692(%rsp)
+	movaps	%xmm6, 2464(%rsp)
+	movaps	%xmm6, 2480(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_bulk_temperatures_init@PLT
+	movdqa	2464(%rsp), %xmm7
+	movaps	%xmm7, 592(%rsp)
+	movdqa	2480(%rsp), %xmm7
+	movaps	%xmm7, 608(%rsp)
+	movq	.LC127(%rip), %rax
+	movq	%rax, 592(%rsp)
+	pxor	%xmm6, %xmm6
 	movups	%xmm6, 708(%rsp)
 	movups	%xmm6, 724(%rsp)
 	movups	%xmm6, 740(%rsp)
-	movl	$0, 756(%rsp)
-	movl	$72, 688(%rsp)
+	movups	%xmm6, 756(%rsp)
+	movl	$0, 772(%rsp)
+	movl	$72, 704(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	688(%rsp), %rcx
-	leaq	576(%rsp), %rdx
+	leaq	704(%rsp), %rcx
+	leaq	592(%rsp), %rdx
 	movl	$0, %esi
 	movq	%r12, %rdi
 	call	wrc_contact_temperature@PLT
 	movl	%eax, %edi
 	leaq	.LC128(%rip), %rsi
 	call	done
-	leaq	696(%rsp), %rsi
+	leaq	712(%rsp), %rsi
 	movl	$8, %edx
 	leaq	.LC129(%rip), %rdi
 	call	show
-	movq	%r15, 464(%rsp)
+	movq	%r15, 480(%rsp)
 	movq	.LC38(%rip), %rax
-	movq	%rax, 472(%rsp)
+	movq	%rax, 488(%rsp)
 	movq	.LC121(%rip), %rax
-	movq	%rax, 480(%rsp)
+	movq	%rax, 496(%rsp)
 	movl	$73, %ecx
 	movq	%rbp, %rdi
 	movq	%r13, %rax
 	rep stosq
 	movl	$584, 2912(%rsp)
+	movl	$584, 2464(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	1728(%rsp), %r13
-	leaq	464(%rsp), %rcx
+	leaq	1744(%rsp), %r13
+	leaq	480(%rsp), %rcx
 	subq	$8, %rsp
 	pushq	%rbp
 	movq	%r13, %r9
@@ -2635,9 +2768,9 @@ experimental:
 	call	done
 	movq	%r13, %rdi
 	call	show_peaks
-	leaq	1936(%rsp), %rdi
+	leaq	1952(%rsp), %rdi
 	call	show_peaks
-	leaq	2128(%rsp), %rdi
+	leaq	2144(%rsp), %rdi
 	call	show_peaks
 	leaq	2936(%rsp), %rdi
 	call	show_peaks
@@ -2658,16 +2791,35 @@ experimental:
 	movaps	%xmm7, 608(%rsp)
 	movq	2960(%rsp), %rax
 	movq	%rax, 624(%rsp)
+	leaq	2488(%rsp), %rdi
+	call	show_peaks
+	leaq	2680(%rsp), %rdi
+	call	show_peaks
+	leaq	2872(%rsp), %rdi
+	call	show_peaks
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 2484(%rsp)
+	movups	%xmm6, 2500(%rsp)
+	movl	$0, 2516(%rsp)
+	movl	$40, 2480(%rsp)
+	movq	%rbp, %rdi
+	call	wrc_fatigue_laws_init@PLT
+	movdqa	2480(%rsp), %xmm7
+	movaps	%xmm7, 608(%rsp)
+	movdqa	2496(%rsp), %xmm7
+	movaps	%xmm7, 624(%rsp)
+	movq	2512(%rsp), %rax
+	movq	%rax, 640(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
 	movq	.LC131(%rip), %rax
-	movq	%rax, 600(%rsp)
-	leaq	bin.12(%rip), %rbp
+	movq	%rax, 616(%rsp)
+	leaq	bin.13(%rip), %rbp
 	movl	$38376, %edx
 	movl	$0, %esi
 	movq	%rbp, %rdi
 	call	memset@PLT
-	leaq	1144(%rsp), %r13
+	leaq	1160(%rsp), %r13
 	addq	$16, %rsp
 	leaq	2912(%rsp), %r15
 .L104:
@@ -2686,6 +2838,23 @@ experimental:
 	movsd	2944(%rsp), %xmm0
 	movsd	%xmm0, 32(%rbx)
 	movsd	2952(%rsp), %xmm0
+	leaq	2464(%rsp), %r15
+.L106:
+	pxor	%xmm3, %xmm3
+	movups	%xmm3, 2468(%rsp)
+	movups	%xmm3, 2484(%rsp)
+	movups	%xmm3, 2500(%rsp)
+	movl	$0, 2516(%rsp)
+	movl	$56, 2464(%rsp)
+	movq	%r15, %rdi
+	call	wrc_damage_bins_init@PLT
+	movl	2464(%rsp), %eax
+	movl	%eax, (%rbx)
+	movl	2488(%rsp), %eax
+	movl	%eax, 24(%rbx)
+	movsd	2496(%rsp), %xmm0
+	movsd	%xmm0, 32(%rbx)
+	movsd	2504(%rsp), %xmm0
 	movsd	%xmm0, 40(%rbx)
 	movl	$40, 4(%rbx)
 	movq	.LC132(%rip), %rax
@@ -2697,23 +2866,23 @@ experimental:
 	addq	$56, %rbx
 	addq	$12792, %rbp
 	cmpq	%r13, %rbx
-	jne	.L104
+	jne	.L106
 	pxor	%xmm0, %xmm0
-	movups	%xmm0, 692(%rsp)
-	movl	$0, 708(%rsp)
-	movl	$40, 688(%rsp)
+	movups	%xmm0, 708(%rsp)
+	movl	$0, 724(%rsp)
+	movl	$40, 704(%rsp)
 	movq	.LC133(%rip), %rax
-	movq	%rax, 696(%rsp)
-	leaq	1728(%rsp), %rax
 	movq	%rax, 712(%rsp)
-	leaq	576(%rsp), %rax
-	movq	%rax, 720(%rsp)
+	leaq	1744(%rsp), %rax
+	movq	%rax, 728(%rsp)
+	leaq	592(%rsp), %rax
+	movq	%rax, 736(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	1344(%rsp), %rbx
-	leaq	960(%rsp), %r15
-	leaq	1072(%rsp), %rcx
-	leaq	688(%rsp), %r13
+	leaq	1360(%rsp), %rbx
+	leaq	976(%rsp), %r15
+	leaq	1088(%rsp), %rcx
+	leaq	704(%rsp), %r13
 	movq	%rbx, %r8
 	movq	%r15, %rdx
 	movq	%r13, %rsi
@@ -2728,7 +2897,7 @@ experimental:
 	call	show
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	1016(%rsp), %rbp
+	leaq	1032(%rsp), %rbp
 	movq	%rbx, %r8
 	movl	$0, %ecx
 	movq	%rbp, %rdx
@@ -2750,10 +2919,11 @@ experimental:
 	call	done
 	movl	$0, %ebx
 	leaq	2912(%rsp), %rbp
+	leaq	2464(%rsp), %rbp
 	leaq	.LC137(%rip), %r15
 	leaq	.LC138(%rip), %r13
-.L105:
-	leaq	960(%rsp), %rdi
+.L107:
+	leaq	976(%rsp), %rdi
 	movq	%rbp, %rdx
 	movl	%ebx, %esi
 	call	wrc_damage_values@PLT
@@ -2764,7 +2934,7 @@ experimental:
 	movq	%rbp, %rsi
 	movq	%r13, %rdi
 	call	show
-	leaq	1072(%rsp), %rdi
+	leaq	1088(%rsp), %rdi
 	movq	%rbp, %rdx
 	movl	%ebx, %esi
 	call	wrc_damage_values@PLT
@@ -2777,15 +2947,15 @@ experimental:
 	call	show
 	addl	$1, %ebx
 	cmpl	$8, %ebx
-	jne	.L105
-	movl	12752+bin.12(%rip), %esi
-	movsd	6504+bin.12(%rip), %xmm1
-	movsd	6496+bin.12(%rip), %xmm0
+	jne	.L107
+	movl	12752+bin.13(%rip), %esi
+	movsd	6504+bin.13(%rip), %xmm1
+	movsd	6496+bin.13(%rip), %xmm0
 	leaq	.LC140(%rip), %rdi
 	movl	$2, %eax
 	call	printf@PLT
-	leaq	464(%rsp), %rbx
-	leaq	576(%rsp), %rdi
+	leaq	480(%rsp), %rbx
+	leaq	592(%rsp), %rdi
 	movq	%rbx, %rsi
 	movsd	.LC141(%rip), %xmm0
 	call	wrc_whole_life_damage@PLT
@@ -2796,29 +2966,228 @@ experimental:
 	movq	%rbx, %rsi
 	leaq	.LC143(%rip), %rdi
 	call	show
-	leaq	960(%rsp), %rbp
-	movq	%rbp, %rdi
-	movsd	.LC144(%rip), %xmm2
-	movsd	.LC145(%rip), %xmm1
-	movsd	.LC146(%rip), %xmm0
+	leaq	bin.12(%rip), %r13
+	movl	$29952, %edx
+	movl	$0, %esi
+	movq	%r13, %rdi
+	call	memset@PLT
+	leaq	976(%rsp), %rbx
+	movl	$0, %ebp
+	movq	.LC70(%rip), %r15
+.L110:
+	leaq	2464(%rsp), %rdi
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 2468(%rsp)
+	movups	%xmm0, 2484(%rsp)
+	movups	%xmm0, 2496(%rsp)
+	movl	$48, 2464(%rsp)
+	call	wrc_surface_init@PLT
+	movl	2464(%rsp), %eax
+	movl	%eax, (%rbx)
+	movsd	2472(%rsp), %xmm0
+	movsd	%xmm0, 8(%rbx)
+	movsd	2488(%rsp), %xmm0
+	movsd	%xmm0, 24(%rbx)
+	movl	$12, 4(%rbx)
+	cmpl	$1, %ebp
+	je	.L108
+	movq	%r15, 16(%rbx)
+	sete	%al
+	movzbl	%al, %eax
+	movl	%eax, 32(%rbx)
+	movl	$832, 36(%rbx)
+	movq	%r13, 40(%rbx)
+	addl	$1, %ebp
+	cmpl	$3, %ebp
+	je	.L109
+	addq	$48, %rbx
+	addq	$9984, %r13
+	jmp	.L110
+.L132:
+	movl	$2, %edi
+	call	exit@PLT
+.L109:
+	leaq	2464(%rsp), %rbx
+	movl	$90, %ecx
+	movl	$0, %eax
+	movq	%rbx, %rdi
+	rep stosq
+	movl	$720, 2464(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_surface_laws_init@PLT
+	leaq	1744(%rsp), %rdi
+	movl	$90, %ecx
+	movq	%rbx, %rsi
+	rep movsq
+	leaq	1744(%rsp), %rdi
+	movl	$400, %ecx
+	leaq	text(%rip), %rdx
+	leaq	.LC144(%rip), %rsi
+	call	wrc_surface_laws_use@PLT
+	movl	%eax, %edi
+	leaq	.LC145(%rip), %rsi
+	call	done
+	movq	.LC146(%rip), %rax
+	movq	%rax, 2456(%rsp)
+	movl	$0, %ebx
+	leaq	text(%rip), %rbp
+.L111:
+	leaq	976(%rsp), %rdi
+	movl	$400, %ecx
+	movq	%rbp, %rdx
+	movq	.LC147(%rip), %rax
+	movq	%rax, %xmm2
+	movq	.LC70(%rip), %rax
+	movq	%rax, %xmm1
+	movq	.LC121(%rip), %rax
+	movq	%rax, %xmm0
+	movl	%ebx, %esi
+	call	wrc_surface_add@PLT
+	movl	%eax, %edi
+	leaq	.LC148(%rip), %rsi
+	call	done
+	addl	$1, %ebx
+	cmpl	$6, %ebx
+	jne	.L111
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 484(%rsp)
+	movups	%xmm0, 496(%rsp)
+	movl	$48, 480(%rsp)
+	movq	.LC149(%rip), %rax
+	movq	%rax, 488(%rsp)
+	movq	.LC150(%rip), %rax
+	movq	%rax, 496(%rsp)
+	movq	.LC151(%rip), %rax
+	movq	%rax, 512(%rsp)
+	movq	.LC152(%rip), %rax
+	movq	%rax, 520(%rsp)
+	leaq	1360(%rsp), %r13
+	movq	%r13, %rdi
+	call	wrc_friction_default
+	movq	.LC74(%rip), %rax
+	movq	%rax, 1360(%rsp)
+	movq	$0, 596(%rsp)
+	movq	$0, 680(%rsp)
+	leaq	600(%rsp), %rdi
+	movl	$11, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$96, 592(%rsp)
+	leaq	480(%rsp), %rax
+	leaq	1744(%rsp), %r15
+	leaq	976(%rsp), %rbx
+	leaq	1024(%rsp), %rsi
+	subq	$8, %rsp
+	pushq	$400
+	leaq	text(%rip), %r9
+	leaq	608(%rsp), %r8
+	movq	%rax, 24(%rsp)
+	movq	%rax, %rcx
+	movq	%r15, %rdx
+	movq	%rsi, 32(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_surface_pass@PLT
+	movl	%eax, %edi
+	leaq	.LC153(%rip), %rsi
+	call	done
+	leaq	616(%rsp), %rsi
+	movl	$11, %edx
+	leaq	.LC154(%rip), %rdi
+	call	show
+	leaq	2480(%rsp), %rdx
+	pushq	$400
+	leaq	text(%rip), %rbp
+	pushq	%rbp
+	movq	%rdx, 56(%rsp)
+	movq	%rdx, %r9
+	movq	%r13, %r8
+	movq	40(%rsp), %rcx
+	movq	%r15, %rdx
+	movq	48(%rsp), %rsi
+	movq	%rbx, %rdi
+	call	wrc_surface_friction@PLT
+	movl	%eax, %edi
+	addq	$32, %rsp
+	leaq	.LC155(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	movq	24(%rsp), %rsi
+	leaq	.LC156(%rip), %rdi
+	call	show
+	leaq	2624(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC157(%rip), %rdi
+	call	show
+	movl	$400, %ecx
+	movq	%rbp, %rdx
+	movsd	.LC41(%rip), %xmm0
+	movq	%r15, %rsi
+	movq	%rbx, %rdi
+	call	wrc_surface_rest@PLT
+	movl	%eax, %edi
+	leaq	.LC158(%rip), %rsi
+	call	done
+	leaq	1072(%rsp), %rdi
+	movl	$400, %ecx
+	movq	%rbp, %rdx
+	movq	%rbx, %rsi
+	call	wrc_surface_merge@PLT
+	movl	%eax, %edi
+	leaq	.LC159(%rip), %rsi
+	call	done
+	movl	$0, %ebx
+	leaq	384(%rsp), %r13
+	leaq	.LC160(%rip), %r15
+.L112:
+	leaq	704(%rsp), %rbp
+	leaq	1072(%rsp), %rdi
+	subq	$8, %rsp
+	pushq	$400
+	leaq	text(%rip), %r9
+	movq	%r13, %r8
+	movq	%rbp, %rcx
+	movl	%ebx, %edx
+	movl	$0, %esi
+	call	wrc_surface_values@PLT
+	movl	%eax, %edi
+	movq	%r15, %rsi
+	call	done
+	movl	$12, %edx
+	movq	%rbp, %rsi
+	leaq	.LC138(%rip), %rdi
+	call	show
+	movl	$1, %edx
+	movq	%r13, %rsi
+	leaq	.LC161(%rip), %rdi
+	call	show
+	addl	$1, %ebx
+	addq	$16, %rsp
+	cmpl	$6, %ebx
+	jne	.L112
+	leaq	976(%rsp), %rbx
+	movq	%rbx, %rdi
+	movsd	.LC162(%rip), %xmm2
+	movsd	.LC163(%rip), %xmm1
+	movsd	.LC164(%rip), %xmm0
 	call	wrc_linear_coefficients@PLT
 	movl	%eax, %edi
-	leaq	.LC147(%rip), %rsi
+	leaq	.LC165(%rip), %rsi
 	call	done
 	movl	$7, %edx
-	movq	%rbp, %rsi
-	leaq	.LC148(%rip), %rdi
+	movq	%rbx, %rsi
+	leaq	.LC166(%rip), %rdi
 	call	show
+	leaq	480(%rsp), %rbx
 	movq	%rbx, %rdi
 	movq	.LC68(%rip), %rax
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit@PLT
 	movl	%eax, %edi
-	leaq	.LC149(%rip), %rsi
+	leaq	.LC167(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
-	leaq	.LC150(%rip), %rbp
+	leaq	.LC168(%rip), %rbp
 	movq	%rbp, %rdi
 	call	show
 	movq	%rbx, %rdi
@@ -2826,16 +3195,16 @@ experimental:
 	movq	%rax, %xmm0
 	call	wrc_shakedown_limit_point@PLT
 	movl	%eax, %edi
-	leaq	.LC151(%rip), %rsi
+	leaq	.LC169(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	movq	%rbx, %rsi
 	movq	%rbp, %rdi
 	call	show
 	movl	$0, %eax
-	movsd	.LC152(%rip), %xmm2
+	movsd	.LC170(%rip), %xmm2
 	movl	$16, %ecx
-.L106:
+.L113:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -2844,7 +3213,7 @@ experimental:
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%edx, %xmm1
 	mulsd	%xmm1, %xmm0
-	movsd	%xmm0, 1344(%rsp,%rax,8)
+	movsd	%xmm0, 1360(%rsp,%rax,8)
 	addq	$1, %rax
 	cmpq	$16, %rax
 	jne	.L106
@@ -2879,6 +3248,38 @@ experimental:
 	leaq	688(%rsp), %rbp
 	leaq	576(%rsp), %rdx
 	leaq	1344(%rsp), %rsi
+	jne	.L113
+	leaq	2464(%rsp), %rdi
+	call	wrc_config_default
+	movq	2760(%rsp), %r8
+	movq	2768(%rsp), %r9
+	movq	%r8, 592(%rsp)
+	movq	%r9, 600(%rsp)
+	movq	2776(%rsp), %rsi
+	movq	2784(%rsp), %rdi
+	movq	%rsi, 608(%rsp)
+	movq	%rdi, 616(%rsp)
+	movq	2792(%rsp), %rcx
+	movq	2800(%rsp), %rbx
+	movq	%rcx, 624(%rsp)
+	movq	%rbx, 632(%rsp)
+	movq	2808(%rsp), %rax
+	movq	2816(%rsp), %rdx
+	movq	%rax, 640(%rsp)
+	movq	%rdx, 648(%rsp)
+	movq	%r8, 704(%rsp)
+	movq	%rsi, 720(%rsp)
+	movq	%rdi, 728(%rsp)
+	movq	%rcx, 736(%rsp)
+	movq	%rbx, 744(%rsp)
+	movq	%rax, 752(%rsp)
+	movq	%rdx, 760(%rsp)
+	movq	.LC171(%rip), %rax
+	movq	%rax, 712(%rsp)
+	leaq	1744(%rsp), %rbx
+	leaq	704(%rsp), %rbp
+	leaq	592(%rsp), %rdx
+	leaq	1360(%rsp), %rsi
 	movq	%rbx, %r8
 	movq	%rbp, %rcx
 	movsd	.LC41(%rip), %xmm1
@@ -2886,13 +3287,13 @@ experimental:
 	movl	$16, %edi
 	call	wrc_flash_temperature@PLT
 	movl	%eax, %edi
-	leaq	.LC154(%rip), %rsi
+	leaq	.LC172(%rip), %rsi
 	call	done
 	movl	$16, %edx
 	movq	%rbx, %rsi
-	leaq	.LC155(%rip), %rdi
+	leaq	.LC173(%rip), %rdi
 	call	show
-	movl	$0, 20(%rsp)
+	movl	$0, 36(%rsp)
 	pxor	%xmm4, %xmm4
 	movups	%xmm4, 2952(%rsp)
 	movups	%xmm4, 2968(%rsp)
@@ -2908,6 +3309,18 @@ experimental:
 	movdqa	2912(%rsp), %xmm7
 	movaps	%xmm7, 288(%rsp)
 	movdqa	2928(%rsp), %xmm7
+	movups	%xmm4, 1784(%rsp)
+	movups	%xmm4, 1800(%rsp)
+	movl	$12, 1744(%rsp)
+	movl	$14, 1748(%rsp)
+	movsd	.LC174(%rip), %xmm0
+	movsd	%xmm0, 1752(%rsp)
+	movsd	%xmm0, 1760(%rsp)
+	movq	.LC175(%rip), %rax
+	movq	%rax, 1768(%rsp)
+	movq	.LC176(%rip), %rax
+	movq	%rax, 1776(%rsp)
+	movdqa	1744(%rsp), %xmm7
 	movaps	%xmm7, 304(%rsp)
 	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 320(%rsp)
@@ -2915,10 +3328,16 @@ experimental:
 	movaps	%xmm6, 336(%rsp)
 	movq	2976(%rsp), %rax
 	movq	%rax, 352(%rsp)
+	movdqa	1776(%rsp), %xmm7
+	movaps	%xmm7, 336(%rsp)
+	movdqa	1792(%rsp), %xmm6
+	movaps	%xmm6, 352(%rsp)
+	movq	1808(%rsp), %rax
+	movq	%rax, 368(%rsp)
 	leaq	text(%rip), %r15
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	288(%rsp), %rax
+	leaq	304(%rsp), %rax
 	leaq	gap.11(%rip), %r13
 	movq	%r13, %rdx
 	movq	%rax, 8(%rsp)
@@ -2926,17 +3345,18 @@ experimental:
 	movq	%r14, %rdi
 	call	wrc_exact_gap@PLT
 	movl	%eax, %edi
-	leaq	.LC159(%rip), %rsi
+	leaq	.LC177(%rip), %rsi
 	call	done
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC160(%rip), %rdi
+	leaq	.LC178(%rip), %rdi
 	call	show
 	movl	$33, %ecx
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
 	movl	$264, 2912(%rsp)
+	movl	$264, 1744(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_normal_problem_init@PLT
 	movl	$33, %ecx
@@ -2944,161 +3364,167 @@ experimental:
 	movq	%rbx, %rsi
 	rep movsq
 	pxor	%xmm4, %xmm4
-	movups	%xmm4, 100(%rsp)
 	movups	%xmm4, 116(%rsp)
 	movups	%xmm4, 132(%rsp)
-	movl	$0, 148(%rsp)
-	movl	$64, 96(%rsp)
+	movups	%xmm4, 148(%rsp)
+	movl	$0, 164(%rsp)
+	movl	$64, 112(%rsp)
 	movq	.LC46(%rip), %rcx
-	movq	%rcx, 704(%rsp)
-	movdqa	288(%rsp), %xmm7
-	movups	%xmm7, 856(%rsp)
-	movdqa	304(%rsp), %xmm6
-	movups	%xmm6, 872(%rsp)
-	movdqa	320(%rsp), %xmm3
-	movups	%xmm3, 888(%rsp)
-	movdqa	336(%rsp), %xmm7
-	movups	%xmm7, 904(%rsp)
-	movq	352(%rsp), %rax
-	movq	%rax, 920(%rsp)
-	movq	%r13, 928(%rsp)
+	movq	%rcx, 720(%rsp)
+	movdqa	304(%rsp), %xmm7
+	movups	%xmm7, 872(%rsp)
+	movdqa	320(%rsp), %xmm6
+	movups	%xmm6, 888(%rsp)
+	movdqa	336(%rsp), %xmm3
+	movups	%xmm3, 904(%rsp)
+	movdqa	352(%rsp), %xmm7
+	movups	%xmm7, 920(%rsp)
+	movq	368(%rsp), %rax
+	movq	%rax, 936(%rsp)
+	movq	%r13, 944(%rsp)
 	leaq	hear(%rip), %rcx
-	movq	%rcx, 936(%rsp)
-	leaq	20(%rsp), %rax
-	movq	%rax, 944(%rsp)
+	movq	%rcx, 952(%rsp)
+	leaq	36(%rsp), %rax
+	movq	%rax, 960(%rsp)
 	leaq	pressure.10(%rip), %r13
-	movq	%r13, 152(%rsp)
-	leaq	96(%rsp), %rsi
+	movq	%r13, 168(%rsp)
+	leaq	112(%rsp), %rsi
 	movl	$400, %ecx
 	movq	%r15, %rdx
 	movq	%rbp, %rdi
 	call	wrc_exact_normal@PLT
 	movl	%eax, %edi
-	leaq	.LC161(%rip), %rsi
+	leaq	.LC179(%rip), %rsi
 	call	done
-	leaq	112(%rsp), %rsi
+	leaq	128(%rsp), %rsi
 	movl	$5, %edx
-	leaq	.LC162(%rip), %rdi
+	leaq	.LC180(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%r13, %rsi
-	leaq	.LC163(%rip), %rdi
+	leaq	.LC181(%rip), %rdi
 	call	show
 	movl	$47, %ecx
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
 	movl	$376, 2912(%rsp)
+	movl	$376, 1744(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_rolling_problem_init@PLT
-	leaq	960(%rsp), %rdi
+	leaq	976(%rsp), %rdi
 	movl	$47, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	pxor	%xmm4, %xmm4
-	movups	%xmm4, 468(%rsp)
 	movups	%xmm4, 484(%rsp)
 	movups	%xmm4, 500(%rsp)
 	movups	%xmm4, 516(%rsp)
-	movl	$0, 532(%rsp)
-	movl	$104, 464(%rsp)
-	movdqa	288(%rsp), %xmm6
-	movups	%xmm6, 1112(%rsp)
-	movdqa	304(%rsp), %xmm3
-	movups	%xmm3, 1128(%rsp)
-	movdqa	320(%rsp), %xmm4
-	movups	%xmm4, 1144(%rsp)
-	movdqa	336(%rsp), %xmm5
-	movups	%xmm5, 1160(%rsp)
-	movq	352(%rsp), %rax
-	movq	%rax, 1176(%rsp)
-	movq	%r13, 1184(%rsp)
+	movups	%xmm4, 532(%rsp)
+	movl	$0, 548(%rsp)
+	movl	$104, 480(%rsp)
+	movdqa	304(%rsp), %xmm6
+	movups	%xmm6, 1128(%rsp)
+	movdqa	320(%rsp), %xmm3
+	movups	%xmm3, 1144(%rsp)
+	movdqa	336(%rsp), %xmm4
+	movups	%xmm4, 1160(%rsp)
+	movdqa	352(%rsp), %xmm5
+	movups	%xmm5, 1176(%rsp)
+	movq	368(%rsp), %rax
+	movq	%rax, 1192(%rsp)
+	movq	%r13, 1200(%rsp)
 	movq	.LC57(%rip), %rax
-	movq	%rax, 1208(%rsp)
-	movq	.LC76(%rip), %rax
 	movq	%rax, 1224(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 1240(%rsp)
 	leaq	traction_x.9(%rip), %rbp
-	movq	%rbp, 536(%rsp)
+	movq	%rbp, 552(%rsp)
 	leaq	traction_y.8(%rip), %rax
-	movq	%rax, 544(%rsp)
+	movq	%rax, 560(%rsp)
 	leaq	slip_x.7(%rip), %rax
-	movq	%rax, 552(%rsp)
+	movq	%rax, 568(%rsp)
 	leaq	slip_y.6(%rip), %rbx
-	movq	%rbx, 560(%rsp)
-	leaq	464(%rsp), %rsi
-	leaq	960(%rsp), %rdi
+	movq	%rbx, 576(%rsp)
+	leaq	480(%rsp), %rsi
+	leaq	976(%rsp), %rdi
 	movl	$400, %ecx
 	movq	%r15, %rdx
 	call	wrc_exact_rolling@PLT
 	movl	%eax, %edi
-	leaq	.LC164(%rip), %rsi
+	leaq	.LC182(%rip), %rsi
 	call	done
-	leaq	480(%rsp), %rsi
+	leaq	496(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC165(%rip), %rdi
+	leaq	.LC183(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%rbp, %rsi
-	leaq	.LC166(%rip), %rdi
+	leaq	.LC184(%rip), %rdi
 	call	show
 	movl	$168, %edx
 	movq	%rbx, %rsi
-	leaq	.LC167(%rip), %rdi
+	leaq	.LC185(%rip), %rdi
 	call	show
-	movq	$0, 24(%rsp)
-	movdqu	984(%rsp), %xmm7
-	movaps	%xmm7, 160(%rsp)
-	movdqu	1000(%rsp), %xmm6
-	movaps	%xmm6, 176(%rsp)
-	movdqu	1016(%rsp), %xmm3
-	movaps	%xmm3, 192(%rsp)
-	movdqu	1032(%rsp), %xmm4
-	movaps	%xmm4, 208(%rsp)
-	movdqu	1048(%rsp), %xmm5
-	movaps	%xmm5, 224(%rsp)
-	movdqu	1064(%rsp), %xmm7
-	movaps	%xmm7, 240(%rsp)
-	movdqu	1080(%rsp), %xmm6
-	movaps	%xmm6, 256(%rsp)
-	movdqu	1096(%rsp), %xmm3
-	movaps	%xmm3, 272(%rsp)
-	leaq	24(%rsp), %rcx
-	leaq	224(%rsp), %rdx
-	leaq	160(%rsp), %rsi
+	movq	$0, 40(%rsp)
+	movdqu	1000(%rsp), %xmm7
+	movaps	%xmm7, 176(%rsp)
+	movdqu	1016(%rsp), %xmm6
+	movaps	%xmm6, 192(%rsp)
+	movdqu	1032(%rsp), %xmm3
+	movaps	%xmm3, 208(%rsp)
+	movdqu	1048(%rsp), %xmm4
+	movaps	%xmm4, 224(%rsp)
+	movdqu	1064(%rsp), %xmm5
+	movaps	%xmm5, 240(%rsp)
+	movdqu	1080(%rsp), %xmm7
+	movaps	%xmm7, 256(%rsp)
+	movdqu	1096(%rsp), %xmm6
+	movaps	%xmm6, 272(%rsp)
+	movdqu	1112(%rsp), %xmm3
+	movaps	%xmm3, 288(%rsp)
+	leaq	40(%rsp), %rcx
+	leaq	240(%rsp), %rdx
+	leaq	176(%rsp), %rsi
 	movl	$400, %r9d
 	movq	%r15, %r8
 	movq	8(%rsp), %rdi
 	call	wrc_exact_transient_create@PLT
 	movl	%eax, %edi
-	leaq	.LC168(%rip), %rsi
+	leaq	.LC186(%rip), %rsi
 	call	done
 	movl	$2, %ebx
-	leaq	464(%rsp), %r13
+	leaq	480(%rsp), %r13
 	movq	%r15, %rbp
-	leaq	.LC169(%rip), %r15
-.L107:
-	leaq	960(%rsp), %rsi
+	leaq	.LC187(%rip), %r15
+.L114:
+	leaq	976(%rsp), %rsi
 	movl	$400, %r8d
 	movq	%rbp, %rcx
 	movq	%r13, %rdx
-	movq	24(%rsp), %rdi
+	movq	40(%rsp), %rdi
 	call	wrc_exact_transient_step@PLT
 	movl	%eax, %edi
 	movq	%r15, %rsi
 	call	done
-	leaq	480(%rsp), %rsi
+	leaq	496(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC165(%rip), %rdi
+	leaq	.LC183(%rip), %rdi
 	call	show
 	subl	$1, %ebx
-	jne	.L107
-	movq	24(%rsp), %rdi
+	jne	.L114
+	movq	40(%rsp), %rdi
 	call	wrc_exact_transient_destroy@PLT
 	leaq	2912(%rsp), %rbx
 	movl	$0, %r13d
 	movq	$0, 2916(%rsp)
 	movq	$0, 3016(%rsp)
 	leaq	2920(%rsp), %rdi
+	leaq	1744(%rsp), %rbx
+	movl	$0, %r15d
+	movq	$0, 1748(%rsp)
+	movq	$0, 1848(%rsp)
+	leaq	1752(%rsp), %rdi
 	movl	$13, %ecx
 	movq	%r13, %rax
 	rep stosq
@@ -3139,6 +3565,41 @@ experimental:
 	leaq	368(%rsp), %rbp
 	leaq	48(%rsp), %rsi
 	leaq	576(%rsp), %r15
+	movl	$112, 1744(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_loads_init@PLT
+	movdqa	1744(%rsp), %xmm4
+	movaps	%xmm4, 592(%rsp)
+	movdqa	1840(%rsp), %xmm5
+	movaps	%xmm5, 688(%rsp)
+	movdqa	304(%rsp), %xmm7
+	movaps	%xmm7, 608(%rsp)
+	movdqa	320(%rsp), %xmm6
+	movaps	%xmm6, 624(%rsp)
+	movdqa	336(%rsp), %xmm3
+	movaps	%xmm3, 640(%rsp)
+	movdqa	352(%rsp), %xmm4
+	movaps	%xmm4, 656(%rsp)
+	movq	368(%rsp), %rax
+	movq	%rax, 672(%rsp)
+	leaq	pressure.10(%rip), %rax
+	movq	%rax, 680(%rsp)
+	leaq	traction_x.9(%rip), %rax
+	movq	%rax, 688(%rsp)
+	movq	$0x000000000, 64(%rsp)
+	movq	$0x000000000, 72(%rsp)
+	movsd	.LC38(%rip), %xmm0
+	movsd	%xmm0, 80(%rsp)
+	movsd	.LC57(%rip), %xmm1
+	movsd	%xmm1, 88(%rsp)
+	movsd	%xmm0, 96(%rsp)
+	movsd	.LC67(%rip), %xmm0
+	movsd	%xmm0, 104(%rsp)
+	movsd	%xmm1, 48(%rsp)
+	movsd	%xmm0, 56(%rsp)
+	leaq	384(%rsp), %rbp
+	leaq	64(%rsp), %rsi
+	leaq	592(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%rbp, %rcx
@@ -3146,11 +3607,11 @@ experimental:
 	movq	%r15, %rdi
 	call	wrc_exact_stress@PLT
 	movl	%eax, %edi
-	leaq	.LC170(%rip), %rsi
+	leaq	.LC188(%rip), %rsi
 	call	done
 	movl	$12, %edx
 	movq	%rbp, %rsi
-	leaq	.LC171(%rip), %rdi
+	leaq	.LC189(%rip), %rdi
 	call	show
 	movl	$73, %ecx
 	movq	%rbx, %rdi
@@ -3159,11 +3620,14 @@ experimental:
 	movl	$584, 2912(%rsp)
 	leaq	1344(%rsp), %rbp
 	leaq	32(%rsp), %rsi
+	movl	$584, 1744(%rsp)
+	leaq	1360(%rsp), %rbp
+	leaq	48(%rsp), %rsi
 	subq	$8, %rsp
 	pushq	$400
 	leaq	text(%rip), %rax
 	pushq	%rax
-	leaq	44(%rsp), %rax
+	leaq	60(%rsp), %rax
 	pushq	%rax
 	leaq	hear(%rip), %r9
 	movq	%rbx, %r8
@@ -3173,11 +3637,11 @@ experimental:
 	call	wrc_exact_largest_stresses@PLT
 	movl	%eax, %edi
 	addq	$32, %rsp
-	leaq	.LC172(%rip), %rsi
+	leaq	.LC190(%rip), %rsi
 	call	done
 	movq	%rbp, %rdi
 	call	show_peaks
-	leaq	1536(%rsp), %rdi
+	leaq	1552(%rsp), %rdi
 	call	show_peaks
 	leaq	2920(%rsp), %rdi
 	call	show_peaks
@@ -3188,6 +3652,15 @@ experimental:
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
 	leaq	6464(%rsp), %rsi
+	leaq	1752(%rsp), %rdi
+	call	show_peaks
+	leaq	1944(%rsp), %rdi
+	call	show_peaks
+	leaq	2136(%rsp), %rdi
+	call	show_peaks
+	movb	$0, text(%rip)
+	movq	%r14, spoken(%rip)
+	leaq	4368(%rsp), %rsi
 	movl	$0, %edx
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
@@ -3204,35 +3677,47 @@ experimental:
 	movaps	%xmm7, 576(%rsp)
 	movdqa	2928(%rsp), %xmm6
 	movaps	%xmm6, 592(%rsp)
+	movups	%xmm5, 1748(%rsp)
+	movups	%xmm5, 1760(%rsp)
+	movl	$32, 1744(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_exact_check_options_init@PLT
+	movdqa	1744(%rsp), %xmm7
+	movaps	%xmm7, 592(%rsp)
+	movdqa	1760(%rsp), %xmm6
+	movaps	%xmm6, 608(%rsp)
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 964(%rsp)
 	movups	%xmm5, 980(%rsp)
 	movups	%xmm5, 996(%rsp)
-	movups	%xmm5, 1008(%rsp)
-	movl	$64, 960(%rsp)
-	movl	$12, 584(%rsp)
-	movl	$12, 580(%rsp)
+	movups	%xmm5, 1012(%rsp)
+	movups	%xmm5, 1024(%rsp)
+	movl	$64, 976(%rsp)
+	movl	$12, 600(%rsp)
+	movl	$12, 596(%rsp)
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
 	leaq	960(%rsp), %rdx
 	movq	%r15, %rsi
+	leaq	976(%rsp), %rdx
+	movq	%r13, %rsi
 	movq	%r14, %rdi
 	call	wrc_exact_check@PLT
 	movl	%eax, %edi
-	leaq	.LC173(%rip), %rsi
+	leaq	.LC191(%rip), %rsi
 	call	done
-	leaq	968(%rsp), %rsi
+	leaq	984(%rsp), %rsi
 	movl	$7, %edx
-	leaq	.LC174(%rip), %rdi
+	leaq	.LC192(%rip), %rdi
 	call	show
 	movq	%rbx, %rdi
 	call	rolling
 	leaq	1348(%rsp), %r15
+	leaq	1364(%rsp), %r13
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 1348(%rsp)
 	movups	%xmm5, 1364(%rsp)
-	movups	%xmm5, 1376(%rsp)
-	movl	$48, 1344(%rsp)
+	movups	%xmm5, 1380(%rsp)
+	movups	%xmm5, 1392(%rsp)
+	movl	$48, 1360(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_exact_wrench_options_init@PLT
 	movdqa	1344(%rsp), %xmm5
@@ -3244,27 +3729,40 @@ experimental:
 	leaq	1352(%rsp), %rdi
 	subq	%rdi, %r15
 	leal	180(%r15), %ecx
+	movdqa	1360(%rsp), %xmm5
+	movaps	%xmm5, 704(%rsp)
+	movdqa	1392(%rsp), %xmm3
+	movaps	%xmm3, 736(%rsp)
+	movq	$0, 1364(%rsp)
+	movq	$0, 1536(%rsp)
+	leaq	1368(%rsp), %rdi
+	subq	%rdi, %r13
+	leal	180(%r13), %ecx
 	shrl	$3, %ecx
 	movl	%ecx, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$184, 1344(%rsp)
+	movl	$184, 1360(%rsp)
 	movq	.LC119(%rip), %rax
 	movq	%rax, 2952(%rsp)
 	movsd	.LC175(%rip), %xmm0
 	movsd	%xmm0, 712(%rsp)
 	movsd	%xmm0, 704(%rsp)
+	movq	%rax, 1784(%rsp)
+	movsd	.LC193(%rip), %xmm0
+	movsd	%xmm0, 728(%rsp)
+	movsd	%xmm0, 720(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	688(%rsp), %rdx
+	leaq	704(%rsp), %rdx
 	movq	%rbp, %rcx
 	movq	%rbx, %rsi
 	movq	%r12, %rdi
 	call	wrc_exact_wrench@PLT
 	movl	%eax, %edi
-	leaq	.LC176(%rip), %rsi
+	leaq	.LC194(%rip), %rsi
 	call	done
-	leaq	1360(%rsp), %rsi
+	leaq	1376(%rsp), %rsi
 	movl	$19, %edx
 	leaq	.LC35(%rip), %rdi
 	call	show
@@ -3392,6 +3890,11 @@ experimental:
 	movl	$-4, %edx
 	movsd	.LC57(%rip), %xmm1
 .L109:
+	leaq	480(%rsp), %rax
+	leaq	552(%rsp), %rcx
+	movl	$-4, %edx
+	movsd	.LC57(%rip), %xmm1
+.L115:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%edx, %xmm0
 	mulsd	%xmm1, %xmm0
@@ -3418,6 +3921,25 @@ experimental:
 	movq	%r13, 2976(%rsp)
 	leaq	2912(%rsp), %rdx
 	leaq	160(%rsp), %rsi
+	jne	.L115
+	movq	$0, 192(%rsp)
+	movl	$24, 176(%rsp)
+	movl	$9, 180(%rsp)
+	leaq	480(%rsp), %rbp
+	movq	%rbp, 184(%rsp)
+	movq	$0, 1748(%rsp)
+	movq	$0, 1832(%rsp)
+	leaq	1752(%rsp), %rdi
+	movl	$11, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$96, 1744(%rsp)
+	leaq	592(%rsp), %rbx
+	movq	%rbx, 1768(%rsp)
+	leaq	704(%rsp), %r13
+	movq	%r13, 1808(%rsp)
+	leaq	1744(%rsp), %rdx
+	leaq	176(%rsp), %rsi
 	movl	$400, %r8d
 	leaq	text(%rip), %r15
 	movq	%r15, %rcx
@@ -3439,35 +3961,50 @@ experimental:
 	movq	.LC196(%rip), %rax
 	movq	%rax, 104(%rsp)
 	leaq	1344(%rsp), %rdi
+	leaq	.LC195(%rip), %rsi
+	call	done
+	movl	$9, %edx
+	movq	%rbx, %rsi
+	leaq	.LC196(%rip), %rdi
+	call	show
+	movl	$9, %edx
+	movq	%r13, %rsi
+	leaq	.LC197(%rip), %rdi
+	call	show
+	movq	.LC57(%rip), %rax
+	movq	%rax, 112(%rsp)
+	movq	.LC198(%rip), %rax
+	movq	%rax, 120(%rsp)
+	leaq	1360(%rsp), %rdi
 	pxor	%xmm7, %xmm7
-	movups	%xmm7, 1348(%rsp)
 	movups	%xmm7, 1364(%rsp)
 	movups	%xmm7, 1380(%rsp)
-	movl	$0, 1396(%rsp)
-	movl	$56, 1344(%rsp)
+	movups	%xmm7, 1396(%rsp)
+	movl	$0, 1412(%rsp)
+	movl	$56, 1360(%rsp)
 	call	wrc_conicity_problem_init@PLT
-	movdqa	1344(%rsp), %xmm4
-	movaps	%xmm4, 368(%rsp)
-	movdqa	1376(%rsp), %xmm5
-	movaps	%xmm5, 400(%rsp)
-	movq	1392(%rsp), %rax
+	movdqa	1360(%rsp), %xmm4
+	movaps	%xmm4, 384(%rsp)
+	movdqa	1392(%rsp), %xmm5
+	movaps	%xmm5, 416(%rsp)
+	movq	1408(%rsp), %rax
+	movq	%rax, 432(%rsp)
+	movl	$9, 392(%rsp)
+	movq	%rbp, 400(%rsp)
+	movq	%rbx, 408(%rsp)
+	movl	$2, 396(%rsp)
+	leaq	112(%rsp), %rax
 	movq	%rax, 416(%rsp)
-	movl	$9, 376(%rsp)
-	movq	%rbp, 384(%rsp)
-	movq	%rbx, 392(%rsp)
-	movl	$2, 380(%rsp)
-	leaq	96(%rsp), %rax
-	movq	%rax, 400(%rsp)
 	pxor	%xmm7, %xmm7
-	movups	%xmm7, 228(%rsp)
-	movups	%xmm7, 240(%rsp)
-	movl	$32, 224(%rsp)
-	leaq	32(%rsp), %rbp
-	movq	%rbp, 232(%rsp)
-	leaq	48(%rsp), %rbx
-	movq	%rbx, 240(%rsp)
-	leaq	224(%rsp), %rsi
-	leaq	368(%rsp), %rdi
+	movups	%xmm7, 244(%rsp)
+	movups	%xmm7, 256(%rsp)
+	movl	$32, 240(%rsp)
+	leaq	48(%rsp), %rbp
+	movq	%rbp, 248(%rsp)
+	leaq	64(%rsp), %rbx
+	movq	%rbx, 256(%rsp)
+	leaq	240(%rsp), %rsi
+	leaq	384(%rsp), %rdi
 	movl	$400, %ecx
 	movq	%r15, %rdx
 	call	wrc_equivalent_conicity@PLT
@@ -3481,12 +4018,23 @@ experimental:
 	movl	$2, %edx
 	movq	%rbx, %rsi
 	leaq	.LC199(%rip), %rdi
+	leaq	.LC199(%rip), %rsi
+	call	done
+	movl	$2, %edx
+	movq	%rbp, %rsi
+	leaq	.LC200(%rip), %rdi
+	call	show
+	movl	$2, %edx
+	movq	%rbx, %rsi
+	leaq	.LC201(%rip), %rdi
 	call	show
 	movl	$0, %eax
 	leaq	arc.5(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
 	movsd	.LC200(%rip), %xmm1
 .L110:
+	movsd	.LC202(%rip), %xmm1
+.L116:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -3500,11 +4048,18 @@ experimental:
 .L114:
 	cmpl	$38, %eax
 	jbe	.L124
+	jne	.L116
+	leaq	depth.4(%rip), %rdx
+	movl	$-81, %eax
+.L120:
+	cmpl	$38, %eax
+	jbe	.L133
 	movq	$0x000000000, (%rdx)
 	addl	$1, %eax
 	addq	$8, %rdx
 	cmpl	$119, %eax
 	jne	.L114
+	jne	.L120
 	leaq	z.2(%rip), %r9
 	leaq	y.3(%rip), %r8
 	leaq	arc.5(%rip), %rcx
@@ -3518,71 +4073,84 @@ experimental:
 	movl	$1, %edx
 	leaq	960+z.2(%rip), %rsi
 	leaq	.LC204(%rip), %rdi
+	leaq	.LC205(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	leaq	960+z.2(%rip), %rsi
+	leaq	.LC206(%rip), %rdi
 	call	show
-	leaq	1344(%rsp), %r15
-	movq	$0, 1348(%rsp)
-	movq	$0, 1424(%rsp)
-	leaq	1352(%rsp), %rdi
+	leaq	1360(%rsp), %r15
+	movq	$0, 1364(%rsp)
+	movq	$0, 1440(%rsp)
+	leaq	1368(%rsp), %rdi
 	movl	$10, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$88, 1344(%rsp)
+	movl	$88, 1360(%rsp)
 	movq	%r15, %rdi
 	call	wrc_profile_wear_init@PLT
-	movdqa	1344(%rsp), %xmm7
-	movaps	%xmm7, 960(%rsp)
-	movdqa	1392(%rsp), %xmm6
-	movaps	%xmm6, 1008(%rsp)
-	movdqa	1408(%rsp), %xmm3
-	movaps	%xmm3, 1024(%rsp)
-	movq	1424(%rsp), %rax
-	movq	%rax, 1040(%rsp)
-	movl	$240, 968(%rsp)
+	movdqa	1360(%rsp), %xmm7
+	movaps	%xmm7, 976(%rsp)
+	movdqa	1408(%rsp), %xmm6
+	movaps	%xmm6, 1024(%rsp)
+	movdqa	1424(%rsp), %xmm3
+	movaps	%xmm3, 1040(%rsp)
+	movq	1440(%rsp), %rax
+	movq	%rax, 1056(%rsp)
+	movl	$240, 984(%rsp)
 	leaq	y.3(%rip), %rbx
-	movq	%rbx, 976(%rsp)
+	movq	%rbx, 992(%rsp)
 	leaq	z.2(%rip), %rbp
-	movq	%rbp, 984(%rsp)
-	movl	$200, 972(%rsp)
+	movq	%rbp, 1000(%rsp)
+	movl	$200, 988(%rsp)
 	leaq	depth.4(%rip), %rax
 	movq	%rax, 992(%rsp)
 	movq	.LC205(%rip), %rax
 	movq	%rax, 1000(%rsp)
 	movq	.LC206(%rip), %rax
+	movq	%rax, 1008(%rsp)
+	movq	.LC207(%rip), %rax
 	movq	%rax, 1016(%rsp)
+	movq	.LC208(%rip), %rax
+	movq	%rax, 1032(%rsp)
 	pxor	%xmm0, %xmm0
-	movups	%xmm0, 1352(%rsp)
 	movups	%xmm0, 1368(%rsp)
 	movups	%xmm0, 1384(%rsp)
-	movl	$56, 1344(%rsp)
-	movl	$2000, 1348(%rsp)
+	movups	%xmm0, 1400(%rsp)
+	movl	$56, 1360(%rsp)
+	movl	$2000, 1364(%rsp)
 	leaq	worn_y.1(%rip), %rax
-	movq	%rax, 1360(%rsp)
+	movq	%rax, 1376(%rsp)
 	leaq	worn_z.0(%rip), %r13
-	movq	%r13, 1368(%rsp)
-	leaq	960(%rsp), %rdi
+	movq	%r13, 1384(%rsp)
+	leaq	976(%rsp), %rdi
 	movl	$400, %ecx
 	leaq	text(%rip), %rdx
 	movq	%r15, %rsi
 	call	wrc_profile_remove_wear@PLT
 	movl	%eax, %edi
 	leaq	.LC207(%rip), %rsi
+	leaq	.LC209(%rip), %rsi
 	call	done
-	leaq	1376(%rsp), %rsi
+	leaq	1392(%rsp), %rsi
 	movl	$3, %edx
 	leaq	.LC208(%rip), %rdi
+	leaq	.LC210(%rip), %rdi
 	call	show
-	movl	1352(%rsp), %eax
+	movl	1368(%rsp), %eax
 	shrl	%eax
 	movl	%eax, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
 	leaq	.LC209(%rip), %rdi
+	leaq	.LC211(%rip), %rdi
 	call	show
-	leaq	288(%rsp), %r13
+	leaq	304(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r13, %rcx
 	movsd	.LC179(%rip), %xmm0
+	movsd	.LC212(%rip), %xmm0
 	movq	%rbp, %rdx
 	movq	%rbx, %rsi
 	movl	$240, %edi
@@ -3593,6 +4161,11 @@ experimental:
 	movl	$3, %edx
 	movq	%r13, %rsi
 	leaq	.LC211(%rip), %rdi
+	leaq	.LC213(%rip), %rsi
+	call	done
+	movl	$3, %edx
+	movq	%r13, %rsi
+	leaq	.LC214(%rip), %rdi
 	call	show
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
@@ -3601,6 +4174,7 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_model_destroy@PLT
 	addq	$9032, %rsp
+	addq	$6936, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -3616,6 +4190,11 @@ experimental:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
 	mulsd	.LC201(%rip), %xmm0
+.L133:
+	leal	1(%rax), %esi
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%esi, %xmm0
+	mulsd	.LC203(%rip), %xmm0
 	movl	$39, %ecx
 	subl	%eax, %ecx
 	pxor	%xmm1, %xmm1
@@ -3633,6 +4212,30 @@ experimental:
 .LC213:
 	.string	"%d %d\n"
 .LC214:
+	divsd	.LC204(%rip), %xmm0
+	movsd	%xmm0, (%rdx)
+	movl	%esi, %eax
+	addq	$8, %rdx
+	jmp	.L120
+.L108:
+	movq	.LC215(%rip), %rax
+	movq	%rax, 16(%rbx)
+	sete	%al
+	movzbl	%al, %eax
+	movl	%eax, 32(%rbx)
+	movl	$832, 36(%rbx)
+	movq	%r13, 40(%rbx)
+	addl	$1, %ebp
+	addq	$48, %rbx
+	addq	$9984, %r13
+	jmp	.L110
+	.size	experimental, .-experimental
+	.section	.rodata.str1.1
+.LC216:
+	.string	"%s; %s\n"
+.LC217:
+	.string	"%d %d\n"
+.LC218:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -3650,6 +4253,14 @@ main:
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
 	jne	.L128
+	je	.L135
+	movq	%rax, %rbx
+	cmpl	$359, (%rax)
+	jbe	.L135
+	movl	$1, %edi
+	call	wrc_get_api@PLT
+	testq	%rax, %rax
+	jne	.L137
 	call	*8(%rbx)
 	movl	%eax, %ebx
 	call	wrc_version@PLT
@@ -3658,6 +4269,10 @@ main:
 	call	wrc_abi_version@PLT
 	cmpl	$900, %eax
 	jne	.L128
+	jne	.L137
+	call	wrc_abi_version@PLT
+	cmpl	$900, %eax
+	jne	.L137
 	movl	$1, %edi
 	call	wrc_status_text@PLT
 	movq	%rax, %rbx
@@ -3666,6 +4281,7 @@ main:
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
 	leaq	.LC212(%rip), %rdi
+	leaq	.LC216(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -3679,6 +4295,7 @@ main:
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
 	leaq	.LC213(%rip), %rdi
+	leaq	.LC217(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
@@ -3688,6 +4305,7 @@ main:
 	call	given
 	movl	blocks(%rip), %esi
 	leaq	.LC214(%rip), %rdi
+	leaq	.LC218(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
@@ -3703,6 +4321,16 @@ main:
 	movl	$2, %edi
 	call	exit@PLT
 .L128:
+	je	.L139
+	call	experimental
+.L139:
+	movl	$0, %eax
+	popq	%rbx
+	ret
+.L135:
+	movl	$2, %edi
+	call	exit@PLT
+.L137:
 	movl	$2, %edi
 	call	exit@PLT
 	.size	main, .-main
@@ -3731,9 +4359,11 @@ main:
 	.local	gap.11
 	.comm	gap.11,1344,32
 	.local	bin.12
-	.comm	bin.12,38376,32
-	.local	values.13
-	.comm	values.13,102400,32
+	.comm	bin.12,29952,32
+	.local	bin.13
+	.comm	bin.13,38376,32
+	.local	values.14
+	.comm	values.14,102400,32
 	.local	blocks
 	.comm	blocks,4,4
 	.local	spoken
@@ -3966,39 +4596,63 @@ main:
 	.long	0
 	.long	1078198272
 	.align 8
-.LC144:
-	.long	343597384
-	.long	1070679982
-	.align 8
-.LC145:
-	.long	858993459
-	.long	1070805811
-	.align 8
 .LC146:
 	.long	0
-	.long	1073217536
+	.long	1075052544
+	.align 8
+.LC147:
+	.long	0
+	.long	1076232192
+	.align 8
+.LC149:
+	.long	0
+	.long	1074266112
+	.align 8
+.LC150:
+	.long	0
+	.long	1075970048
+	.align 8
+.LC151:
+	.long	0
+	.long	1075183616
 	.align 8
 .LC152:
 	.long	0
+	.long	1085227008
+	.align 8
+.LC162:
+	.long	343597384
+	.long	1070679982
+	.align 8
+.LC163:
+	.long	858993459
+	.long	1070805811
+	.align 8
+.LC164:
+	.long	0
+	.long	1073217536
+	.align 8
+.LC170:
+	.long	0
 	.long	1100470148
 	.align 8
-.LC153:
+.LC171:
 	.long	0
 	.long	1086224384
 	.align 8
-.LC156:
+.LC174:
 	.long	-350469331
 	.long	1062876898
 	.align 8
-.LC157:
+.LC175:
 	.long	27487791
 	.long	-1081997892
 	.align 8
-.LC158:
+.LC176:
 	.long	1594291861
 	.long	-1081783144
 	.align 8
-.LC175:
+.LC193:
 	.long	-1133871366
 	.long	1062769524
 	.align 8
@@ -4061,5 +4715,36 @@ main:
 .LC206:
 	.long	0
 	.long	1084178432
+.LC198:
+	.long	1202590843
+	.long	1063549665
+	.align 8
+.LC202:
+	.long	-652835029
+	.long	1068758990
+	.align 8
+.LC203:
+	.long	-500134854
+	.long	1044740494
+	.align 8
+.LC204:
+	.long	0
+	.long	1081671680
+	.align 8
+.LC207:
+	.long	-1717986918
+	.long	-1078355559
+	.align 8
+.LC208:
+	.long	0
+	.long	1084178432
+	.align 8
+.LC212:
+	.long	515396076
+	.long	1068624773
+	.align 8
+.LC215:
+	.long	-343597384
+	.long	1070512209
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
 	.section	.note.GNU-stack,"",@progbits

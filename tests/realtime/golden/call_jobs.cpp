@@ -1,5 +1,6 @@
 /// Calls beside the step: creepages from a motion, rolling backwards and through standstill, wear, profiles
 /// as placed, plain numbers, refused input.
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "check_rail_points.hpp"
 #include "field_values.hpp"
 #include "golden/plan.hpp"
+#include "wrc/wrc_surface.h"
 
 namespace {
 
@@ -158,6 +160,56 @@ void run_accumulation(wrc_contact* contact, Hash& hash) {
   for (double lateral : {0.0, 5.1e-3, 7e-3}) {
     hash.add(roll(contact, lateral));
     hash_accumulated(contact, hash);
+  }
+}
+
+/// Four wheels over films of a rail, under friction that these give, with slip that turns round.
+void run_films(wrc_contact* contact, Hash& hash) {
+  for (const char* set : {"low adhesion", "low adhesion, layers"}) {
+    wrc_surface_bin rail_bin[40] = {}, wheel_bin[24] = {};
+    wrc_surface rail = wrc_surface_default(), wheel = wrc_surface_default();
+    rail.count = 40;
+    rail.length = 0.25;
+    rail.bins = rail_bin;
+    rail.bin_size = sizeof rail_bin[0];
+    wheel.count = 24;
+    wheel.length = 2.89 / 24;
+    wheel.closed = 1;
+    wheel.bins = wheel_bin;
+    wheel.bin_size = sizeof wheel_bin[0];
+    wrc_surface_laws laws = wrc_surface_laws_default();
+    hash.add(wrc_surface_laws_use(&laws, set, nullptr, 0));
+    for (int32_t quantity = 0; quantity < WRC_SURFACE_HEAT; ++quantity)
+      hash.add(wrc_surface_add(&rail, quantity, 0.004, quantity, 10.0, nullptr, 0));
+    for (int passing = 0; passing < 4; ++passing) {
+      std::memset(wheel_bin, 0, sizeof wheel_bin);
+      wrc_surface_passage passage = {sizeof passage, 0, 0.5, 0.5, 0.0, 0.0, 0.0};
+      wrc_planar_input input = wrc_planar_input_default();
+      input.load.normal_force = 60e3;
+      for (int k = 0; k < 20; ++k) {
+        passage.rail_from = passage.rail_to;
+        passage.wheel_from = passage.wheel_to;
+        passage.rail_to += 0.4;
+        passage.wheel_to += 0.4 - 0.02 * (k - 8);
+        wrc_planar_output output = sized<wrc_planar_output>();
+        hash.add(wrc_surface_friction(&rail, &wheel, &laws, &passage, nullptr, &input.friction, nullptr, 0));
+        input.creepage.longitudinal = 0.05 * (k - 8);
+        input.creepage.speed = 20.0;
+        hash.add(wrc_planar_step(contact, &input, &output));
+        passage.energy = output.forces.power * 0.02;
+        hash.add(wrc_surface_pass(&rail, &wheel, &laws, &passage, nullptr, nullptr, 0));
+        hash.add(wrc_surface_rest(&wheel, &laws, 0.02, nullptr, 0));
+        for (double number : {input.friction.coefficient, input.friction.layer_yield,
+                              input.friction.bulk.wheel, output.forces.fx})
+          hash.add(number);
+      }
+    }
+    double values[40];
+    for (int32_t quantity = 0; quantity < WRC_SURFACE_QUANTITIES; ++quantity)
+      for (int32_t book = 0; book < WRC_SURFACE_BOOKS; ++book) {
+        hash.add(wrc_surface_values(&rail, quantity, book, values, nullptr, nullptr, 0));
+        for (double number : values) hash.add(number);
+      }
   }
 }
 
@@ -562,6 +614,7 @@ void add_plain_calls(Plan& plan) {
   plan.jobs.push_back({"friction over temperature", model, {}, run_heated});
   plan.jobs.push_back({"stresses", model, {}, run_stresses});
   plan.jobs.push_back({"damage along the line", model, {}, run_accumulation});
+  plan.jobs.push_back({"films on rail and wheel", model, {}, run_films});
   plan.jobs.push_back({"temperature", model, {}, run_temperature});
   plan.jobs.push_back({"plain numbers", model, {}, run_plain_numbers});
   plan.jobs.push_back({"refused input", model, {}, run_refused});

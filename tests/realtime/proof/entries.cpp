@@ -1,12 +1,14 @@
 #include "proof/entries.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "along_track.hpp"
 #include "test_config.hpp"
 #include "wrc/wrc_api.h"
 #include "wrc/wrc_experimental_api.h"
+#include "wrc/wrc_surface.h"
 
 namespace {
 
@@ -109,6 +111,38 @@ int32_t accumulate(Wheel& wheel) {
   return status < 0  ? status
          : after < 0 ? after
                      : wrc_model_arc_places(wheel.model, WRC_BODY_WHEEL, 4, arc, y, z);
+}
+
+/// A wheel over films of its rail: a source, friction, the passage, time, merged bins, their values.
+int32_t films(Wheel&) {
+  static wrc_surface_bin rail_bin[50], other_bin[50], wheel_bin[24];
+  static double values[50];
+  wrc_surface rail = wrc_surface_default(), wheel = wrc_surface_default();
+  rail.count = 50;
+  rail.length = 1.0;
+  rail.bins = rail_bin;
+  rail.bin_size = sizeof rail_bin[0];
+  wrc_surface other = rail;
+  other.bins = other_bin;
+  wheel.count = 24;
+  wheel.length = 0.12;
+  wheel.closed = 1;
+  wheel.bins = wheel_bin;
+  wheel.bin_size = sizeof wheel_bin[0];
+  wrc_surface_laws laws = wrc_surface_laws_default();
+  const wrc_surface_passage passage = {sizeof passage, 0, 3.0, 9.0, 1.0, 6.5, 400.0};
+  wrc_surface_exchange exchange = sized<wrc_surface_exchange>();
+  wrc_friction friction{};
+  const int32_t statuses[] = {
+      wrc_surface_laws_use(&laws, "low adhesion, layers", nullptr, 0),
+      wrc_surface_add(&rail, WRC_SURFACE_WATER, 0.01, 2.0, 30.0, nullptr, 0),
+      wrc_surface_add(&rail, WRC_SURFACE_FILM, 0.01, 4.0, 30.0, nullptr, 0),
+      wrc_surface_friction(&rail, &wheel, &laws, &passage, nullptr, &friction, nullptr, 0),
+      wrc_surface_pass(&rail, &wheel, &laws, &passage, &exchange, nullptr, 0),
+      wrc_surface_rest(&rail, &laws, 10.0, nullptr, 0),
+      wrc_surface_merge(&other, &rail, nullptr, 0),
+      wrc_surface_values(&other, WRC_SURFACE_FILM, WRC_SURFACE_CARRIED, values, values, nullptr, 0)};
+  return *std::min_element(std::begin(statuses), std::end(statuses));
 }
 
 int32_t accumulate_stages(Wheel& wheel) {
@@ -477,6 +511,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_wear", wear_numbers},
       {"wrc_contact_temperature", temperatures},
       {"wrc_contact_accumulate, stages", accumulate_stages},
+      {"wrc_surface_add, _friction, _pass, _rest, _merge, _values", films},
       {"wrc_flash_temperature", flash_temperature},
       {"wrc_contact_stresses", stresses},
       {"wrc_planar_tangential_derivatives", sensitivities},

@@ -1,0 +1,101 @@
+"""Films on rail and wheel: bands whose bins hold water, oxide, leaves, sand, lubricant and heat, which passing wheels change."""
+from __future__ import annotations
+
+import ctypes as c
+from typing import Any, Callable, Optional, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _interface as i
+from . import _library as _l
+
+
+def _call(function: Callable[..., int], *arguments: Any) -> int:
+    """Calls a function that says in a sentence why it fails; raises that."""
+    text = c.create_string_buffer(400)
+    status = function(*arguments, text, len(text))
+    if status < 0 or status == i.Status.FLAG_SUM_OVERFLOW:
+        raise _l.fault(status, text.value.decode())
+    return status
+
+
+class Band:
+    """Running band of a rail along the track, or of a wheel round its tread (closed): wrc_surface of the C interface.
+
+    count, length, first: bins, the length of one [m], distance at which the first begins [m]
+    width: of the band [m]; closed: the last bin is beside the first
+    """
+
+    def __init__(self, count: int, length: float, first: float = 0.0, width: float = 0.02, closed: bool = False):
+        self._told = count, length, first, width, closed
+        kind: Any = i.SurfaceBin
+        self._bins = (kind * count)()
+        self.struct = i.Surface(count=count, length=length, first=first, width=width, closed=int(closed), bins=self._bins)
+
+    @property
+    def places(self) -> NDArray[np.float64]:
+        """Distance of the middle of each bin [m]."""
+        return np.asarray(self.struct.first + self.struct.length * (np.arange(self.struct.count) + 0.5), np.float64)
+
+    def add(self, quantity: i.SurfaceQuantityLike, amount: float, start: float, end: float) -> "Band":
+        """A source: puts an amount per area of a wrc.SurfaceQuantity ("WATER", ...) on a stretch [kg/m^2, heat J/m^2]; gives this band."""
+        _call(i._wrc_surface_add, self.struct, int(i.SurfaceQuantity.of(quantity)), amount, start, end)
+        return self
+
+    def values(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> NDArray[np.float64]:
+        """What each bin holds of a quantity, or what its books say of it, per area [kg/m^2, heat J/m^2]."""
+        found = np.zeros(len(self._bins))
+        _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), found, None)
+        return found
+
+    def total(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> float:
+        """The same of all bins together [kg, heat J]."""
+        found = np.zeros(1)
+        _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), None, found)
+        return float(found[0])
+
+    def rest(self, laws: i.SurfaceLaws, duration: float) -> None:
+        """Time goes by [s]: all bins cool and dry."""
+        _call(i._wrc_surface_rest, self.struct, laws, duration)
+
+    def merge(self, other: "Band") -> "Band":
+        """Adds bins of the same places; gives this band."""
+        _call(i._wrc_surface_merge, self.struct, other.struct)
+        return self
+
+    def __reduce__(self) -> Any:
+        return _band, (self._told, bytes(self._bins))
+
+    def __repr__(self) -> str:
+        return f"wrc.Band: {self.struct.count} x {self.struct.length:g} m from {self.struct.first:g} m" + (", closed" if self.struct.closed else "")
+
+
+def _band(told: Tuple[Any, ...], content: bytes) -> Band:
+    made = Band(*told)
+    c.memmove(made._bins, content, len(content))
+    return made
+
+
+def surface_laws(name: str = "low adhesion", **members: Any) -> i.SurfaceLaws:
+    """Constants of a named set, some members changed: surface_laws("low adhesion", ambient=5.0)."""
+    laws = i.SurfaceLaws()
+    _call(i._wrc_surface_laws_use, laws, name.encode())
+    for member, value in members.items():
+        setattr(laws, member, value)
+    return laws
+
+
+def surface_friction(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage,
+                     base: Optional[i.Friction] = None, out: Optional[i.Friction] = None) -> i.Friction:
+    """Friction and layer at the beginning of a passage, for wrc.WheelInput.friction. base: of clean, dry bodies."""
+    found = i.Friction() if out is None else out
+    _call(i._wrc_surface_friction, rail.struct, wheel and wheel.struct, laws, passage, base, found)
+    return found
+
+
+def surface_pass(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage) -> i.SurfaceExchange:
+    """A wheel passes: both bands change. What was moved."""
+    found = i.SurfaceExchange._new()
+    _call(i._wrc_surface_pass, rail.struct, wheel and wheel.struct, laws, passage, found)
+    return found

@@ -1,0 +1,264 @@
+/** @file wrc_surface.h
+ * Rail and wheel as a state that wheels change: water, oxide, organic film, sand, lubricant and heat, in bins of the caller.
+ * Conventions are those of wrc.h, which it includes.
+ *
+ * @par Stability
+ * May change in a minor version: functions and structs with WRC_EXPERIMENTAL_VERSION. Constants of the named sets are remembered and
+ * not confirmed: a version may correct them, and CHANGELOG.md says so.
+ *
+ * @par One step of a wheel
+ *
+ * Amounts lie between bins as on straight lines: friction is continuous in the place. It is an input of the wrench, held over the
+ * step. What a step does is booked: nothing appears or vanishes but by a source or a sink. Sums are integers of 128 bits.
+ * Theory manual, "Films on rail and wheel".
+ * @code
+ *   wrc_surface_bin rail_bin[2000] = {0}, wheel_bin[24] = {0};
+ *   wrc_surface rail = wrc_surface_default(), wheel = wrc_surface_default();
+ *   rail.count = 2000;  rail.length = 1.0;  rail.bins = rail_bin;  rail.bin_size = sizeof rail_bin[0];
+ *   wheel.count = 24;  wheel.length = 2.89 / 24;  wheel.closed = 1;  wheel.bins = wheel_bin;  wheel.bin_size = sizeof wheel_bin[0];
+ *   wrc_surface_laws laws = wrc_surface_laws_default();
+ *   wrc_surface_laws_use(&laws, "low adhesion", why, sizeof why);
+ *   wrc_surface_add(&rail, WRC_SURFACE_FILM, 0.01, 0.0, 2000.0, why, sizeof why);       // leaves
+ *   // in every step, without allocation:
+ *   wrc_surface_passage step = {sizeof step, 0, x, x + v * dt, arc, arc + radius * omega * dt};
+ *   wrc_surface_friction(&rail, &wheel, &laws, &step, &dry, &input.friction, why, sizeof why);
+ *   wrc_contact_wrench(contact, &input, &wrench);
+ *   step.energy = wrench.power * dt;
+ *   wrc_surface_pass(&rail, &wheel, &laws, &step, NULL, why, sizeof why);
+ * @endcode
+ *
+ * @par Order and threads
+ * Wheels of one rail pass in the order of their passage: friction depends on who came before. Rails, and stretches of a rail that
+ * share no bin, may be worked on by threads. So may sources, each into bins of its own that are merged afterwards: their order does
+ * not change a bit. Bins may be copied and saved as bytes.
+ */
+#ifndef WRC_SURFACE_H
+#define WRC_SURFACE_H
+
+#include "wrc.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What lies on a surface. */
+enum wrc_surface_quantity {
+  WRC_SURFACE_WATER = 0,     /**< [kg/m^2] */
+  WRC_SURFACE_OXIDE = 1,     /**< oxide and debris of wear [kg/m^2] */
+  WRC_SURFACE_FILM = 2,      /**< organic film: leaves [kg/m^2] */
+  WRC_SURFACE_SAND = 3,      /**< [kg/m^2] */
+  WRC_SURFACE_LUBRICANT = 4, /**< grease, friction modifier [kg/m^2] */
+  WRC_SURFACE_HEAT = 5       /**< above the ambient temperature [J/m^2] */
+};
+
+#define WRC_SURFACE_QUANTITIES 6 /**< quantities in use, of the 8 places there are */
+
+/** Columns of the books. Amount = put on - removed - squeezed - evaporated - carried, to the last bit. */
+enum wrc_surface_book {
+  WRC_SURFACE_AMOUNT = 0,     /**< now */
+  WRC_SURFACE_PUT_ON = 1,     /**< by sources; of heat: by friction, too */
+  WRC_SURFACE_REMOVED = 2,    /**< by frictional energy; of heat: to the air and into the depth */
+  WRC_SURFACE_SQUEEZED = 3,   /**< out of the running band by passing wheels */
+  WRC_SURFACE_EVAPORATED = 4, /**< water into the air; of heat: taken by that */
+  WRC_SURFACE_CARRIED = 5     /**< to the other body, less the amount that came from it */
+};
+
+#define WRC_SURFACE_BOOKS 6 /**< columns of the books */
+
+/** One bin: all zero, it is clean and at ambient temperature. */
+typedef struct wrc_surface_bin {
+  uint64_t sum[48][2]; /**< kg or J of the whole bin, at 8 * wrc_surface_book + wrc_surface_quantity: low and high half of an
+                            integer of 128 bits, two's complement. wrc_surface_values() converts it */
+  uint64_t overflow;   /**< bit i: sum i, or a contribution to it, passed its range and is worthless */
+  double reserved[7];  /**< 0 */
+} wrc_surface_bin;
+
+/** Running band of a rail along the track, or of a wheel round its tread. Amounts belong to the middles of its bins, straight lines
+ * lie between. Beyond the ends of one that is not closed the end's amounts hold, and nothing is changed there. */
+typedef struct wrc_surface {
+  uint32_t struct_size;  /**< sizeof this struct, 48 or more */
+  uint32_t count;        /**< bins, 1..10000000 [0] */
+  double first;          /**< distance at which the first begins, -1e9..1e9 m [0] */
+  double length;         /**< of a bin, 1e-3..1e4 m; of a wheel its circumference / count [0] */
+  double width;          /**< of the running band, 1e-3..0.5 m [0.02] */
+  uint32_t closed;       /**< 0..1; 1: the last bin is beside the first: a wheel, a roller, a track that is a circle [0] */
+  uint32_t bin_size;     /**< sizeof(wrc_surface_bin), 832..4096 [0] */
+  wrc_surface_bin* bins; /**< `count` of the caller, zeroed before the first use */
+} wrc_surface;
+
+/** How one substance acts and goes. All zero: it lies there, and does nothing. */
+typedef struct wrc_substance {
+  double cover;        /**< on both bodies together: amount from which it covers the surface, 0 or 1e-6..100 kg/m^2; 0: no
+                            effect on friction and layer [0] */
+  double weight;       /**< of its friction among substances that cover together, 0 or 1e-3..1000; goes with cover [0] */
+  double friction;     /**< of a surface that it covers, dry, 0 or 1e-3..2; goes with cover [0] */
+  double wet_friction; /**< the same where water covers, too, 0 or 1e-3..2; goes with cover [0] */
+  double removal;      /**< tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area, 0..1 m^2/J [0] */
+  double kept;         /**< amount that a passing wheel leaves in the band, 0..100 kg/m^2 [0] */
+  double squeeze;      /**< share of the amount above `kept` that one passage presses out of the band, 0..0.999 [0] */
+  double carry;        /**< share of the way to equal amounts on both bodies that one passage goes, 0..1 [0] */
+  double density;      /**< of its layer, 100..1e5 kg/m^3 [1000] */
+  double layer_modulus;   /**< of its layer in shear, 0 or 1e3..1e12 Pa; 0: it does not shear elastically [0] */
+  double layer_yield;     /**< traction at which its layer yields, 0 or 1e3..1e11 Pa; 0: it does not yield [0] */
+  double layer_hardening; /**< as wrc_friction.layer_hardening, goes with layer_yield, -1e13..1e14 Pa/m [0] */
+  double reserved[4];     /**< 0 */
+} wrc_substance;
+
+/** Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name. */
+typedef struct wrc_surface_laws {
+  uint32_t struct_size;      /**< sizeof this struct, 720 or more */
+  uint32_t reserved0;        /**< 0 */
+  wrc_substance water;       /**< it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0 */
+  wrc_substance oxide;       /**< oxide and debris */
+  wrc_substance film;        /**< organic film */
+  wrc_substance sand;        /**< sand */
+  wrc_substance lubricant;   /**< lubricant */
+  double rail_share;         /**< of the frictional energy that heats the rail, 0..1; the wheel has the rest [0.5] */
+  double rail_heat_capacity; /**< of the rail per area of its band, 1e2..1e8 J/(m^2 K) [35e3] */
+  double wheel_heat_capacity; /**< of the wheel per area of its band, 1e2..1e8 J/(m^2 K) [35e3] */
+  double cooling_time;       /**< in which wrc_surface_rest() leaves 1/e of the heat, 1e-3..1e9 s [60] */
+  double drying_time;        /**< in which wrc_surface_rest() leaves 1/e of the water, 1e-3..1e9 s [1800] */
+  double evaporation_share;  /**< of frictional heat that evaporates water where there is plenty, 0..1 [0] */
+  double evaporation_amount; /**< water at which half of that share is left, 1e-6..10 kg/m^2 [5e-3] */
+  double latent_heat;        /**< of evaporation, 1e5..1e7 J/kg [2.4e6] */
+  double ambient;            /**< temperature of bodies without heat, -100..200 degC [20] */
+} wrc_surface_laws;
+
+/** Named sets of constants by name, X(identifier, "name"): wrc_surface_laws_use(). Theory manual, "Films on rail and wheel", has the
+ * numbers and their sources; all are unconfirmed.
+ *  - low adhesion: friction, removal and carrying; no layers.
+ *  - low adhesion, layers: the same with the sheared layers of Hou, Kalousek and Magel (Wear 211 (1997)). */
+#define WRC_SURFACE_LAWS_LIST(X)          \
+  X(low_adhesion, "low adhesion")         \
+  X(layers, "low adhesion, layers")
+
+/** A step of a wheel on its rail: which stretches of both passed through the contact, and with which frictional energy. */
+typedef struct wrc_surface_passage {
+  uint32_t struct_size; /**< sizeof this struct, 48 or more */
+  uint32_t reserved0;   /**< 0 */
+  double rail_from;     /**< distance along the rail at the beginning, -1e9..1e9 m [0] */
+  double rail_to;       /**< the same at the end, -1e9..1e9 m [0] */
+  double wheel_from;    /**< distance round the wheel at the beginning, growing as it rolls forwards, -1e9..1e9 m [0] */
+  double wheel_to;      /**< the same at the end, equal at a locked wheel, -1e9..1e9 m [0] */
+  double energy;        /**< frictional: wrc_wrench.power times the duration, 0..1e9 J [0] */
+} wrc_surface_passage;
+
+/** What a passage moved. */
+typedef struct wrc_surface_exchange {
+  uint32_t struct_size;  /**< sizeof this struct, 96 or more */
+  uint32_t reserved0;    /**< 0 */
+  double carried[8];     /**< by enum wrc_surface_quantity: from rail to wheel, less the way back [kg] */
+  double rail_energy;    /**< frictional energy that the rail's bins have booked [J] */
+  double wheel_energy;   /**< the same of the wheel's [J] */
+  double beside_energy;  /**< the rest: of a rail beyond its ends, of a wheel that is NULL [J] */
+} wrc_surface_exchange;
+
+/** @name Defaults
+ * As those of wrc.h.
+ * @rt hard @thread free
+ * @{ */
+WRC_API int32_t wrc_surface_init(wrc_surface* surface); /**< Defaults: surface. */
+WRC_API int32_t wrc_surface_laws_init(wrc_surface_laws* laws); /**< Defaults: laws; all substances do nothing. */
+/** @cond */
+WRC_DEFAULT_SIZED(wrc_surface)
+WRC_DEFAULT_SIZED(wrc_surface_laws)
+/** @endcond */
+/** @} */
+
+/** Sets all constants but the ambient temperature by a name of WRC_SURFACE_LAWS_LIST.
+ * @param[in,out] laws after wrc_surface_laws_default()
+ * @param name "low adhesion" or "low adhesion, layers"
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _UNSUPPORTED (no such name: the sentence lists all). @rt hard @thread free */
+WRC_API int32_t wrc_surface_laws_use(wrc_surface_laws* laws, const char* name, char* text, uint64_t size);
+
+/** A source: puts something onto a stretch. Rain, sander, lubricator and leaves are calls of this.
+ * @param[in,out] surface rail or wheel
+ * @param quantity enum wrc_surface_quantity
+ * @param amount per area of the band, 0..100 kg/m^2, of heat 0..1e9 J/m^2
+ * @param from distance at which the stretch begins, -1e9..1e9 m
+ * @param to distance at which it ends, not below `from`; over 100000 bins at most
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_BEYOND_SECTIONS (part lies beyond the ends, and is not put on); WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL,
+ * _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (no such quantity). On failure nothing is changed.
+ * @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_add(wrc_surface* surface, int32_t quantity, double amount, double from, double to, char* text,
+                                uint64_t size);
+
+/** Friction and layer where a wheel is on its rail, for wrc_contact_wrench(), at the beginning of a passage. Each substance covers
+ * the share theta = min(1, amount of both bodies / cover). Water wets: each friction goes from dry to wet by its theta. The share of
+ * bare steel is the product of the others' 1 - theta. Covered steel has the mean friction of what covers, by theta times weight. So one
+ * substance alone, dry or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
+ * Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
+ * Layers lie in series. It is continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
+ * trial steps of an integrator; derivatives are those of the wrench as they are.
+ * @param rail the rail
+ * @param wheel the wheel; NULL: it carries nothing
+ * @param laws constants
+ * @param passage its rail_from and wheel_from count
+ * @param base friction of clean, dry bodies; NULL: the defaults. Laws of speed and temperature stay; a layer of its own lies in
+ * series. Without zones
+ * @param[out] friction base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults on failure
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken); WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL,
+ * _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones). @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_friction(const wrc_surface* rail, const wrc_surface* wheel, const wrc_surface_laws* laws,
+                                     const wrc_surface_passage* passage, const wrc_friction* base, wrc_friction* friction,
+                                     char* text, uint64_t size);
+
+/** A wheel passes: it exchanges substances with the rail, frictional energy removes them and heats both. Water evaporates,
+ * and too much is pressed out of the band. Divided into shorter passages the outcome is nearly the same. Either may go backwards, and
+ * either may stand still: a wheel that is locked, or that spins.
+ * @param[in,out] rail the rail
+ * @param[in,out] wheel the wheel; NULL: it carries nothing
+ * @param laws constants
+ * @param passage the step; each body over 100000 bins at most
+ * @param[out] exchange what was moved; NULL: not wanted
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_BEYOND_SECTIONS (part lies beyond the ends: no exchange there); WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL,
+ * _STRUCT_SIZE, _NOT_FINITE, _RANGE. On failure nothing is changed. Work grows with the bins that are passed.
+ * @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_pass(wrc_surface* rail, wrc_surface* wheel, const wrc_surface_laws* laws,
+                                 const wrc_surface_passage* passage, wrc_surface_exchange* exchange, char* text, uint64_t size);
+
+/** Time goes by: all bins cool and dry. For a rail once in a while, for a wheel in every step.
+ * @param[in,out] surface rail or wheel
+ * @param laws constants
+ * @param duration 0..1e9 s
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE. Work grows with the bins.
+ * @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_rest(wrc_surface* surface, const wrc_surface_laws* laws, double duration, char* text, uint64_t size);
+
+/** Adds amounts and books of bins to others of the same count, place, length and width.
+ * @param[in,out] into what is added to
+ * @param from what is added
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: bins of other places).
+ * @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_merge(wrc_surface* into, const wrc_surface* from, char* text, uint64_t size);
+
+/** What bins hold, as numbers.
+ * @param surface rail or wheel
+ * @param quantity enum wrc_surface_quantity
+ * @param book enum wrc_surface_book
+ * @param[out] values count of them, per area of the band [kg/m^2], of heat [J/m^2]; NULL: not wanted
+ * @param[out] total of all bins [kg], of heat [J]; NULL: not wanted; 0 on failure
+ * @param[out] text why not; NULL: not wanted
+ * @param size bytes of text
+ * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW (in one of them at least); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE,
+ * _UNSUPPORTED (no such quantity or book). @rt hard @thread free, one at a time per surface */
+WRC_API int32_t wrc_surface_values(const wrc_surface* surface, int32_t quantity, int32_t book, double* values, double* total,
+                                   char* text, uint64_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* WRC_SURFACE_H */

@@ -1,0 +1,118 @@
+/// Films on rail and wheel: amounts in bins along the running band, how passing wheels change it, and the
+/// friction and layer it gives. Amounts and books are whole numbers (exact_sum.hpp): nothing is lost.
+#pragma once
+
+#include <cstdint>
+
+#include "damage/exact_sum.hpp"
+
+namespace wrc::damage {
+
+/// Quantities of a band, in kg or J of a whole bin: enum wrc_surface_quantity.
+enum Quantity : std::int32_t { water, oxide, organic, sand, lubricant, heat, quantities };
+inline constexpr std::int32_t substances = heat;
+
+/// Columns of the books: enum wrc_surface_book.
+enum Book : std::int32_t { amount, put_on, removed, squeezed, evaporated, carried, books };
+
+/// Places for quantities in a bin, those in use and those for later.
+inline constexpr std::int32_t quantity_places = 8;
+
+/// Units of whole numbers: an amount times this [1/kg, 1/J].
+constexpr double film_scale(std::int32_t quantity) { return quantity == heat ? 0x1p20 : 0x1p40; }
+
+/// One bin, laid out as the caller's (wrc_surface_bin).
+struct FilmBin {
+  WholeNumber sum[books][quantity_places];
+  std::uint64_t overflow = 0;  ///< bit i: sum i is worthless
+  double reserved[7] = {};     ///< 0
+};
+
+/// The running band of a rail or a wheel, in the caller's memory.
+struct Band {
+  double first = 0.0, length = 1.0, width = 0.02;  ///< [m]
+  std::int64_t count = 0;
+  bool closed = false;  ///< the last bin is beside the first
+  FilmBin* bins = nullptr;
+  std::int64_t stride = sizeof(FilmBin);  ///< from one bin of the caller to the next [bytes]
+
+  double area() const { return length * width; }  ///< a bin's [m^2]
+  FilmBin& bin(std::int64_t k) const {
+    return *reinterpret_cast<FilmBin*>(reinterpret_cast<char*>(bins) + k * stride);
+  }
+};
+
+/// Constants of one substance: wrc_substance.
+struct Substance {
+  double cover = 0.0, weight = 0.0, friction = 0.0, wet_friction = 0.0;
+  double removal = 0.0;       ///< tau [m^2/J]
+  double kept = 0.0;          ///< [kg/m^2]
+  double squeeze_rate = 0.0;  ///< -ln(1 - share pressed out by one passage) [-]
+  double carry = 0.0;         ///< share of the way to equal amounts by one passage [-]
+  double density = 1000.0, modulus = 0.0, yield = 0.0, hardening = 0.0;
+};
+
+/// Constants of all: wrc_surface_laws.
+struct FilmLaws {
+  Substance of[substances];
+  double rail_share = 0.5;
+  double capacity[2] = {};  ///< rail's and wheel's [J/(m^2 K)]
+  double cooling_time = 60.0, drying_time = 1800.0;
+  double evaporation_share = 0.0, evaporation_amount = 5e-3, latent_heat = 2.4e6;
+  double ambient = 20.0;
+};
+
+/// A step of a wheel on its rail: wrc_surface_passage.
+struct Passage {
+  double from[2] = {}, to[2] = {};  ///< distances along the rail and round the wheel [m]
+  double energy = 0.0;              ///< frictional [J]
+};
+
+/// Outcome of a source or a passage.
+struct FilmOutcome {
+  bool beside = false;                   ///< part lay beyond an end
+  bool in_range = true;                  ///< no sum passed its range
+  WholeNumber carried[quantity_places];  ///< from rail to wheel
+  WholeNumber energy[2];                 ///< that rail and wheel have booked
+  WholeNumber energy_beside;
+};
+
+/// Most bins that one call passes on a body.
+inline constexpr double most_passed = 1e5;
+
+/// Puts `per_area` of a quantity on a stretch of a band [kg/m^2, J/m^2].
+FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double from, double to);
+
+/// A wheel passes. `wheel`: nullptr: it carries nothing.
+FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage);
+
+/// All bins cool and dry for a time [s]. False: a sum passed its range.
+bool rest(const Band& band, const FilmLaws& laws, double duration);
+
+/// Adds bins of the same band. False: a sum passed its range.
+bool merge(const Band& into, const Band& from);
+
+/// Amounts at a place of a band.
+struct FilmAt {
+  double per_area[quantities] = {};  ///< [kg/m^2], heat [J/m^2]
+  bool beside = false, in_range = true;
+};
+FilmAt film_at(const Band& band, double place);
+
+/// Friction and layer between two bodies.
+struct FilmFriction {
+  double coefficient = 0.0;
+  bool layered = false;      ///< some substance makes a layer: there is one even where nothing lies
+  double thickness = 0.0;    ///< [m]
+  double flexibility = 0.0;  ///< thickness over shear modulus [m/Pa]
+  double softness = 0.0;     ///< 1 / traction at which it yields; 0: it does not [1/Pa]
+  double hardening = 0.0;    ///< [Pa/m]
+};
+
+/// The mixing rule. `clean`: friction of bare, dry steel.
+FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, double clean);
+
+/// Temperature of a surface [degC].
+double temperature(const FilmLaws& laws, const FilmAt& at, int body);
+
+}  // namespace wrc::damage
