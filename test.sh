@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # The tests. Debian packages that are missing are named and installed, as in run.sh; not with WRC_NO_INSTALL=1.
-#   ./test.sh quick    3 minutes on two idle cores. The library by gcc with its unit tests, tests of the interface, golden
-#                      hashes; format, code written twice, references in comments, figures of the house, one definition a name.
+#   ./test.sh quick    3 minutes on two idle cores. The library by gcc with its unit tests and tests of the interface but for long
+#                      ones; golden hashes of every instruction set, two ways of calling; format, code written twice,
+#                      references in comments, figures of the house, one definition a name.
 #                      Leaves out: what the next ones add
-#   ./test.sh          8 minutes. Besides: unit tests and the interface under the address and undefined-behaviour sanitizers;
-#                      proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy over what changed
-#                      lately, growth of structs, manual, main job.
-#                      Leaves out: clang's and mingw's builds, the Python package, FMUs, hosts, packages, the library
-#                      inside another project, headers under all compilers, hostile input and the fuzzer
+#   ./test.sh          8 minutes. Besides: the long tests; golden hashes of all ways of calling; tests of the generators; the
+#                      interface, but for long tests and kernels for AVX-512, under the address and undefined-behaviour
+#                      sanitizers; proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy over
+#                      what changed lately, growth of structs, manual, main job.
+#                      Leaves out: clang's and mingw's builds, report programs, the Python package, FMUs, hosts, packages, the
+#                      library inside another project, headers under all compilers, symbols of unoptimised kernels, hostile input and
+#                      the fuzzer; under the sanitizers slow tests, unit tests, golden hashes and examples
 #   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
 #                      bits, examples, FMUs and package, under wine.
 #                      Leaves out: what compiles the library again to compare its results
@@ -26,7 +29,7 @@ tier=${1:-default}
 case $tier in
   default | quick | ci) ;;
   all) export WRC_TEST_ALL=1 ;; # kernel_symbols: more optimisations
-  *) sed -n '2,20s/^# *//p' "$0"; exit 2 ;;
+  *) sed -n '2,23s/^# *//p' "$0"; exit 2 ;;
 esac
 need_packages g++ gcc cmake ninja-build libeigen3-dev libgtest-dev clang-format binutils python3 similarity-tester \
   python3-clang-14
@@ -40,14 +43,15 @@ case $tier in
     ;;
 esac
 
-# tree PRESET OPTIONS... [-- TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that ctest's
-# options pick.
+# tree PRESET [-DNAME=VALUE...] OPTIONS... [-- TARGET...]: builds a preset, or these targets of it, and runs its tests, or those that
+# ctest's options pick.
 tree() {
-  local preset=$1 options=() targets=()
+  local preset=$1 settings=() options=() targets=()
   shift
+  while [[ ${1:-} = -D* ]]; do settings+=("$1"); shift; done
   while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
   [ $# -eq 0 ] || targets=(--target "${@:2}")
-  if cmake --preset "$preset" >"build/$preset.log" 2>&1 || { cat "build/$preset.log"; false; } &&
+  if cmake --preset "$preset" "${settings[@]}" >"build/$preset.log" 2>&1 || { cat "build/$preset.log"; false; } &&
     compile "$preset" "build/$preset.log" cmake --build --preset "$preset" "${targets[@]}"; then
     run_ctest "build/$preset/ctest.log" --preset "$preset" -j 2 "${options[@]}"
   else
@@ -70,29 +74,29 @@ mingw() {
 mkdir -p build
 case $tier in
   quick)
-    left="sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy, manual, main job (./test.sh), \
+    left="long tests, other ways of calling, tests of generators, sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy, manual, main job (./test.sh), \
 and what that leaves out"
     part release tree release -L '^quick$' -- wrc unit_tests reference_tests abi_tests golden_hash
     ;;
   default)
-    left="builds of clang and mingw, Python package, FMUs, hosts, packages, embedding, headers under all compilers, hostile input, fuzzer \
+    left="builds of clang and mingw, report programs, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, hostile input, fuzzer \
 (./test.sh ci), and what that leaves out"
     part release tree release -LE '^(long|rebuild)$'
-    part sanitize tree sanitize -L '^(unit|interface)$' -LE '^(long|rebuild)$' -- unit_tests abi_tests
+    part sanitize tree sanitize -DWRC_AVX512=OFF -R '^abi_' -LE '^long$' -- abi_tests
     ;;
   ci)
     left="clang's build, most of mingw's tests, thread sanitizer, other compilers and processors, clang-tidy over everything, static and \
 fetched library, packages from two clones, growth built on a copy (./test.sh all)"
-    part release tree release -LE '^rebuild$'
-    part sanitize tree sanitize
+    part release tree release -LE '^rebuild$' -- all tools/all
+    part sanitize tree sanitize -DWRC_AVX512=ON
     part mingw mingw
     ;;
   all)
     left=nothing
     (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
-    part release tree release
-    part sanitize tree sanitize
-    part clang tree clang
+    part release tree release -- all tools/all
+    part sanitize tree sanitize -DWRC_AVX512=ON
+    part clang tree clang -- all tools/all
     part tsan tree tsan # threads that share a model
     part mingw mingw
     ;;

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # The units of kernels compiled for an instruction set beyond the baseline must define nothing that the linker may merge
-# with, or take instead of, what another unit defines: one exported table each, and nothing weak, as built and at -O0 (by
-# ./test.sh all at -O1 and -O3 too).
-#   kernel_symbols.sh compiler source_directory objects of the library
+# with, or take instead of, what another unit defines: one exported table each, and nothing weak.
+#   kernel_symbols.sh compiler source_directory built objects of the library
+#   kernel_symbols.sh compiler source_directory -O0 objects of the library      besides: compiled again at this level, by ./test.sh all
+#                                                                               at -O1 and -O3 too
 set -euo pipefail
 compiler=$1 source=$2
-objects=("${@:3}")
-levels=(-O0)
-[ -z "${WRC_TEST_ALL:-}" ] || levels+=(-O1 -O3)
+objects=("${@:4}")
+levels=()
+[ "$3" = built ] || levels+=("$3")
+[ "$3" = built ] || [ -z "${WRC_TEST_ALL:-}" ] || levels+=(-O1 -O3)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 nothing_shared() { # module, set, how it was built, object

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "halfspace/tangential.hpp"
-#include "linear_theory/linear_theory.hpp"
 #include "sdec_pressure.hpp"
 
 namespace wrc::halfspace {
@@ -31,19 +30,6 @@ RollingProblem rolling(const Case& contact, const Grid& grid, const tangential::
 RollingSolution solve(const Case& contact, const tangential::Creepage& creepage) {
   const Grid grid = grid_over(contact.patch, contact.n, contact.n);
   return RollingSolver(grid, steel).solve(rolling(contact, grid, creepage));
-}
-
-// Two independent discretisations: Coulomb friction on a common rectangular grid, extrapolated from two
-// grids, and full adhesion on strips with cells of their own.
-TEST(HalfspaceRolling, TinyCreepageGivesLinearTheory) {
-  const Case coarse{.patch = {.a = 4e-3, .b = 6e-3, .psi = 0.3}, .n = 24};
-  const Case fine{.patch = coarse.patch, .n = 48};
-  const LinearCoefficients c = strip_linear_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16, 16);
-  const double area = 24e-6;  // c^2 = a b
-  const double nu = 1e-3 * coarse.friction * coarse.load() / (steel.shear_modulus * area);
-  const tangential::Creepage creepage{.longitudinal = nu};
-  const double fx = 2.0 * solve(fine, creepage).forces.fx - solve(coarse, creepage).forces.fx;
-  EXPECT_NEAR(fx / (-steel.shear_modulus * area * c.c11 * nu), 1.0, 0.01);
 }
 
 TEST(HalfspaceRolling, LargeCreepageGivesCoulombsForceAndItsDissipation) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The library as one source file beside its headers, for those who build it with their own compiler.
 
-    amalgamate.py OUT     writes OUT/wrc.cpp and OUT/wrc/*.h:    c++ -O2 -c OUT/wrc.cpp
+    amalgamate.py OUT [SOURCES]     writes OUT/wrc.cpp and OUT/wrc/*.h:    c++ -O2 -c OUT/wrc.cpp
 
 Headers come where they are first included, once; then the units. Names in a unit's unnamed namespace that another unit has, too,
 get the unit's name behind them. Kernels are compiled once, for whatever the compiler's flags allow."""
@@ -193,8 +193,11 @@ def source():
 
 
 def main():
-    if len(sys.argv) != 2:
+    global SOURCES
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
+    if len(sys.argv) == 3:
+        SOURCES = pathlib.Path(sys.argv[2])
     out = pathlib.Path(sys.argv[1])
     out.mkdir(parents=True, exist_ok=True)
     shutil.copytree(HEADERS, out / "wrc", dirs_exist_ok=True)

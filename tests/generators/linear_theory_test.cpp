@@ -1,10 +1,13 @@
+#include "linear_theory/linear_theory.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "halfspace/tangential.hpp"
 #include "linear_theory/ellipse_linear_theory.hpp"
-#include "linear_theory/linear_theory.hpp"
 #include "patch/material.hpp"
+#include "sdec_pressure.hpp"
 
 namespace wrc::halfspace {
 namespace {
@@ -75,6 +78,27 @@ TEST(StripLinearTheory, IsReciprocalAndMirrored) {
   EXPECT_NEAR(mirrored.c11, c.c11, 1e-9);
   EXPECT_NEAR(mirrored.c33, c.c33, 1e-9);
   EXPECT_NEAR(mirrored.c13, -c.c13, 1e-9);
+}
+
+// Two independent discretisations: Coulomb friction on a common rectangular grid, extrapolated from two
+// grids, and full adhesion on strips with cells of their own.
+TEST(StripLinearTheory, IsTheExactSolversAtTinyCreepage) {
+  constexpr patch::Material steel{.shear_modulus = 82e9, .poisson = 0.25};
+  constexpr double peak = 1e9, friction = 0.3, area = 24e-6;  // area: c^2 = a b
+  const SdecPatch patch{.a = 4e-3, .b = 6e-3, .psi = 0.3};
+  const double load = 2.0 / 3.0 * pi * area * peak,
+               nu = 1e-3 * friction * load / (steel.shear_modulus * area);
+  const auto force = [&](int n) {
+    const Grid grid = grid_over(patch, n, n);
+    RollingProblem problem;
+    problem.pressure = sdec_pressure(patch, peak, grid, CellPressure::mean);
+    problem.friction = {friction};
+    problem.creepage = {.longitudinal = nu};
+    return RollingSolver(grid, steel).solve(problem).forces.fx;
+  };
+  const LinearCoefficients c = strip_linear_coefficients(4.0 / 6.0, 0.3, steel.poisson, 16, 16);
+  const double fx = 2.0 * force(48) - force(24);
+  EXPECT_NEAR(fx / (-steel.shear_modulus * area * c.c11 * nu), 1.0, 0.01);
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
+#include "theory/generated_tables.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "kalker_printed_table.hpp"
 #include "linear_theory/ellipse_linear_theory.hpp"
 #include "linear_theory/linear_theory.hpp"
-#include "theory/generated_tables.hpp"
 #include "theory/sdec.hpp"
+#include "unit/kalker_printed_table.hpp"
 
 namespace wrc::theory {
 namespace {
