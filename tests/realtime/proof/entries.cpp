@@ -359,7 +359,8 @@ int32_t wheel_with_memory(Wheel& wheel) {
     int32_t status = wrc_contact_wrench(remembering.contact, &input, &wrench);
     input.time_step = 1e-9;
     if (status >= 0) status = wrc_contact_commit(remembering.contact);
-    if (status >= 0) status = wrc_contact_wrench(remembering.contact, &input, &wrench);
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
+    if (status >= 0) status = wrc_contact_wrench_derivatives(remembering.contact, &input, &wrench, &found);
     worst = std::min(worst, status == WRC_ERROR_LOAD ? WRC_OK : status);
   }
   return worst;
@@ -532,7 +533,7 @@ const std::vector<Entry>& all_entries() {
       {"wrc_contact_accumulate, wheel on rail", accumulate_wheel},
       {"wrc_contact_wrench_derivatives", wheel_sensitivities},
       {"wrc_contact_wrench_derivatives, along the track", wheel_along_track},
-      {"wrc_contact_wrench with memory, wrc_contact_commit", wheel_with_memory},
+      {"wrc_contact_wrench and _derivatives with memory, wrc_contact_commit", wheel_with_memory},
       {"wrc_planar_step refused, wrc_contact_last_error", refused_input},
       {"wrc_planar_step, denormal pose", denormal_input},
       {"wrc_model_profile", model_profile},
