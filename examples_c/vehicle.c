@@ -1,6 +1,7 @@
 /* vehicle.c - a wheelset and a bogie on S1002 and 60E1, integrated implicitly with the library's derivatives.
  *
- *   vehicle [RUN [FILE.csv]]    RUN: klingel, cones, critical, curve, turnout, flat, irregular; none: all of them
+ *   vehicle [RUN [FILE.csv]]    RUN: klingel, cones, critical, curve, turnout, crossing, flat, irregular; none: all
+ *                               of them
  *
  * Two wheelsets carry a frame on primary springs, the frame hangs on secondary ones below a car body that
  * runs on undisturbed. Every body has its place against the track axes where it runs; forward speed is held.
@@ -36,15 +37,17 @@ static const double secondary_y_damping = 32e3, secondary_z_damping = 30e3, seco
 
 /* What a run is made of. */
 typedef struct {
-  wrc_contact* contact[2][2];   /* of wheelset and side */
-  double speed, start;          /* m/s; where the first wheelset is at time 0 [m] */
-  double curvature, transition; /* 1/m, to the right; over so many metres from 10 m on */
-  double flat_angle;            /* of the first wheelset's right wheel, which has a flat, at time 0 [rad] */
-  int sections, flat;           /* the right rail has sections, the wheel a flat */
+  wrc_contact* contact[2][2]; /* of wheelset and side */
+  double speed, start;        /* m/s; where the first wheelset is at time 0 [m] */
+  double curvature, begins;   /* 1/m, to the right; from there on, over a transition [m] */
+  double transition;
+  double flat_angle;     /* of the first wheelset's right wheel, which has a flat, at time 0 [rad] */
+  int sections[2], flat; /* the rail of a side has sections, the wheel a flat */
   int irregular;
   double stiffness[N][N], damping[N][N];
-  double load[N]; /* static */
-  int failures;
+  double load[N];        /* static */
+  int failures, flagged; /* calls; a lifted wheel is no flag */
+  double by_time[N];     /* of the accelerations where derivatives were asked for: the rail below changes */
   double wheel_force[2][2][3]; /* of the last evaluation [N] */
 } Vehicle;
 
@@ -102,7 +105,7 @@ static void build(Vehicle* v) {
 }
 
 static double curvature_at(const Vehicle* v, double distance) {
-  const double t = (distance - 10.0) / (v->transition > 0.0 ? v->transition : 1.0);
+  const double t = (distance - v->begins) / (v->transition > 0.0 ? v->transition : 1.0);
   return v->curvature * (t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t * t * (3.0 - 2.0 * t));
 }
 
@@ -146,7 +149,7 @@ static void input_of(const Vehicle* v, double t, const double* s, int w, int sid
   wheel->pitch_rate = -v->speed / radius + rate[PITCH];
   wheel->yaw_rate = rate[YAW] + v->speed * curvature_at(v, distance);
   input->rail.y = irregularity(v, distance, &input->rail.y_slope);
-  if (side == right && v->sections) input->distance = distance;
+  if (v->sections[side]) input->distance = distance;
   if (side == right && w == 0 && v->flat) input->angle = v->flat_angle - v->speed / radius * t;
 }
 
@@ -171,6 +174,7 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
   static const int row[FREEDOMS] = {1, 2, 3, 5, 4}; /* of the wrench: Fy, Fz, Mx, Mz, My */
   static double slope[N][STATES];
   if (J) memset(slope, 0, sizeof slope);
+  if (J) memset(v->by_time, 0, sizeof v->by_time);
   for (int w = 0; w < 2; ++w) {
     for (int side = 0; side < 2; ++side) {
       wrc_wheel_input input;
@@ -183,6 +187,7 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
         ++v->failures;
         return 1; /* recoverable: CVODE takes a smaller step */
       }
+      v->flagged += wrench.flags != 0 && (wrench.flags >> WRC_FLAG_NO_CONTACT & 1u) == 0;
       memcpy(v->wheel_force[w][side], wrench.force, sizeof wrench.force);
       const double all[6] = {wrench.force[0],  wrench.force[1],  wrench.force[2],
                              wrench.moment[0], wrench.moment[1], wrench.moment[2]};
@@ -191,6 +196,8 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
                                             WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_ANGULAR_VELOCITY_Y};
       for (int i = 0; i < FREEDOMS; ++i) {
         force[FREEDOMS * w + i] += all[row[i]];
+        if (J && v->sections[side])
+          v->by_time[FREEDOMS * w + i] += v->speed * by.wrench[row[i]][WRC_BY_DISTANCE];
         for (int j = 0; J && j < FREEDOMS; ++j) {
           if (by_place[j] >= 0) slope[FREEDOMS * w + i][FREEDOMS * w + j] += by.wrench[row[i]][by_place[j]];
           slope[FREEDOMS * w + i][N + FREEDOMS * w + j] += by.wrench[row[i]][by_rate[j]];
@@ -214,6 +221,7 @@ static int motion(double t, const double* s, double* d, SUNMatrix J, Vehicle* v)
                                        : about_y[body];
     d[N + i] = force[i] / inertia;
     if (!J) continue;
+    v->by_time[i] /= inertia;
     for (int j = 0; j < N; ++j) {
       SM_ELEMENT_D(J, N + i, j) = (slope[i][j] - v->stiffness[i][j]) / inertia;
       SM_ELEMENT_D(J, N + i, N + j) = (slope[i][N + j] - v->damping[i][j]) / inertia;
@@ -283,10 +291,10 @@ static wrc_config pair_of_profiles(void) {
   return config;
 }
 
-/* Contacts; `plain`: NULL: the usual pair of profiles; `special`: the model of the right wheel of the first
- * wheelset, or of both right wheels. */
+/* Contacts; `plain`: NULL: the usual pair of profiles; `special`: the model of the first wheelset's wheel on
+ * the side `on`, or of both wheels there. */
 static wrc_model* models[2];
-static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config* special, int both) {
+static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config* special, int on, int both) {
   memset(v, 0, sizeof *v);
   const wrc_config usual = pair_of_profiles();
   char text[300] = "";
@@ -295,8 +303,8 @@ static void open_contacts(Vehicle* v, const wrc_config* plain, const wrc_config*
   if (special) must(wrc_model_create(special, NULL, &models[1], text, sizeof text), text);
   for (int w = 0; w < 2; ++w)
     for (int side = 0; side < 2; ++side)
-      must(wrc_contact_create(special && side == right && (both || w == 0) ? models[1] : models[0], side,
-                              NULL, &v->contact[w][side], text, sizeof text),
+      must(wrc_contact_create(special && side == on && (both || w == 0) ? models[1] : models[0], side, NULL,
+                              &v->contact[w][side], text, sizeof text),
            text);
   build(v);
 }
@@ -306,20 +314,26 @@ static void close_contacts(Vehicle* v) {
   for (int k = 0; k < 2; ++k) wrc_model_destroy(models[k]);
 }
 
-/* Standing in the middle. */
-static void stand(Vehicle* v, double* s) {
-  memset(s, 0, STATES * sizeof *s);
+/* Height at which a wheel in the middle stands. */
+static double standing_height(Vehicle* v, const double* s, int w, int side) {
   wrc_wheel_input input;
-  input_of(v, 0.0, s, 1, left, &input);
+  input_of(v, 0.0, s, w, side, &input);
   input.damping = 0.0;
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
   input.vertical_load = 0.5 * axle_load;
   wrc_wrench wrench = {.struct_size = sizeof wrench};
-  must(wrc_contact_wrench(v->contact[1][left], &input, &wrench), "standing");
-  for (int w = 0; w < 2; ++w) {
-    s[FREEDOMS * w + Z] = wrench.z;
-    /* springs are at rest where it stands */
-  }
+  must(wrc_contact_wrench(v->contact[w][side], &input, &wrench), "standing");
+  return wrench.z;
+}
+
+/* Standing in the middle: on two kinds of rail between the heights of both wheels. Springs are at rest. */
+static void stand(Vehicle* v, double* s) {
+  memset(s, 0, STATES * sizeof *s);
+  const double height = standing_height(v, s, 1, left);
+  for (int w = 0; w < 2; ++w)
+    s[FREEDOMS * w + Z] = v->sections[0] || v->sections[1]
+                              ? 0.5 * (standing_height(v, s, w, right) + standing_height(v, s, w, left))
+                              : height;
   double q[N];
   memcpy(q, s, sizeof q);
   for (int i = 0; i < N; ++i)
@@ -449,7 +463,7 @@ static void waves(FILE* file, const char* name, const wrc_config* config, const 
   static double y[points], dr[points], roll[points];
   char text[256] = "";
   Vehicle v;
-  open_contacts(&v, config, NULL, 0);
+  open_contacts(&v, config, NULL, right, 0);
   wrc_wheelset_geometry_problem where = {.struct_size = sizeof where};
   for (int i = 0; i < points; ++i) y[i] = 0.05e-3 * (i - points / 2);
   where.count = points;
@@ -608,7 +622,7 @@ static void swing(const double* stands, const double* mode, double amplitude, do
 static void critical(FILE* file) {
   Vehicle v;
   double stands[STATES], s[STATES], mode[STATES], amplitude, factor;
-  open_contacts(&v, NULL, NULL, 0);
+  open_contacts(&v, NULL, NULL, right, 0);
   double low = 10.0, high = 180.0;
   for (int n = 0; n < 20; ++n) {
     v.speed = 0.5 * (low + high);
@@ -694,9 +708,10 @@ static void critical(FILE* file) {
 static void curve(FILE* file) {
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, NULL, NULL, 0);
+  open_contacts(&v, NULL, NULL, right, 0);
   v.speed = 15.0;
   v.curvature = 1.0 / 300.0;
+  v.begins = 10.0;
   v.transition = 30.0;
   stand(&v, s);
   Told told = {.file = file, .run = "curve", .value = 300.0};
@@ -733,8 +748,8 @@ static void turnout(FILE* file) {
   for (int k = 0; k < 2; ++k) {
     Vehicle v;
     double s[STATES];
-    open_contacts(&v, NULL, &config, 1);
-    v.sections = 1;
+    open_contacts(&v, NULL, &config, right, 1);
+    v.sections[right] = 1;
     v.start = 4.0;
     v.speed = (k == 0 ? 40.0 : 80.0) / 3.6;
     stand(&v, s);
@@ -745,6 +760,217 @@ static void turnout(FILE* file) {
            1e-3 * told.largest_lateral, factor);
     close_contacts(&v);
   }
+}
+
+/* ------------------------------------------------------------------------------------------------ crossing
+ */
+
+/* A line across the track, as an instrument has it. */
+enum { line_points = 900, lines_most = 64 };
+typedef struct {
+  uint32_t count;
+  double y[line_points], z[line_points];
+} Line;
+
+static void add_point(Line* line, double y, double z) {
+  if (line->count == line_points) exit(EXIT_FAILURE);
+  line->y[line->count] = y;
+  line->z[line->count++] = z;
+}
+
+/* Adds a rail's head between two edges, from the depth to the field depth: flanks that lean 1:20, elliptic
+ * corners twice as wide as high, a crown of 300 mm radius that is canted 1:40 where it is 70 mm wide. A round
+ * bottom joins it to the head before. */
+static void add_head(Line* line, double gauge, double field, double top, double corner, double depth,
+                     double field_depth) {
+  const double spacing = 5e-4, quarter = 1.5707963267948966,
+               wide = fmin(2.0 * corner, 0.45 * (field - gauge));
+  static Line head;
+  head.count = 0;
+  const int down = (int)ceil((depth - corner) / spacing - 1e-9);
+  for (int i = down - 1; i > 0; --i) add_point(&head, gauge - 0.05 * i * spacing, corner + i * spacing);
+  for (int i = 0; i < 40; ++i)
+    add_point(&head, gauge + wide * (1.0 - cos(quarter * i / 39)), corner * (1.0 - sin(quarter * i / 39)));
+  const int level = (int)ceil((field - gauge - 2.0 * wide) / spacing - 1e-9);
+  for (int i = 1; i < level; ++i) add_point(&head, gauge + wide + i * spacing, 0.0);
+  for (int i = 39; i >= 0; --i)
+    add_point(&head, field - wide * (1.0 - cos(quarter * i / 39)), corner * (1.0 - sin(quarter * i / 39)));
+  const int outside = (int)ceil((field_depth - corner) / spacing - 1e-9);
+  for (int i = 1; i < outside; ++i) add_point(&head, field + 0.05 * i * spacing, corner + i * spacing);
+  double least = 1.0;
+  for (uint32_t i = 0; i < head.count; ++i) {
+    const double from_middle =
+        fmin(fmax(head.y[i] - gauge - fmin(35e-3, 0.5 * (field - gauge)), -35e-3), 35e-3);
+    const double crown =
+        from_middle * from_middle / 0.6 - from_middle / 40.0 * fmin(1.0, (field - gauge) / 0.07);
+    head.z[i] += crown * fmin(fmax(1.0 - head.z[i] / corner, 0.0), 1.0);
+    least = fmin(least, head.z[i]);
+  }
+  if (line->count > 0) {
+    const double y = line->y[line->count - 1], z = line->z[line->count - 1];
+    for (int i = 1; i < 39; ++i)
+      add_point(line, y + (head.y[0] - y) * i / 39.0,
+                z + (top + head.z[0] - least - z) * i / 39.0 + 4e-3 * sin(2.0 * quarter * i / 39.0));
+  }
+  for (uint32_t i = 0; i < head.count; ++i) add_point(line, head.y[i], top + head.z[i] - least);
+}
+
+/* The line at a place of the crossing [m]: a wing rail that rises by 1.5 mm and leaves sideways 1:10, and a
+ * nose that rises from 20 mm below within 60 mm, to level with the rail 0.48 m on. */
+static void crossing_line(double x, Line* line) {
+  const double groove = 45e-3, share = fmin(fmax((x + 0.45) / 0.4, 0.0), 1.0);
+  line->count = 0;
+  if (x >= 0.119) {
+    const double rise = fmin((x - 0.12) / 0.06, 1.0),
+                 top = 20e-3 * (1.0 - rise) * (1.0 - rise) +
+                       3e-3 * fmin(fmax(1.0 - (x - 0.18) / 0.3, 0.0), 1.0);
+    add_head(line, -37e-3 + 2e-3 * rise, -19e-3 + fmin(0.1 * (x - 0.12), 54e-3), top,
+             8e-3 + 4e-3 * fmin(rise, (x - 0.12) / 0.8), groove - top, groove - top);
+  }
+  if (x < 1.0)
+    add_head(line, -35e-3 + 0.1 * fmax(0.0, x + 0.4), 35e-3 + 0.1 * fmax(0.0, x + 0.5),
+             -0.75e-3 * (1.0 - cos(3.141592653589793 * share)), 12e-3, groove, 10e-3);
+}
+
+/* Its sections, parted into faces; with 4.5 m of rail before and behind it. */
+static wrc_rail_faces* crossing_faces(wrc_found_faces* found) {
+  static Line line[lines_most];
+  static wrc_section_line section[lines_most];
+  uint32_t n = 0;
+  double place[lines_most];
+  place[n++] = -5.0;
+  place[n++] = -1.0;
+  for (int i = 0; i < 12; ++i) place[n++] = -0.5 + 0.05 * i;
+  for (int i = 0; i < 28; ++i) place[n++] = 0.1 + 0.005 * i;
+  for (int i = 0; i < 15; ++i) place[n++] = 0.25 + 0.05 * i;
+  place[n++] = 1.2;
+  place[n++] = 5.0;
+  for (uint32_t k = 0; k < n; ++k) {
+    crossing_line(place[k], &line[k]);
+    section[k].distance = place[k];
+    section[k].count = line[k].count;
+    section[k].y = line[k].y;
+    section[k].z = line[k].z;
+  }
+  wrc_rail_faces_problem problem = wrc_rail_faces_problem_default();
+  problem.sections = section;
+  problem.section_count = n;
+  wrc_rail_faces* faces = NULL;
+  char text[500] = "";
+  must(wrc_rail_faces_create(&problem, &faces, text, sizeof text), text);
+  must(wrc_rail_faces_found(faces, found), "faces");
+  return faces;
+}
+
+/* Forces of the first wheelset. */
+typedef struct {
+  FILE* file;
+  const char* run;
+  int side;                  /* of the crossing; the check rail is on the other */
+  double least, most, guide; /* vertical on the crossing; lateral at the check rail [N] */
+} Passed;
+
+static void pass(double t, const double* s, const Vehicle* v, void* user) {
+  Passed* passed = (Passed*)user;
+  const double(*f)[3] = v->wheel_force[0];
+  const double carried = 0.0 - f[passed->side][2];
+  passed->least = fmin(passed->least, carried);
+  passed->most = fmax(passed->most, carried);
+  passed->guide = fmax(passed->guide, fabs(f[1 - passed->side][1]));
+  if (passed->file)
+    fprintf(passed->file, "%s,%g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,0\n", passed->run,
+            3.6 * v->speed, t, v->start + v->speed * t, s[Y], s[YAW], s[FREEDOMS + Y], f[right][1],
+            f[right][2], f[left][1], f[left][2]);
+}
+
+/* Steps of one length by two linearly implicit stages (ROS2, gamma = 1 - 1/sqrt 2): second order, what is
+ * fast is damped. No step is taken twice. */
+static double step_through(Vehicle* v, double* s, double until, double step, Look tell, void* told) {
+  const double gamma = 1.0 - 1.0 / sqrt(2.0);
+  SUNContext context;
+  if (SUNContext_Create(NULL, &context)) exit(EXIT_FAILURE);
+  SUNMatrix matrix = SUNDenseMatrix(STATES, STATES, context);
+  N_Vector stage = N_VNew_Serial(STATES, context);
+  SUNLinearSolver linear = SUNLinSol_Dense(stage, matrix, context);
+  double *const stages = N_VGetArrayPointer(stage), rate[STATES], ahead[STATES], first[STATES];
+  const clock_t began = clock();
+  for (int n = 0; n * step < until; ++n) {
+    if (motion(n * step, s, rate, matrix, v)) break;
+    if (tell) tell(n * step, s, v, told);
+    for (int i = 0; i < STATES; ++i)
+      for (int j = 0; j < STATES; ++j)
+        SM_ELEMENT_D(matrix, i, j) = (i == j) - gamma * step * SM_ELEMENT_D(matrix, i, j);
+    SUNLinSolSetup(linear, matrix);
+    for (int i = 0; i < STATES; ++i) stages[i] = rate[i] + (i < N ? 0.0 : gamma * step * v->by_time[i - N]);
+    SUNLinSolSolve(linear, matrix, stage, stage, 0.0);
+    memcpy(first, stages, sizeof first);
+    for (int i = 0; i < STATES; ++i) ahead[i] = s[i] + step * first[i];
+    if (motion((n + 1) * step, ahead, rate, NULL, v)) break;
+    for (int i = 0; i < STATES; ++i)
+      stages[i] = rate[i] - 2.0 * first[i] - (i < N ? 0.0 : gamma * step * v->by_time[i - N]);
+    SUNLinSolSolve(linear, matrix, stage, stage, 0.0);
+    for (int i = 0; i < STATES; ++i) s[i] += step * (1.5 * first[i] + 0.5 * stages[i]);
+  }
+  const double took = (double)(clock() - began) / CLOCKS_PER_SEC;
+  SUNLinSolFree(linear);
+  N_VDestroy(stage);
+  SUNMatDestroy(matrix);
+  SUNContext_Free(&context);
+  return took / until;
+}
+
+/* Through the crossing and past its check rail: on the main route it is in the right rail, on the diverging
+ * one, a curve of 245 m, in the left rail. */
+static void crossing(FILE* file) {
+  static Line guide;
+  guide.count = 0;
+  add_head(&guide, -70e-3, 0.0, 0.0, 5e-3, 60e-3, 60e-3);
+  wrc_found_faces found = {.struct_size = sizeof found};
+  wrc_rail_faces* faces = crossing_faces(&found);
+  wrc_config crossed = wrc_config_default(), checked = pair_of_profiles();
+  crossed.wheel.kind = WRC_PROFILE_S1002;
+  crossed.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  crossed.wheelset.wheel_radius = radius;
+  crossed.track.placement = WRC_PLACEMENT_ORIGIN;
+  crossed.track.rail_origin = 0.7525;
+  crossed.rail_sections = found.rail_sections;
+  crossed.rail_section_count = found.rail_section_count;
+  crossed.rail_section_size = found.rail_section_size;
+  checked.check_rail.y = -76e-3; /* 41 mm from the running edge, 20 mm above the rail */
+  checked.check_rail.z = -20e-3;
+  checked.check_rail.profile.kind = WRC_PROFILE_POINTS;
+  checked.check_rail.profile.count = guide.count;
+  checked.check_rail.profile.y = guide.y;
+  checked.check_rail.profile.z = guide.z;
+  static const double speeds[2][3] = {{40.0, 80.0, 120.0}, {40.0, 60.0, 0.0}}; /* km/h */
+  for (int k = 0; k < 12; ++k) {
+    const int diverging = k / 6, by_cvode = k % 2;
+    Vehicle v;
+    double s[STATES];
+    const int side = diverging ? left : right;
+    open_contacts(&v, &checked, &crossed, side, 1);
+    v.sections[side] = 1;
+    v.start = -1.3;
+    v.speed = speeds[diverging][k % 6 / 2] / 3.6;
+    if (v.speed > 0.0) {
+      stand(&v, s);
+      if (diverging) v.curvature = 1.0 / 245.0, v.begins = -100.0; /* it is in the curve */
+      Passed passed = {
+          .file = file, .run = by_cvode ? "crossing by CVODE" : "crossing", .side = side, .least = 1e9};
+      v.failures = v.flagged = 0;
+      const double factor = by_cvode ? integrate(&v, s, 4.4 / v.speed, 1e-3, pass, &passed)
+                                     : step_through(&v, s, 4.4 / v.speed, 1e-3, pass, &passed);
+      printf(
+          "crossing, %s route at %.0f km/h, %s: %d failed calls, %d flagged; %.1f to %.1f kN on it, up to "
+          "%.1f kN "
+          "lateral at the check rail; real-time factor %.2f\n",
+          diverging ? "diverging" : "main", 3.6 * v.speed, by_cvode ? "CVODE" : "steps of 1 ms", v.failures,
+          v.flagged, 1e-3 * passed.least, 1e-3 * passed.most, 1e-3 * passed.guide, factor);
+      fflush(stdout);
+    }
+    close_contacts(&v);
+  }
+  wrc_rail_faces_destroy(faces);
 }
 
 static void flat(FILE* file) {
@@ -763,7 +989,7 @@ static void flat(FILE* file) {
   config.roundness.deviations = deviation;
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, NULL, &config, 0);
+  open_contacts(&v, NULL, &config, right, 0);
   v.flat = 1;
   v.flat_angle = 1.0;
   v.speed = 60.0 / 3.6;
@@ -778,7 +1004,7 @@ static void flat(FILE* file) {
 static void irregular(FILE* file) {
   Vehicle v;
   double s[STATES];
-  open_contacts(&v, NULL, NULL, 0);
+  open_contacts(&v, NULL, NULL, right, 0);
   v.irregular = 1;
   v.speed = 40.0;
   stand(&v, s);
@@ -794,15 +1020,15 @@ int main(int argc, char** argv) {
   static const struct {
     const char* name;
     void (*run)(FILE*);
-  } runs[] = {{"klingel", klingel}, {"cones", cones}, {"critical", critical},  {"curve", curve},
-              {"turnout", turnout}, {"flat", flat},   {"irregular", irregular}};
+  } runs[] = {{"klingel", klingel}, {"cones", cones},       {"critical", critical}, {"curve", curve},
+              {"turnout", turnout}, {"crossing", crossing}, {"flat", flat},         {"irregular", irregular}};
   FILE* file = argc > 2 ? fopen(argv[2], "w") : NULL;
   if (file)
     fprintf(file,
             "run,value,time,distance,y,yaw,y_second,lateral_right,vertical_right,lateral_left,vertical_left,"
             "rail_y\n");
   int done = 0;
-  for (int k = 0; k < 7; ++k) {
+  for (int k = 0; k < 8; ++k) {
     if (argc > 1 && strcmp(argv[1], "all") != 0 && strcmp(argv[1], runs[k].name) != 0) continue;
     runs[k].run(file);
     ++done;

@@ -1,16 +1,17 @@
 /// wrench_derivatives - wrc_contact_wrench_derivatives() against central differences of
 /// wrc_contact_wrench() on random poses, and what it takes beside a step.
 ///
-///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors] [--list ERROR]
+///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors | --memory] [--list ERROR]
 ///
 /// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
 /// displaced, turned, aslant and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
 /// standstill, creepages up to saturation, some with falling friction or a soft layer; `--heated`: all with
 /// friction over temperature; `--factors`: all with friction over temperature that falls with the sliding
-/// speed. An error is over the largest entry of its row among the columns of the same unit (lengths, angles,
-/// velocities, angular velocities, slopes of the rail, a factor on friction): that is less than the largest
-/// of the whole row. An entry whose differences to the two sides are not the same stands at a kink: a strip
-/// enters, a cell goes from stick to slip, a table's interval ends.
+/// speed; `--memory`: all with config.surface.memory, after up to five committed steps of 10 us to 0.1 s, a
+/// third of all steps at rest, some that turn back. An error is over the largest entry of its row among the
+/// columns of the same unit (lengths, angles, velocities, angular velocities, slopes of the rail, a factor on
+/// friction): that is less than the largest of the whole row. An entry whose differences to the two sides are
+/// not the same stands at a kink: a strip enters, a cell goes from stick to slip, a table's interval ends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,14 +27,16 @@
 
 namespace {
 
-constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD + 3;
-constexpr int slope_y = WRC_BY_VERTICAL_LOAD, slope_z = slope_y + 1, factor = slope_z + 1;
+constexpr int rows = 6, columns = WRC_BY_VERTICAL_LOAD + 4;
+constexpr int slope_y = WRC_BY_VERTICAL_LOAD, slope_z = slope_y + 1, factor = slope_z + 1,
+              duration = factor + 1;
 constexpr const char* row_names[rows] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
-constexpr const char* column_names[columns] = {
-    "y",      "z",      "roll",      "yaw",     "vx",      "vy",      "vz",      "wx",      "wy",      "wz",
-    "rail y", "rail z", "rail roll", "rail vy", "rail vz", "rail wx", "slope y", "slope z", "friction"};
+constexpr const char* column_names[columns] = {"y",       "z",       "roll",      "yaw",      "vx",
+                                               "vy",      "vz",      "wx",        "wy",       "wz",
+                                               "rail y",  "rail z",  "rail roll", "rail vy",  "rail vz",
+                                               "rail wx", "slope y", "slope z",   "friction", "time"};
 
-enum Unit { length, angle, velocity, angular_velocity, slope, pure, units };
+enum Unit { length, angle, velocity, angular_velocity, slope, pure, time_step, units };
 constexpr Unit unit_of[columns] = {length,
                                    length,
                                    angle,
@@ -52,25 +55,45 @@ constexpr Unit unit_of[columns] = {length,
                                    angular_velocity,
                                    slope,
                                    slope,
-                                   pure};
+                                   pure,
+                                   time_step};
+
+double uniform(std::mt19937_64& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
 
 struct Case {
   wrc_wheel_input input = wrc_wheel_input_default();
 
   double* number(int column) {
-    return column == factor    ? &input.friction.coefficient
-           : column == slope_y ? &input.rail.y_slope
-           : column == slope_z ? &input.rail.z_slope
-                               : &wrench_input(input, column);
+    return column == factor     ? &input.friction.coefficient
+           : column == duration ? &input.time_step
+           : column == slope_y  ? &input.rail.y_slope
+           : column == slope_z  ? &input.rail.z_slope
+                                : &wrench_input(input, column);
+  }
+
+  /// Makes this a step at this place: slower or faster, back, or at rest and displaced by up to 20 um.
+  void step(std::mt19937_64& random) {
+    const auto between = [&random](double low, double high) { return uniform(random, low, high); };
+    input.time_step = std::pow(10.0, between(-5.0, -1.0));
+    const bool rests = random() % 3 == 0;
+    const double slower = rests ? 0.0 : between(-1.0, 1.0);
+    for (int column = WRC_BY_VELOCITY_X; column <= WRC_BY_ANGULAR_VELOCITY_Z; ++column)
+      *number(column) *= slower;
+    for (int column = 0; rests && column < 2; ++column)
+      *number(WRC_BY_VELOCITY_X + column) = between(-2e-5, 2e-5) / input.time_step;
+    input.rail.y_velocity = input.rail.z_velocity = input.rail.roll_rate = 0.0;
   }
 };
 
 /// Of a column here, among those of wrc_wrench_derivatives.
 int column_of(int column) {
-  return column == factor    ? WRC_BY_FRICTION
-         : column == slope_y ? WRC_BY_RAIL_Y_SLOPE
-         : column == slope_z ? WRC_BY_RAIL_Z_SLOPE
-                             : column;
+  return column == factor     ? WRC_BY_FRICTION
+         : column == duration ? WRC_BY_TIME_STEP
+         : column == slope_y  ? WRC_BY_RAIL_Y_SLOPE
+         : column == slope_z  ? WRC_BY_RAIL_Z_SLOPE
+                              : column;
 }
 
 double seconds() {
@@ -99,7 +122,7 @@ int main(int argc, char** argv) {
   long poses = 1000;
   unsigned seed = 1;
   double listed = 1e300;
-  bool frictionless = false, heated = false, factors = false;
+  bool frictionless = false, heated = false, factors = false, remembers = false;
   int numbers = 0;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--frictionless") == 0) {
@@ -108,6 +131,8 @@ int main(int argc, char** argv) {
       heated = true;
     } else if (std::strcmp(argv[i], "--factors") == 0) {
       factors = true;
+    } else if (std::strcmp(argv[i], "--memory") == 0) {
+      remembers = true;
     } else if (std::strcmp(argv[i], "--list") == 0 && i + 1 < argc) {
       listed = std::atof(argv[++i]);
     } else if (numbers++ == 0) {
@@ -118,6 +143,7 @@ int main(int argc, char** argv) {
   }
   wrc_config config = test_config();
   config.surface.tolerance = 1e-9;  // difference quotients have errors of that part over their step
+  config.surface.memory = remembers;
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
   wrc_model* model = nullptr;
@@ -126,17 +152,25 @@ int main(int argc, char** argv) {
   for (int32_t side = 0; side < 2; ++side)
     if (wrc_contact_create(model, side, nullptr, &contacts[side], nullptr, 0) != WRC_OK) return 1;
 
+  // contacts that remember nothing yet
+  uint64_t state_bytes = 0;
+  if (wrc_contact_state_size(model, &state_bytes) != WRC_OK) return 1;
+  std::vector<unsigned char> unused[2];
+  for (int side = 0; side < 2; ++side) {
+    unused[side].resize(state_bytes);
+    if (wrc_contact_save(contacts[side], unused[side].data(), state_bytes) != WRC_OK) return 1;
+  }
+
   std::mt19937_64 random(seed);
-  const auto between = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto between = [&random](double low, double high) { return uniform(random, low, high); };
   Errors literal, of_unit, by_entry[rows][columns];
   double step_time = 0.0, both_time = 0.0;
   long done = 0, skipped = 0;
   std::vector<double> ratios;
   while (done < poses) {
     Case c;
-    wrc_contact* const contact = contacts[random() % 2];
+    const std::size_t side = random() % 2;
+    wrc_contact* const contact = contacts[side];
     c.input.wheel.reference = random() % 2 ? WRC_REFERENCE_WHEELSET : WRC_REFERENCE_WHEEL;
     const std::int32_t axes = static_cast<std::int32_t>(random() % 3);
     c.input.wheel.angular_axes = axes;
@@ -183,12 +217,23 @@ int main(int argc, char** argv) {
     loaded.input.damping = 0.0;
     loaded.input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
     loaded.input.vertical_load = std::exp(between(std::log(5e3), std::log(150e3)));
+    wrc_contact_restore(contact, unused[side].data(), state_bytes);
     if (wrc_contact_wrench(contact, &loaded.input, &wrench) != WRC_OK) {
       ++skipped;
       continue;
     }
     c.input.wheel.z = wrench.z;
-    wrc_wrench_derivatives found{};
+    if (remembers) {
+      const Case end = c;
+      const auto steps = static_cast<int>(random() % 6);
+      for (int i = 0; i < steps; ++i) {
+        c.step(random);
+        if (wrc_contact_wrench(contact, &c.input, &wrench) >= WRC_OK) wrc_contact_commit(contact);
+      }
+      c = end;
+      c.step(random);
+    }
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     int32_t status = wrc_contact_wrench(contact, &c.input, &wrench);
     const double t0 = seconds();
     status = wrc_contact_wrench(contact, &c.input, &wrench);
@@ -207,12 +252,14 @@ int main(int argc, char** argv) {
     for (int column = 0; column < columns; ++column) {
       double* const number = c.number(column);
       const double value = *number;
-      const double h = unit_of[column] == length     ? 1e-9
-                       : unit_of[column] == angle    ? 1e-9
-                       : unit_of[column] == slope    ? 1e-9
-                       : unit_of[column] == pure     ? 1e-7 * value
-                       : unit_of[column] == velocity ? 1e-8 * std::max(0.1, std::fabs(speed))
-                                                     : 2e-8 * std::max(0.1, std::fabs(speed));
+      const double moving =
+          remembers ? std::min(std::fabs(speed), 1e-3 / c.input.time_step) : std::max(0.1, std::fabs(speed));
+      const double h = unit_of[column] == length             ? 1e-9
+                       : unit_of[column] == angle            ? 1e-9
+                       : unit_of[column] == slope            ? 1e-9
+                       : unit_of[column] == velocity         ? 1e-8 * moving
+                       : unit_of[column] == angular_velocity ? 2e-8 * moving
+                                                             : 1e-7 * value;
       if (!(h > 0.0)) continue;  // a factor on no friction: nothing
       double ends[3][rows];
       for (int end = 0; end < 3; ++end) {

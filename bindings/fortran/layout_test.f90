@@ -68,6 +68,10 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_profile_wear(14)
   integer(c_size_t), bind(C) :: layout_wrc_worn_profile(10)
   integer(c_size_t), bind(C) :: layout_wrc_flange(5)
+  integer(c_size_t), bind(C) :: layout_wrc_section_line(7)
+  integer(c_size_t), bind(C) :: layout_wrc_rail_faces_problem(14)
+  integer(c_size_t), bind(C) :: layout_wrc_found_faces(10)
+  integer(c_size_t), bind(C) :: layout_wrc_face_outline(12)
 end module
 program layout_test
   use wrc
@@ -140,7 +144,11 @@ program layout_test
   call test_wrc_profile_wear()
   call test_wrc_worn_profile()
   call test_wrc_flange()
-  print '(i0,a)', 66, ' types compared'
+  call test_wrc_section_line()
+  call test_wrc_rail_faces_problem()
+  call test_wrc_found_faces()
+  call test_wrc_face_outline()
+  print '(i0,a)', 70, ' types compared'
   if (failures > 0) stop 1
 contains
   subroutine test_wrc_profile()
@@ -1692,6 +1700,113 @@ contains
       distance(c_loc(a), c_loc(a%slope)), layout_wrc_flange(4))
     call same('wrc_flange', 'reserved', &
       distance(c_loc(a), c_loc(a%reserved)), layout_wrc_flange(5))
+  end subroutine
+  subroutine test_wrc_section_line()
+    type(wrc_section_line), target :: a
+    call wrc_init(a)
+    call same('wrc_section_line', 'size', c_sizeof(a), layout_wrc_section_line(1))
+    call same('wrc_section_line', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_section_line(2))
+    call same('wrc_section_line', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_section_line(3))
+    call same('wrc_section_line', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_section_line(4))
+    call same('wrc_section_line', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_section_line(5))
+    call same('wrc_section_line', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_section_line(6))
+    call same('wrc_section_line', 'reserved', &
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_section_line(7))
+  end subroutine
+  subroutine test_wrc_rail_faces_problem()
+    type(wrc_rail_faces_problem), target :: a
+    call same('wrc_rail_faces_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_rail_faces_problem', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_rail_faces_problem', 'size', c_sizeof(a), layout_wrc_rail_faces_problem(1))
+    call same('wrc_rail_faces_problem', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_rail_faces_problem(2))
+    call same('wrc_rail_faces_problem', 'section_count', &
+      distance(c_loc(a), c_loc(a%section_count)), layout_wrc_rail_faces_problem(3))
+    call same('wrc_rail_faces_problem', 'sections', &
+      distance(c_loc(a), c_loc(a%sections)), layout_wrc_rail_faces_problem(4))
+    call same('wrc_rail_faces_problem', 'interruption_count', &
+      distance(c_loc(a), c_loc(a%interruption_count)), layout_wrc_rail_faces_problem(5))
+    call same('wrc_rail_faces_problem', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_rail_faces_problem(6))
+    call same('wrc_rail_faces_problem', 'interruptions', &
+      distance(c_loc(a), c_loc(a%interruptions)), layout_wrc_rail_faces_problem(7))
+    call same('wrc_rail_faces_problem', 'first', &
+      distance(c_loc(a), c_loc(a%first)), layout_wrc_rail_faces_problem(8))
+    call same('wrc_rail_faces_problem', 'last', &
+      distance(c_loc(a), c_loc(a%last)), layout_wrc_rail_faces_problem(9))
+    call same('wrc_rail_faces_problem', 'depth', &
+      distance(c_loc(a), c_loc(a%depth)), layout_wrc_rail_faces_problem(10))
+    call same('wrc_rail_faces_problem', 'gap', &
+      distance(c_loc(a), c_loc(a%gap)), layout_wrc_rail_faces_problem(11))
+    call same('wrc_rail_faces_problem', 'kink', &
+      distance(c_loc(a), c_loc(a%kink)), layout_wrc_rail_faces_problem(12))
+    call same('wrc_rail_faces_problem', 'least_width', &
+      distance(c_loc(a), c_loc(a%least_width)), layout_wrc_rail_faces_problem(13))
+    call same('wrc_rail_faces_problem', 'tolerance', &
+      distance(c_loc(a), c_loc(a%tolerance)), layout_wrc_rail_faces_problem(14))
+  end subroutine
+  subroutine test_wrc_found_faces()
+    type(wrc_found_faces), target :: a
+    call same('wrc_found_faces', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_found_faces', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_found_faces', 'size', c_sizeof(a), layout_wrc_found_faces(1))
+    call same('wrc_found_faces', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_found_faces(2))
+    call same('wrc_found_faces', 'face_count', &
+      distance(c_loc(a), c_loc(a%face_count)), layout_wrc_found_faces(3))
+    call same('wrc_found_faces', 'outline_count', &
+      distance(c_loc(a), c_loc(a%outline_count)), layout_wrc_found_faces(4))
+    call same('wrc_found_faces', 'rail_section_count', &
+      distance(c_loc(a), c_loc(a%rail_section_count)), layout_wrc_found_faces(5))
+    call same('wrc_found_faces', 'rail_section_size', &
+      distance(c_loc(a), c_loc(a%rail_section_size)), layout_wrc_found_faces(6))
+    call same('wrc_found_faces', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_found_faces(7))
+    call same('wrc_found_faces', 'rail_sections', &
+      distance(c_loc(a), c_loc(a%rail_sections)), layout_wrc_found_faces(8))
+    call same('wrc_found_faces', 'notes', &
+      distance(c_loc(a), c_loc(a%notes)), layout_wrc_found_faces(9))
+    call same('wrc_found_faces', 'thin', &
+      distance(c_loc(a), c_loc(a%thin)), layout_wrc_found_faces(10))
+  end subroutine
+  subroutine test_wrc_face_outline()
+    type(wrc_face_outline), target :: a
+    call same('wrc_face_outline', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    a%struct_size = 0  ! of a variable that was used before
+    call wrc_init(a)
+    call same('wrc_face_outline', 'struct_size', int(a%struct_size, c_size_t), c_sizeof(a))
+    call same('wrc_face_outline', 'size', c_sizeof(a), layout_wrc_face_outline(1))
+    call same('wrc_face_outline', 'struct_size', &
+      distance(c_loc(a), c_loc(a%struct_size)), layout_wrc_face_outline(2))
+    call same('wrc_face_outline', 'kind', &
+      distance(c_loc(a), c_loc(a%kind)), layout_wrc_face_outline(3))
+    call same('wrc_face_outline', 'face', &
+      distance(c_loc(a), c_loc(a%face)), layout_wrc_face_outline(4))
+    call same('wrc_face_outline', 'number', &
+      distance(c_loc(a), c_loc(a%number)), layout_wrc_face_outline(5))
+    call same('wrc_face_outline', 'count', &
+      distance(c_loc(a), c_loc(a%count)), layout_wrc_face_outline(6))
+    call same('wrc_face_outline', 'mark_count', &
+      distance(c_loc(a), c_loc(a%mark_count)), layout_wrc_face_outline(7))
+    call same('wrc_face_outline', 'distance', &
+      distance(c_loc(a), c_loc(a%distance)), layout_wrc_face_outline(8))
+    call same('wrc_face_outline', 'spacing_error', &
+      distance(c_loc(a), c_loc(a%spacing_error)), layout_wrc_face_outline(9))
+    call same('wrc_face_outline', 'y', &
+      distance(c_loc(a), c_loc(a%y)), layout_wrc_face_outline(10))
+    call same('wrc_face_outline', 'z', &
+      distance(c_loc(a), c_loc(a%z)), layout_wrc_face_outline(11))
+    call same('wrc_face_outline', 'marks', &
+      distance(c_loc(a), c_loc(a%marks)), layout_wrc_face_outline(12))
   end subroutine
   function distance(from, to) result(bytes)
     type(c_ptr), intent(in) :: from, to

@@ -296,10 +296,11 @@ enum wrc_wrench_input {
   WRC_BY_RAIL_Y_SLOPE = 19,      /**< rail.y_slope [-]; 0 of a roller */
   WRC_BY_RAIL_Z_SLOPE = 20,      /**< rail.z_slope [-]; 0 of a roller */
   WRC_BY_ROLLER_RATE = 21,       /**< roller_rate [rad/s]; 0 of a rail that is no roller */
-  WRC_BY_FRICTION = 22           /**< a factor, here 1, on all coefficients of `friction` [-] */
+  WRC_BY_FRICTION = 22,          /**< a factor, here 1, on all coefficients of `friction` [-] */
+  WRC_BY_TIME_STEP = 23          /**< time_step [s], of config.surface.memory; where it is 0, to the side of time */
 };
 
-#define WRC_WRENCH_INPUTS 23 /**< columns of wrc_wrench_derivatives that this version fills */
+#define WRC_WRENCH_INPUTS 24 /**< columns of wrc_wrench_derivatives that this version fills */
 #define WRC_ALL_REGIONS (-1) /**< in place of an index: all patches of a contact plane together */
 
 /* ------------------------------------------------------------------------------------------- structs: the model */
@@ -977,10 +978,9 @@ WRC_API int32_t wrc_contact_mark(wrc_contact* contact);
 WRC_API int32_t wrc_contact_commit(wrc_contact* contact);
 
 /** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
- * differences. Over temperature the part of the tractions is a difference. Two to three times the time of the wrench, over
- * temperature four to five times. Theory manual, section 9.
- * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM without config.surface.memory; others
- * are WRC_ERROR_UNSUPPORTED
+ * differences. Over temperature and with config.surface.memory the part of the tractions is a difference. Two to three times the
+ * time of the wrench, over temperature four to five times, with memory ten, four where a load is given. Theory manual, section 9.
+ * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM; others are WRC_ERROR_UNSUPPORTED
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted

@@ -66,6 +66,18 @@ struct wrc_experimental_api {
     /**< wrc_profile_remove_wear() */
   int32_t (*flange_dimensions)(uint32_t, const double*, const double*, double, wrc_flange*, char*, uint64_t);
     /**< wrc_flange_dimensions() */
+  int32_t (*rail_faces_problem_init)(wrc_rail_faces_problem*); /**< wrc_rail_faces_problem_init() */
+  int32_t (*rail_faces_create)(const wrc_rail_faces_problem*, wrc_rail_faces**, char*, uint64_t);
+    /**< wrc_rail_faces_create() */
+  int32_t (*rail_faces_found)(const wrc_rail_faces*, wrc_found_faces*); /**< wrc_rail_faces_found() */
+  int32_t (*rail_faces_outline)(const wrc_rail_faces*, uint32_t, wrc_face_outline*); /**< wrc_rail_faces_outline() */
+  void (*rail_faces_destroy)(wrc_rail_faces*); /**< wrc_rail_faces_destroy() */
+  int32_t (*section_file_read)(const char*, double, int32_t, int32_t, wrc_section_file**, char*, uint64_t);
+    /**< wrc_section_file_read() */
+  int32_t (*section_file_line)(const wrc_section_file*, uint32_t, wrc_section_line*); /**< wrc_section_file_line() */
+  void (*section_file_destroy)(wrc_section_file*); /**< wrc_section_file_destroy() */
+  int32_t (*section_file_write)(const char*, const wrc_section_line*, uint32_t, char*, uint64_t);
+    /**< wrc_section_file_write() */
 };
 
 #endif /* WRC_EXPERIMENTAL_API_H */

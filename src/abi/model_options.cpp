@@ -205,10 +205,10 @@ contact::RailSectionSource read_section(const void* given, std::int32_t k) {
   return ours;
 }
 
-Fault check_section(const wrc_config& config, std::int32_t k) {
+/// `ours`: the section itself.
+Fault check_section(const wrc_config& config, std::int32_t k, wrc_rail_section& ours) {
   constexpr const char* name = "config.rail_sections";
   constexpr const char* profile = "config.rail_sections.profile";
-  wrc_rail_section ours;
   contact::ProfileSource source;
   RETURN_IF_FAILED(section_at(config, k, ours));
   RETURN_IF_FAILED(check_no_points(ours.profile, profile));
@@ -252,8 +252,10 @@ Fault read_sections(const wrc_config* theirs, const wrc_config& config, contact:
          MEMBER(wrc_config, "rail_section_size").high},
         "it is the size of one of config.rail_sections: set it to sizeof(wrc_rail_section)");
   for (std::int32_t k = 0; k < count; ++k) {
-    Fault fault = check_section(config, k);
+    wrc_rail_section ours;
+    Fault fault = check_section(config, k, ours);
     fault.index = k;
+    fault.distance = ours.distance;
     if (fault.failed()) return fault;
   }
   options.sections = {count, theirs, read_section};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "wrc/wrc_status.h"
 
@@ -57,6 +58,8 @@ struct Fault {
   const char* cause = nullptr;   ///< likely cause or remedy, a short clause ("did you pass kN?")
   const char* call = nullptr;    ///< the function that was called; nullptr: none of the interface's
   std::uint64_t flags = 0;       ///< bit 1 << flag of those met beside `status`
+  /// Place along the track of the rail's section whose index is `index` [m]; NaN: about no section.
+  double distance = std::numeric_limits<double>::quiet_NaN();
 
   bool failed() const { return status < 0; }
 
@@ -103,7 +106,7 @@ struct Fault {
 
 // A contact's saved state holds its last fault: with padding here, equal states could differ in their bytes.
 static_assert(sizeof(void*) != 8 || sizeof(Fault) == 2 * sizeof(std::int32_t) + 5 * sizeof(const char*) +
-                                                         3 * sizeof(double) + sizeof(std::uint64_t));
+                                                         4 * sizeof(double) + sizeof(std::uint64_t));
 
 /// Which of two statuses says more about whether a result can be used: failures, then flags from the gravest
 /// to the least grave, then WRC_OK. Larger is graver.

@@ -197,6 +197,7 @@ Fault take_sections(const ModelOptions& options, void* memory, surface::RailSect
     if (!fault.failed()) continue;
     if (fault.field == nullptr) fault.field = "config.rail_section.profile";
     fault.index = k;
+    if (!options.check_rail) fault.distance = source.section.distance;
     return fault;
   }
   return {};

@@ -181,13 +181,8 @@ Fault commit_wheel(Contact& contact) {
 namespace {
 
 /// Refuses inputs that a model that remembers cannot take.
-Fault check_memory(const Model& model, const HostWheel& hosted, bool derivatives) {
+Fault check_memory(const Model& model, const HostWheel& hosted) {
   if (!model.options.surface_memory) return {};
-  if (derivatives)
-    return Fault::unsupported(
-        "config.surface.memory",
-        "derivatives with memory do not exist yet: take differences of trial steps, which "
-        "leave the committed step as it is");
   if (hosted.friction.law.heated())
     return Fault::unsupported(
         "input.friction.temperature_law",
@@ -223,7 +218,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
         "only the planar stages read it: for wrc_contact_wrench set config.surface.memory");
   }
 
-  fault = check_memory(model, hosted, slopes != nullptr);
+  fault = check_memory(model, hosted);
   if (fault.failed()) return fault;
 
   // solved as right-hand bodies

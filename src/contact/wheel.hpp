@@ -54,6 +54,7 @@ enum HostInput : std::int32_t {
   by_rail_slope_z,
   by_roller_velocity,
   by_friction,
+  by_time,
   hosted_inputs
 };
 

@@ -8,9 +8,10 @@ namespace wrc::contact {
 namespace {
 
 /// Inputs whose derivatives are carried from the host to the rail frame: those before the load, and these.
-enum Carried : std::size_t { slope_y = by_load, slope_z, roller_turning, friction, carried };
+enum Carried : std::size_t { slope_y = by_load, slope_z, roller_turning, friction, time, carried };
 constexpr std::size_t column_of(std::size_t k) {
-  constexpr std::size_t behind[] = {by_rail_slope_y, by_rail_slope_z, by_roller_velocity, by_friction};
+  constexpr std::size_t behind[] = {by_rail_slope_y, by_rail_slope_z, by_roller_velocity, by_friction,
+                                    by_time};
   return k < by_load ? k : behind[k - by_load];
 }
 
@@ -80,6 +81,7 @@ void differentiate_inputs(const surface::RelativeMotionOf<Number>& m,
   }
   inputs[surface::frame_roller] = m.velocity.roller;
   inputs[surface::frame_friction] = Number::input(1.0, friction);
+  inputs[surface::frame_time] = Number::input(0.0, time);
 }
 
 /// Adds the columns of the distance along the track and of the wheel's angle; turning moves the wheel along

@@ -87,7 +87,11 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   if (bodies.sections > 0) {
     fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, bodies.widths,
                               most_strips_of_a_rail, arrays.varying, model->varying);
-    if (fault.failed()) return fault;
+    if (fault.failed()) {
+      // A check rail's sections are not the caller's.
+      if (!has_check_rail(model->varying)) fault.distance = bodies.section[fault.index].distance;
+      return fault;
+    }
   }
   if (bodies.radius.rows > 0)
     model->out_of_round = make_out_of_round(bodies.radius, bodies.nominal_radius, arrays.radius);

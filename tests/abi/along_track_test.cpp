@@ -446,6 +446,7 @@ TEST_F(AlongTrack, SectionsOutOfOrderAreNamed) {
   give();
   EXPECT_EQ(refused(), WRC_ERROR_RANGE);
   EXPECT_NE(sentence.find("in order"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("(section 2 at 0.5 m)"), std::string::npos) << sentence;
   sections[1].distance = 2.0;
   sections[1].mark_count = 1;
   const double mark = 0.0;
@@ -490,6 +491,7 @@ TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
     EXPECT_EQ(model, nullptr);
     EXPECT_EQ(refused(), WRC_ERROR_PROFILE) << sentence;
     EXPECT_NE(sentence.find("config.rail_section"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("(section 2 at 1 m)"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find(word), std::string::npos) << sentence;
   };
   std::vector<double> y, z, steep;
@@ -522,6 +524,30 @@ TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
   }
   sections[1].profile.z = steep.data();
   cannot("no pair");
+}
+
+TEST_F(AlongTrack, ASectionThatFoldsBackOrIsInAnotherUnitIsNamed) {
+  std::vector<double> y, z, folded, millimetres;
+  for (int i = -180; i <= 180; ++i) {
+    y.push_back(2e-4 * i);
+    z.push_back(y.back() * y.back() / 0.6);
+    folded.push_back(i == 20 ? y.back() - 1e-3 : y.back());
+    millimetres.push_back(1e3 * y.back());
+  }
+  for (const double distance : {-0.25, 0.0, 0.5}) add(distance);
+  give();
+  for (wrc_rail_section& each : sections) {
+    each.profile.kind = WRC_PROFILE_POINTS;
+    each.profile.count = static_cast<uint32_t>(y.size());
+    each.profile.y = y.data();
+    each.profile.z = z.data();
+  }
+  EXPECT_EQ(refused(), WRC_OK) << sentence;
+  for (const std::vector<double>* wrong : {&folded, &millimetres}) {
+    sections[2].profile.y = wrong->data();
+    EXPECT_EQ(refused(), WRC_ERROR_PROFILE);
+    EXPECT_NE(sentence.find("(section 3 at 0.5 m)"), std::string::npos) << sentence;
+  }
 }
 
 TEST_F(AlongTrack, ARadiusThatDoesNotCloseIsNamed) {

@@ -10,6 +10,7 @@
 
 #include "reference_contact.hpp"
 #include "wheel_on_rail.hpp"
+#include "wrench_inputs.hpp"
 
 namespace {
 
@@ -233,6 +234,53 @@ TEST_F(SurfaceMemory, RegionsJoinAndPartWithoutAJump) {
   }
 }
 
+TEST_F(SurfaceMemory, DerivativesAreThoseOfTheStep) {
+  config.surface.tolerance = 1e-9;  // differences see the pressures' own
+  struct Kind {
+    double y, before, speed, time, across;
+  };
+  const Kind kinds[] = {{4e-3, 0.0, 0.0, 1e-3, 3e-3},    {4e-3, 2.0, 2.0, 1e-3, 1e-3},
+                        {1e-3, 1.0, -0.7, 2e-3, -3e-4},  {4e-3, 20.0, 20.0, 5e-4, 0.5},
+                        {-6.2e-3, 2.0, 2.0, 3e-3, 2e-3}, {-1e-3, 5.0, 5.0, 2e-3, 4e-3}};
+  for (const Kind& kind : kinds) {
+    stand(kind.y);
+    roll(kind.before);
+    for (int i = 0; i < 3; ++i) go(1e-3);
+    roll(kind.speed);
+    wheel.velocity[0] += 1e-3;
+    wheel.velocity[1] += kind.across;
+    wheel.angular_velocity[2] = 0.02;
+    input.time_step = kind.time;
+    wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
+    ASSERT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found), WRC_OK) << error();
+    EXPECT_TRUE(same_bits(wrench, go(kind.time, false)));
+    const auto compare = [&](double& number, double h, int column) {
+      const double value = number;
+      wrc_wrench ends[2];
+      for (int end = 0; end < 2; ++end) {
+        number = value + (end == 0 ? -h : h);
+        ASSERT_EQ(step(), WRC_OK) << error();
+        ends[end] = wrench;
+      }
+      number = value;
+      for (int i = 0; i < 2; ++i) {
+        const double difference = (ends[1].force[i] - ends[0].force[i]) / (2.0 * h);
+        const double largest = std::max(std::abs(ends[1].force[0] - ends[0].force[0]),
+                                        std::abs(ends[1].force[1] - ends[0].force[1])) /
+                               (2.0 * h);
+        EXPECT_NEAR(found.wrench[i][column], difference, 2e-4 * largest + 1e-9 * limit / h)
+            << "row " << i << " column " << column << " at " << kind.y << " speed " << kind.speed;
+      }
+    };
+    for (const int column : {WRC_BY_VELOCITY_X, WRC_BY_VELOCITY_Y, WRC_BY_ANGULAR_VELOCITY_Y,
+                             WRC_BY_ANGULAR_VELOCITY_Z, WRC_BY_RAIL_Y_VELOCITY})
+      compare(wrench_input(input, column), 1e-10 / kind.time, column);
+    for (const int column : {WRC_BY_Y, WRC_BY_YAW}) compare(wrench_input(input, column), 2e-9, column);
+    compare(input.time_step, 1e-6 * kind.time, WRC_BY_TIME_STEP);
+    EXPECT_GT(std::abs(found.wrench[0][WRC_BY_TIME_STEP]) + std::abs(found.wrench[1][WRC_BY_TIME_STEP]), 0.0);
+  }
+}
+
 TEST_F(SurfaceMemory, WhatCannotBeIsRefusedWithASentence) {
   roll(2.0);
   go(1e-3, false);
@@ -257,9 +305,6 @@ TEST_F(SurfaceMemory, WhatCannotBeIsRefusedWithASentence) {
   wheel.y -= 8.1e-3;
   wheel.z += 1e-4;
 
-  wrc_wrench_derivatives derivatives = sized<wrc_wrench_derivatives>();
-  EXPECT_EQ(wrc_contact_wrench_derivatives(contact, &input, &wrench, &derivatives), WRC_ERROR_UNSUPPORTED);
-  ReferenceWheel::expect_words(error(), {"config.surface.memory", "differences"});
   friction.temperature_law = WRC_TEMPERATURE_LAW_LINEAR;
   EXPECT_EQ(step(), WRC_ERROR_UNSUPPORTED);
   friction.temperature_law = WRC_TEMPERATURE_LAW_NONE;

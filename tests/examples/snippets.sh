@@ -14,6 +14,7 @@ done
 for piece in "$folder"/*.piece; do
   {
     echo '#include "wrc/wrc_api.h"'
+    echo '#include "wrc/wrc_profiles.h"'
     echo 'void use(double value); void complain(const char* text);'
     echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw, double speed, double radius, double roll_rate, double yaw_rate);'
     echo 'void piece(wrc_config config, wrc_contact* contact, wrc_wrench wrench, void* memory, double y, double z, double roll, double yaw, double speed, double radius, double roll_rate, double yaw_rate) {'

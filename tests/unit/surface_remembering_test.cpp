@@ -85,9 +85,19 @@ class Strips {
     strips.grid = &grid_;
     const double travel = std::pow(10.0, number(-6.0, -1.5)),
                  rolled = one_of(3) ? 0.0 : travel * number(0.0, 2.0);
-    const RememberingInput step{strips, along_, number_, theory_, travel, rolled, one_of(2) ? -1.0 : 1.0};
     auto& memory = *reinterpret_cast<tangential::Memory*>(memory_.data());
-    const RememberingResult result = roll_remembering(step, memory, Arena(aligned()), {fx_, fy_, mz_});
+    const RememberingInput step{strips,
+                                along_,
+                                number_,
+                                theory_,
+                                travel,
+                                rolled,
+                                one_of(2) ? -1.0 : 1.0,
+                                memory.remembered(),
+                                memory.count,
+                                memory.other()};
+    const RememberingResult result = roll_remembering(step, Arena(aligned()), {fx_, fy_, mz_});
+    memory.written = count;
     double work = 0.0;
     for (std::int32_t k = 0; k < count; ++k) {
       work -= travel * (fx_[k] * slip_x_[k] + fy_[k] * slip_y_[k] + mz_[k] * spin_[k]);

@@ -1,7 +1,7 @@
 """The Fortran module of the interface: statuses, parameters, types, functions, initialisers, and a test of the layout."""
 NUMBERS = {"uint32_t": "integer(c_int32_t)", "int32_t": "integer(c_int32_t)", "uint64_t": "integer(c_int64_t)",
            "double": "real(c_double)"}
-HANDLES = ("wrc_model", "wrc_contact", "wrc_exact_transient")
+HANDLES = ("wrc_model", "wrc_contact", "wrc_exact_transient", "wrc_rail_faces", "wrc_section_file")
 # These get the suffix _c: wrc.f90 has them with Fortran strings, and the last is a parameter's name, too, to a language
 # that knows no case.
 SUFFIXED = ("wrc_config_check", "wrc_model_create", "wrc_contact_create", "wrc_contact_last_error", "wrc_abi_version")

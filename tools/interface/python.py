@@ -7,14 +7,16 @@ import grammar
 
 NUMBERS = {"int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "uint64_t": "c.c_uint64", "int64_t": "c.c_int64",
            "double": "c.c_double"}
-HANDLES = ("wrc_contact", "wrc_model", "wrc_exact_transient")
+HANDLES = ("wrc_contact", "wrc_model", "wrc_exact_transient", "wrc_rail_faces", "wrc_section_file")
 # Written by hand, where a Python caller wants something else than the C arguments.
 BY_HAND = {"wrc_contact_field": "Contact.field", "wrc_contact_stresses": "Contact.stresses", "wrc_contact_accumulate": "Contact.accumulate",
            "wrc_contact_wrench_batch": "Batch.wrench", "wrc_contact_save": "Contact.save", "wrc_contact_restore": "Contact.restore",
            "wrc_contact_last_error": "Contact.message", "wrc_model_profile": "Model.profile", "wrc_model_arc_places": "Model.arc_places",
            "wrc_profile_wheelset_geometry": "Model.wheelset_geometry", "wrc_equivalent_conicity": "conicity", "wrc_config_use": "use",
            "wrc_damage_values": "Bins.values", "wrc_damage_merge": "Bins.merge", "wrc_profile_remove_wear": "remove_wear",
-           "wrc_flange_dimensions": "flange_dimensions", "wrc_flash_temperature": "flash_temperature",
+           "wrc_flange_dimensions": "flange_dimensions", "wrc_rail_faces_create": "rail_faces", "wrc_rail_faces_found": "rail_faces",
+           "wrc_rail_faces_outline": "rail_faces", "wrc_section_file_read": "read_sections", "wrc_section_file_line": "read_sections",
+           "wrc_section_file_write": "write_sections", "wrc_flash_temperature": "flash_temperature",
            "wrc_whole_life_damage": "whole_life_damage", "wrc_exact_gap": "Contact.exact_gap", "wrc_exact_normal": "exact.normal",
            "wrc_exact_rolling": "exact.rolling", "wrc_exact_transient_step": "exact.Transient.step", "wrc_exact_stress": "exact.stresses",
            "wrc_exact_largest_stresses": "exact.largest_stresses"}

@@ -41,6 +41,8 @@ template <>
 inline wrc_conicity_problem defaults() noexcept { return wrc_conicity_problem_default(); }
 template <>
 inline wrc_profile_wear defaults() noexcept { return wrc_profile_wear_default(); }
+template <>
+inline wrc_rail_faces_problem defaults() noexcept { return wrc_rail_faces_problem_default(); }
 
 /** wrc_config_use() */
 inline status config_use(wrc_config& config, const char* name, span<char> text) noexcept { return wrc_config_use(&config, name, text.data(), text.size()); }
@@ -98,6 +100,22 @@ inline status equivalent_conicity(const wrc_conicity_problem& problem, wrc_conic
 inline status profile_remove_wear(const wrc_profile_wear& wear, wrc_worn_profile& worn, span<char> text) noexcept { return wrc_profile_remove_wear(&wear, &worn, text.data(), text.size()); }
 /** wrc_flange_dimensions(); may change in a minor version */
 inline status flange_dimensions(std::uint32_t count, const double* y, const double* z, double flange_back_to_origin, wrc_flange& flange, span<char> text) noexcept { return wrc_flange_dimensions(count, y, z, flange_back_to_origin, &flange, text.data(), text.size()); }
+/** wrc_rail_faces_create(); may change in a minor version */
+inline status rail_faces_create(const wrc_rail_faces_problem& problem, wrc_rail_faces** faces, span<char> text) noexcept { return wrc_rail_faces_create(&problem, faces, text.data(), text.size()); }
+/** wrc_rail_faces_found(); may change in a minor version */
+inline status rail_faces_found(const wrc_rail_faces& faces, wrc_found_faces& found) noexcept { return wrc_rail_faces_found(&faces, &found); }
+/** wrc_rail_faces_outline(); may change in a minor version */
+inline status rail_faces_outline(const wrc_rail_faces& faces, std::uint32_t index, wrc_face_outline& outline) noexcept { return wrc_rail_faces_outline(&faces, index, &outline); }
+/** wrc_section_file_read(); may change in a minor version */
+inline status section_file_read(const char* path, double unit, std::int32_t mirror_y, std::int32_t mirror_z, wrc_section_file** file, span<char> text) noexcept { return wrc_section_file_read(path, unit, mirror_y, mirror_z, file, text.data(), text.size()); }
+/** wrc_section_file_line(); may change in a minor version */
+inline status section_file_line(const wrc_section_file& file, std::uint32_t index, wrc_section_line& line) noexcept { return wrc_section_file_line(&file, index, &line); }
+inline expected<answer<wrc_section_line>> try_section_file_line(const wrc_section_file& file, std::uint32_t index) noexcept { return detail::attempt_struct<wrc_section_line>([&](wrc_section_line& found_) { return section_file_line(file, index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline answer<wrc_section_line> section_file_line(const wrc_section_file& file, std::uint32_t index) { return detail::value_or_throw(try_section_file_line(file, index)); }
+#endif
+/** wrc_section_file_write(); may change in a minor version */
+inline status section_file_write(const char* path, const wrc_section_line& lines, std::uint32_t count, span<char> text) noexcept { return wrc_section_file_write(path, &lines, count, text.data(), text.size()); }
 
 namespace detail {
 

@@ -19,7 +19,7 @@ VERSION_MINOR = 9
 VERSION_PATCH = 0
 ABI_VERSION = 900
 EXPERIMENTAL_VERSION = 1
-WRENCH_INPUTS = 23
+WRENCH_INPUTS = 24
 ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 
@@ -463,6 +463,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE: rail.z_slope [-]; 0 of a roller
     ROLLER_RATE: roller_rate [rad/s]; 0 of a rail that is no roller
     FRICTION: a factor, here 1, on all coefficients of friction [-]
+    TIME_STEP: time_step [s], of config.surface.memory; where it is 0, to the side of time
     """
 
     Y = 0, 'wheel.y [m]'
@@ -488,6 +489,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE = 20, 'rail.z_slope [-]; 0 of a roller'
     ROLLER_RATE = 21, 'roller_rate [rad/s]; 0 of a rail that is no roller'
     FRICTION = 22, 'a factor, here 1, on all coefficients of friction [-]'
+    TIME_STEP = 23, 'time_step [s], of config.surface.memory; where it is 0, to the side of time'
 
 
 class DamageQuantity(s.Choice):
@@ -566,6 +568,25 @@ class ConicityMethod(s.Choice):
 
     WAVELENGTH = 0, "of the cone with the same wavelength: integration of y'' + dr(y) / (e r0) = 0, the method of UIC 519 and EN 15302"
     REGRESSION = 1, 'half the slope of the straight line fitted to dr over the amplitude, all displacements weighing alike'
+
+
+class FaceKind(s.Choice):
+    """Kind of a face, by its place beside the others.
+
+    RAIL: nothing lies beside it
+    STOCK: stock rail: a blade lies beside it
+    BLADE: begins or ends against the face on its field side
+    WING: wing rail: a nose lies beside it
+    NOSE: begins or ends low, beside a flangeway
+    CHECK: check rail: as high as the face on its field side, all along
+    """
+
+    RAIL = 0, 'nothing lies beside it'
+    STOCK = 1, 'stock rail: a blade lies beside it'
+    BLADE = 2, 'begins or ends against the face on its field side'
+    WING = 3, 'wing rail: a nose lies beside it'
+    NOSE = 4, 'begins or ends low, beside a flangeway'
+    CHECK = 5, 'check rail: as high as the face on its field side, all along'
 
 
 class Profile(s.Struct):
@@ -3156,6 +3177,169 @@ class Flange(s.Struct):
 assert c.sizeof(Flange) == 48
 
 
+class SectionLine(s.Struct):
+    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points may lie
+        anywhere along it.
+
+    Members:
+      distance [m]: along the track
+      count: points, 4 or more
+      y [m]: count of them, to the field side; NaN where nothing was measured (required)
+      z [m]: count of them, downwards, 0 at the rail's top; NaN with y (required)
+    """
+
+    _c_name_ = 'wrc_section_line'
+    __slots__ = ()
+    distance: float
+    count: int = s.Count('count')  # type: ignore[assignment]
+    y: Optional[np.ndarray] = s.Pointer('y', 'count')  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z', 'count')  # type: ignore[assignment]
+    _units_ = {'distance': 'm', 'y': 'm', 'z': 'm'}
+    _fields_ = [
+        ('distance', c.c_double),
+        ('_count', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_y', c.POINTER(c.c_double)),
+        ('_z', c.POINTER(c.c_double)),
+        ('_reserved', c.c_double * 4),
+    ]
+assert c.sizeof(SectionLine) == 64
+
+
+class RailFacesProblem(s.Struct):
+    """Measured sections of a rail that changes along the track, and how they are parted into faces.
+
+    Members:
+      section_count: (2 .. 100000; default 0)
+      sections: section_count of them, by increasing distance (required)
+      interruption_count: (0 .. 1000; default 0)
+      interruptions [m]: interruption_count of them: places between two sections that no face passes, the gap
+          of a joint (-1e7 .. 1e7; required)
+      first [m]: where the part of the track begins that is wanted, a section before it kept (-1e7 .. 1e7;
+          default -1e7)
+      last [m]: where it ends (-1e7 .. 1e7; default 1e7)
+      depth [m]: below z = 0 from which on nothing is a face: the bottom of a flangeway is deeper (1e-3 ..
+          0.2; default 0.03)
+      gap [m]: from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)
+      kink [rad]: turn of a line at a concave corner at which it is parted: a blade at its stock rail (0.1 ..
+          3; default 0.7)
+      least_width [m]: of a face; what is narrower is left out (1e-3 .. 0.05; default 3e-3)
+      tolerance [m]: of a section from the mean of its neighbours; more is told in thin (1e-6 .. 0.05; default
+          2e-4)
+    """
+
+    _c_name_ = 'wrc_rail_faces_problem'
+    __slots__ = ()
+    section_count: int = s.Count('section_count')  # type: ignore[assignment]
+    sections: Sequence[SectionLine] = s.References('sections', 'section_count')  # type: ignore[assignment]
+    interruption_count: int = s.Count('interruption_count')  # type: ignore[assignment]
+    interruptions: Optional[np.ndarray] = s.Pointer('interruptions', 'interruption_count')  # type: ignore[assignment]
+    first: float
+    last: float
+    depth: float
+    gap: float
+    kink: float
+    least_width: float
+    tolerance: float
+    _units_ = {'interruptions': 'm', 'first': 'm', 'last': 'm', 'depth': 'm', 'gap': 'm', 'kink': 'rad', 'least_width': 'm', 'tolerance': 'm'}
+    _defaults_ = {'first': -10000000.0, 'last': 10000000.0, 'depth': 0.03, 'gap': 0.005, 'kink': 0.7, 'least_width': 0.003, 'tolerance': 0.0002}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_section_count', c.c_uint32),
+        ('_sections', c.POINTER(SectionLine)),
+        ('_interruption_count', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_interruptions', c.POINTER(c.c_double)),
+        ('first', c.c_double),
+        ('last', c.c_double),
+        ('depth', c.c_double),
+        ('gap', c.c_double),
+        ('kink', c.c_double),
+        ('least_width', c.c_double),
+        ('tolerance', c.c_double),
+    ]
+assert c.sizeof(RailFacesProblem) == 88
+
+
+class FoundFaces(s.Struct):
+    """Faces of a rail. All that is pointed to is the handle's and ends with it.
+
+    Members:
+      face_count: faces
+      outline_count: outlines of all faces, for rail_faces()
+      rail_section_count: for config.rail_section_count, which takes 1000 at most
+      rail_sections: for config.rail_sections, without check rails
+      notes: what was left out or joined: sentences, each with its end of line
+      thin: where sections are too far apart, or faces more than a model holds; as notes
+    """
+
+    _c_name_ = 'wrc_found_faces'
+    __slots__ = ()
+    face_count: int
+    outline_count: int
+    rail_section_count: int
+    rail_sections: Optional[RailSection] = s.Reference('rail_sections', size='rail_section_size')  # type: ignore[assignment]
+    notes: Optional[str] = s.Text('notes')  # type: ignore[assignment]
+    thin: Optional[str] = s.Text('thin')  # type: ignore[assignment]
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('face_count', c.c_uint32),
+        ('outline_count', c.c_uint32),
+        ('rail_section_count', c.c_uint32),
+        ('_rail_section_size', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_rail_sections', c.POINTER(RailSection)),
+        ('_notes', c.c_char_p),
+        ('_thin', c.c_char_p),
+    ]
+assert c.sizeof(FoundFaces) == 48
+
+
+class FaceOutline(s.Struct):
+    """A face in one of the measured sections. Its arrays are the handle's.
+
+    Members:
+      kind: FaceKind: of its face
+      face: its face, counted from 0 from the gauge side; outlines of one stand side by side
+      number: the measured section, counted from 0
+      count: points
+      mark_count: number of marks, equal in all outlines of a face
+      distance [m]: along the track
+      spacing_error [m]: distance from the mean of its neighbours, along the normal; 0 of the first and last
+      y [m]: count of them
+      z [m]: count of them
+      marks [m]: mark_count of them: y of the corners that belong together
+    """
+
+    _c_name_ = 'wrc_face_outline'
+    __slots__ = ()
+    kind: FaceKind = s.Chosen('kind', FaceKind)  # type: ignore[assignment]
+    face: int
+    number: int
+    count: int = s.Count('count')  # type: ignore[assignment]
+    mark_count: int = s.Count('mark_count')  # type: ignore[assignment]
+    distance: float
+    spacing_error: float
+    y: Optional[np.ndarray] = s.Pointer('y', 'count')  # type: ignore[assignment]
+    z: Optional[np.ndarray] = s.Pointer('z', 'count')  # type: ignore[assignment]
+    marks: Optional[np.ndarray] = s.Pointer('marks', 'mark_count')  # type: ignore[assignment]
+    _units_ = {'distance': 'm', 'spacing_error': 'm', 'y': 'm', 'z': 'm', 'marks': 'm'}
+    _fields_ = [
+        ('_struct_size', c.c_uint32),
+        ('_kind', c.c_int32),
+        ('face', c.c_uint32),
+        ('number', c.c_uint32),
+        ('_count', c.c_uint32),
+        ('_mark_count', c.c_uint32),
+        ('distance', c.c_double),
+        ('spacing_error', c.c_double),
+        ('_y', c.POINTER(c.c_double)),
+        ('_z', c.POINTER(c.c_double)),
+        ('_marks', c.POINTER(c.c_double)),
+    ]
+assert c.sizeof(FaceOutline) == 64
+
+
 # The C functions, as ctypes calls them: without the GIL.
 FUNCTIONS: dict = {}
 _wrc_version = _l.function(FUNCTIONS, 'wrc_version', c.c_uint32, [])
@@ -3240,10 +3424,19 @@ _wrc_exact_check = _l.function(FUNCTIONS, 'wrc_exact_check', c.c_int32, [c.c_voi
 _wrc_exact_wrench = _l.function(FUNCTIONS, 'wrc_exact_wrench', c.c_int32, [c.c_void_p, c.POINTER(WheelInput), c.POINTER(ExactWrenchOptions), c.POINTER(Wrench)])
 _wrc_conicity_problem_init = _l.function(FUNCTIONS, 'wrc_conicity_problem_init', c.c_int32, [c.POINTER(ConicityProblem)])
 _wrc_profile_wear_init = _l.function(FUNCTIONS, 'wrc_profile_wear_init', c.c_int32, [c.POINTER(ProfileWear)])
+_wrc_rail_faces_problem_init = _l.function(FUNCTIONS, 'wrc_rail_faces_problem_init', c.c_int32, [c.POINTER(RailFacesProblem)])
 _wrc_profile_wheelset_geometry = _l.function(FUNCTIONS, 'wrc_profile_wheelset_geometry', c.c_int32, [c.c_void_p, c.POINTER(WheelsetGeometryProblem), c.POINTER(WheelsetGeometry), c.c_char_p, c.c_uint64])
 _wrc_equivalent_conicity = _l.function(FUNCTIONS, 'wrc_equivalent_conicity', c.c_int32, [c.POINTER(ConicityProblem), c.POINTER(Conicity), c.c_char_p, c.c_uint64])
 _wrc_profile_remove_wear = _l.function(FUNCTIONS, 'wrc_profile_remove_wear', c.c_int32, [c.POINTER(ProfileWear), c.POINTER(WornProfile), c.c_char_p, c.c_uint64])
 _wrc_flange_dimensions = _l.function(FUNCTIONS, 'wrc_flange_dimensions', c.c_int32, [c.c_uint32, s.Numbers(c.c_double), s.Numbers(c.c_double), c.c_double, c.POINTER(Flange), c.c_char_p, c.c_uint64])
+_wrc_rail_faces_create = _l.function(FUNCTIONS, 'wrc_rail_faces_create', c.c_int32, [c.POINTER(RailFacesProblem), c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_rail_faces_found = _l.function(FUNCTIONS, 'wrc_rail_faces_found', c.c_int32, [c.c_void_p, c.POINTER(FoundFaces)])
+_wrc_rail_faces_outline = _l.function(FUNCTIONS, 'wrc_rail_faces_outline', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(FaceOutline)])
+_wrc_rail_faces_destroy = _l.function(FUNCTIONS, 'wrc_rail_faces_destroy', None, [c.c_void_p])
+_wrc_section_file_read = _l.function(FUNCTIONS, 'wrc_section_file_read', c.c_int32, [c.c_char_p, c.c_double, c.c_int32, c.c_int32, c.c_void_p, c.c_char_p, c.c_uint64])
+_wrc_section_file_line = _l.function(FUNCTIONS, 'wrc_section_file_line', c.c_int32, [c.c_void_p, c.c_uint32, c.POINTER(SectionLine)])
+_wrc_section_file_destroy = _l.function(FUNCTIONS, 'wrc_section_file_destroy', None, [c.c_void_p])
+_wrc_section_file_write = _l.function(FUNCTIONS, 'wrc_section_file_write', c.c_int32, [c.c_char_p, c.POINTER(SectionLine), c.c_uint32, c.c_char_p, c.c_uint64])
 
 
 class ModelCalls(_l.Handle):
@@ -3321,8 +3514,9 @@ class ContactCalls(_l.Handle):
 
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
-            equations, not differences. Over temperature the part of the tractions is a difference. Two to
-            three times the time of the wrench, over temperature four to five times. Theory manual, section 9.
+            equations, not differences. Over temperature and with config.surface.memory the part of the
+            tractions is a difference. Two to three times the time of the wrench, over temperature four to
+            five times, with memory ten, four where a load is given. Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
@@ -3812,6 +4006,10 @@ STRUCTS = {
     'wrc_profile_wear': ProfileWear,
     'wrc_worn_profile': WornProfile,
     'wrc_flange': Flange,
+    'wrc_section_line': SectionLine,
+    'wrc_rail_faces_problem': RailFacesProblem,
+    'wrc_found_faces': FoundFaces,
+    'wrc_face_outline': FaceOutline,
 }
 __all__ = [
     'Status',
@@ -3843,6 +4041,7 @@ __all__ = [
     'Collocation',
     'SurfaceInfluence',
     'ConicityMethod',
+    'FaceKind',
     'Profile',
     'Material',
     'HeatProperties',
@@ -3909,6 +4108,10 @@ __all__ = [
     'ProfileWear',
     'WornProfile',
     'Flange',
+    'SectionLine',
+    'RailFacesProblem',
+    'FoundFaces',
+    'FaceOutline',
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',

@@ -421,7 +421,9 @@ class WrenchInput(s.Choice):
     """roller_rate [rad/s]; 0 of a rail that is no roller"""
     FRICTION = 22
     """a factor, here 1, on all coefficients of friction [-]"""
-WrenchInputLike = Union[WrenchInput, Literal['Y', 'Z', 'ROLL', 'YAW', 'VELOCITY_X', 'VELOCITY_Y', 'VELOCITY_Z', 'ANGULAR_VELOCITY_X', 'ANGULAR_VELOCITY_Y', 'ANGULAR_VELOCITY_Z', 'RAIL_Y', 'RAIL_Z', 'RAIL_ROLL', 'RAIL_Y_VELOCITY', 'RAIL_Z_VELOCITY', 'RAIL_ROLL_RATE', 'VERTICAL_LOAD', 'DISTANCE', 'ANGLE', 'RAIL_Y_SLOPE', 'RAIL_Z_SLOPE', 'ROLLER_RATE', 'FRICTION']]
+    TIME_STEP = 23
+    """time_step [s], of config.surface.memory; where it is 0, to the side of time"""
+WrenchInputLike = Union[WrenchInput, Literal['Y', 'Z', 'ROLL', 'YAW', 'VELOCITY_X', 'VELOCITY_Y', 'VELOCITY_Z', 'ANGULAR_VELOCITY_X', 'ANGULAR_VELOCITY_Y', 'ANGULAR_VELOCITY_Z', 'RAIL_Y', 'RAIL_Z', 'RAIL_ROLL', 'RAIL_Y_VELOCITY', 'RAIL_Z_VELOCITY', 'RAIL_ROLL_RATE', 'VERTICAL_LOAD', 'DISTANCE', 'ANGLE', 'RAIL_Y_SLOPE', 'RAIL_Z_SLOPE', 'ROLLER_RATE', 'FRICTION', 'TIME_STEP']]
 
 class DamageQuantity(s.Choice):
     WORK = 0
@@ -479,6 +481,21 @@ class ConicityMethod(s.Choice):
     """half the slope of the straight line fitted to dr over the amplitude, all displacements weighing alike
     """
 ConicityMethodLike = Union[ConicityMethod, Literal['WAVELENGTH', 'REGRESSION']]
+
+class FaceKind(s.Choice):
+    RAIL = 0
+    """nothing lies beside it"""
+    STOCK = 1
+    """stock rail: a blade lies beside it"""
+    BLADE = 2
+    """begins or ends against the face on its field side"""
+    WING = 3
+    """wing rail: a nose lies beside it"""
+    NOSE = 4
+    """begins or ends low, beside a flangeway"""
+    CHECK = 5
+    """check rail: as high as the face on its field side, all along"""
+FaceKindLike = Union[FaceKind, Literal['RAIL', 'STOCK', 'BLADE', 'WING', 'NOSE', 'CHECK']]
 
 class Profile(s.Struct):
     """A wheel or rail profile: y increases strictly, z is down. 4 to 20000 points, 1e-12 m to 35 mm apart, over
@@ -3147,6 +3164,182 @@ class FlangeDict(TypedDict, total=False):
     thickness: float
     slope: float
 
+class SectionLine(s.Struct):
+    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points may lie
+        anywhere along it.
+    """
+    distance: float
+    """distance [m]: along the track"""
+    @property
+    def count(self) -> int:
+        """count: points, 4 or more"""
+    @property
+    def y(self) -> Optional[NDArray[np.float64]]:
+        """y [m]: count of them, to the field side; NaN where nothing was measured (required)"""
+    @y.setter
+    def y(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def z(self) -> Optional[NDArray[np.float64]]:
+        """z [m]: count of them, downwards, 0 at the rail's top; NaN with y (required)"""
+    @z.setter
+    def z(self, value: Optional[s.Floats]) -> None: ...
+    def __init__(self, *, distance: float = ..., y: Optional[s.Floats] = ..., z: Optional[s.Floats] = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, distance: float = ..., y: Optional[s.Floats] = ..., z: Optional[s.Floats] = ...) -> SectionLine:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class SectionLineDict(TypedDict, total=False):
+    """Members of wrc.SectionLine as a dict."""
+    distance: float
+    y: Optional[s.Floats]
+    z: Optional[s.Floats]
+
+class RailFacesProblem(s.Struct):
+    """Measured sections of a rail that changes along the track, and how they are parted into faces."""
+    @property
+    def section_count(self) -> int:
+        """section_count: (2 .. 100000; default 0)"""
+    @property
+    def sections(self) -> List[SectionLine]:
+        """sections: section_count of them, by increasing distance (required)"""
+    @sections.setter
+    def sections(self, value: Optional[Sequence[Union[SectionLine, SectionLineDict]]]) -> None: ...
+    @property
+    def interruption_count(self) -> int:
+        """interruption_count: (0 .. 1000; default 0)"""
+    @property
+    def interruptions(self) -> Optional[NDArray[np.float64]]:
+        """interruptions [m]: interruption_count of them: places between two sections that no face passes, the
+            gap of a joint (-1e7 .. 1e7; required)
+        """
+    @interruptions.setter
+    def interruptions(self, value: Optional[s.Floats]) -> None: ...
+    first: float
+    """first [m]: where the part of the track begins that is wanted, a section before it kept (-1e7 .. 1e7;
+        default -1e7)
+    """
+    last: float
+    """last [m]: where it ends (-1e7 .. 1e7; default 1e7)"""
+    depth: float
+    """depth [m]: below z = 0 from which on nothing is a face: the bottom of a flangeway is deeper (1e-3 .. 0.2;
+        default 0.03)
+    """
+    gap: float
+    """gap [m]: from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)"""
+    kink: float
+    """kink [rad]: turn of a line at a concave corner at which it is parted: a blade at its stock rail (0.1 .. 3;
+        default 0.7)
+    """
+    least_width: float
+    """least_width [m]: of a face; what is narrower is left out (1e-3 .. 0.05; default 3e-3)"""
+    tolerance: float
+    """tolerance [m]: of a section from the mean of its neighbours; more is told in thin (1e-6 .. 0.05; default
+        2e-4)
+    """
+    def __init__(self, *, sections: Optional[Sequence[Union[SectionLine, SectionLineDict]]] = ..., interruptions: Optional[s.Floats] = ..., first: float = ..., last: float = ..., depth: float = ..., gap: float = ..., kink: float = ..., least_width: float = ..., tolerance: float = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, sections: Optional[Sequence[Union[SectionLine, SectionLineDict]]] = ..., interruptions: Optional[s.Floats] = ..., first: float = ..., last: float = ..., depth: float = ..., gap: float = ..., kink: float = ..., least_width: float = ..., tolerance: float = ...) -> RailFacesProblem:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class RailFacesProblemDict(TypedDict, total=False):
+    """Members of wrc.RailFacesProblem as a dict."""
+    sections: Optional[Sequence[Union[SectionLine, SectionLineDict]]]
+    interruptions: Optional[s.Floats]
+    first: float
+    last: float
+    depth: float
+    gap: float
+    kink: float
+    least_width: float
+    tolerance: float
+
+class FoundFaces(s.Struct):
+    """Faces of a rail. All that is pointed to is the handle's and ends with it."""
+    face_count: int
+    """face_count: faces"""
+    outline_count: int
+    """outline_count: outlines of all faces, for rail_faces()"""
+    rail_section_count: int
+    """rail_section_count: for config.rail_section_count, which takes 1000 at most"""
+    rail_sections: Optional[RailSection]
+    """rail_sections: for config.rail_sections, without check rails"""
+    @property
+    def notes(self) -> Optional[str]:
+        """notes: what was left out or joined: sentences, each with its end of line"""
+    @notes.setter
+    def notes(self, value: Optional[s.Path]) -> None: ...
+    @property
+    def thin(self) -> Optional[str]:
+        """thin: where sections are too far apart, or faces more than a model holds; as notes"""
+    @thin.setter
+    def thin(self, value: Optional[s.Path]) -> None: ...
+    def __init__(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> FoundFaces:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class FoundFacesDict(TypedDict, total=False):
+    """Members of wrc.FoundFaces as a dict."""
+    face_count: int
+    outline_count: int
+    rail_section_count: int
+    rail_sections: Optional[RailSection]
+    notes: Optional[s.Path]
+    thin: Optional[s.Path]
+
+class FaceOutline(s.Struct):
+    """A face in one of the measured sections. Its arrays are the handle's."""
+    @property
+    def kind(self) -> FaceKind:
+        """kind: FaceKind: of its face"""
+    @kind.setter
+    def kind(self, value: FaceKindLike) -> None: ...
+    face: int
+    """face: its face, counted from 0 from the gauge side; outlines of one stand side by side"""
+    number: int
+    """number: the measured section, counted from 0"""
+    @property
+    def count(self) -> int:
+        """count: points"""
+    @property
+    def mark_count(self) -> int:
+        """mark_count: number of marks, equal in all outlines of a face"""
+    distance: float
+    """distance [m]: along the track"""
+    spacing_error: float
+    """spacing_error [m]: distance from the mean of its neighbours, along the normal; 0 of the first and last
+    """
+    @property
+    def y(self) -> Optional[NDArray[np.float64]]:
+        """y [m]: count of them"""
+    @y.setter
+    def y(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def z(self) -> Optional[NDArray[np.float64]]:
+        """z [m]: count of them"""
+    @z.setter
+    def z(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def marks(self) -> Optional[NDArray[np.float64]]:
+        """marks [m]: mark_count of them: y of the corners that belong together"""
+    @marks.setter
+    def marks(self, value: Optional[s.Floats]) -> None: ...
+    def __init__(self, *, kind: FaceKindLike = ..., face: int = ..., number: int = ..., distance: float = ..., spacing_error: float = ..., y: Optional[s.Floats] = ..., z: Optional[s.Floats] = ..., marks: Optional[s.Floats] = ...) -> None:
+        """The defaults, and what is given."""
+    def set(self, *, kind: FaceKindLike = ..., face: int = ..., number: int = ..., distance: float = ..., spacing_error: float = ..., y: Optional[s.Floats] = ..., z: Optional[s.Floats] = ..., marks: Optional[s.Floats] = ...) -> FaceOutline:  # type: ignore[override]
+        """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
+
+class FaceOutlineDict(TypedDict, total=False):
+    """Members of wrc.FaceOutline as a dict."""
+    kind: FaceKindLike
+    face: int
+    number: int
+    distance: float
+    spacing_error: float
+    y: Optional[s.Floats]
+    z: Optional[s.Floats]
+    marks: Optional[s.Floats]
+
 _wrc_version: Callable[..., Any]
 _wrc_abi_version: Callable[..., Any]
 _wrc_version_text: Callable[..., Any]
@@ -3229,10 +3422,19 @@ _wrc_exact_check: Callable[..., Any]
 _wrc_exact_wrench: Callable[..., Any]
 _wrc_conicity_problem_init: Callable[..., Any]
 _wrc_profile_wear_init: Callable[..., Any]
+_wrc_rail_faces_problem_init: Callable[..., Any]
 _wrc_profile_wheelset_geometry: Callable[..., Any]
 _wrc_equivalent_conicity: Callable[..., Any]
 _wrc_profile_remove_wear: Callable[..., Any]
 _wrc_flange_dimensions: Callable[..., Any]
+_wrc_rail_faces_create: Callable[..., Any]
+_wrc_rail_faces_found: Callable[..., Any]
+_wrc_rail_faces_outline: Callable[..., Any]
+_wrc_rail_faces_destroy: Callable[..., Any]
+_wrc_section_file_read: Callable[..., Any]
+_wrc_section_file_line: Callable[..., Any]
+_wrc_section_file_destroy: Callable[..., Any]
+_wrc_section_file_write: Callable[..., Any]
 
 class ModelCalls(_l.Handle):
     """What Model has of the C interface as it is."""
@@ -3282,8 +3484,9 @@ class ContactCalls(_l.Handle):
         """
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
-            equations, not differences. Over temperature the part of the tractions is a difference. Two to
-            three times the time of the wrench, over temperature four to five times. Theory manual, section 9.
+            equations, not differences. Over temperature and with config.surface.memory the part of the
+            tractions is a difference. Two to three times the time of the wrench, over temperature four to
+            five times, with memory ten, four where a load is given. Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
@@ -3546,6 +3749,7 @@ __all__ = [
     'Collocation',
     'SurfaceInfluence',
     'ConicityMethod',
+    'FaceKind',
     'Profile',
     'Material',
     'HeatProperties',
@@ -3612,6 +3816,10 @@ __all__ = [
     'ProfileWear',
     'WornProfile',
     'Flange',
+    'SectionLine',
+    'RailFacesProblem',
+    'FoundFaces',
+    'FaceOutline',
     'WRENCH_INPUTS',
     'ALL_REGIONS',
     'DAMAGE_SUMS',

@@ -227,9 +227,10 @@ inline constexpr Enumerator wrc_wrench_input_values[] = {
     {"WRC_BY_RAIL_Z_SLOPE", WRC_BY_RAIL_Z_SLOPE},
     {"WRC_BY_ROLLER_RATE", WRC_BY_ROLLER_RATE},
     {"WRC_BY_FRICTION", WRC_BY_FRICTION},
+    {"WRC_BY_TIME_STEP", WRC_BY_TIME_STEP},
 };
-inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 23,
-    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_RATE (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18), _RAIL_Y_SLOPE (19), _RAIL_Z_SLOPE (20), _ROLLER_RATE (21), _FRICTION (22)"};
+inline constexpr Enumeration wrc_wrench_input{wrc_wrench_input_values, 24,
+    "see enum wrc_wrench_input: WRC_BY_Y (0), _Z (1), _ROLL (2), _YAW (3), _VELOCITY_X (4), _VELOCITY_Y (5), _VELOCITY_Z (6), _ANGULAR_VELOCITY_X (7), _ANGULAR_VELOCITY_Y (8), _ANGULAR_VELOCITY_Z (9), _RAIL_Y (10), _RAIL_Z (11), _RAIL_ROLL (12), _RAIL_Y_VELOCITY (13), _RAIL_Z_VELOCITY (14), _RAIL_ROLL_RATE (15), _VERTICAL_LOAD (16), _DISTANCE (17), _ANGLE (18), _RAIL_Y_SLOPE (19), _RAIL_Z_SLOPE (20), _ROLLER_RATE (21), _FRICTION (22), _TIME_STEP (23)"};
 
 inline constexpr Enumerator wrc_damage_quantity_values[] = {
     {"WRC_DAMAGE_WORK", WRC_DAMAGE_WORK},
@@ -273,6 +274,17 @@ inline constexpr Enumerator wrc_conicity_method_values[] = {
 };
 inline constexpr Enumeration wrc_conicity_method{wrc_conicity_method_values, 2,
     "see enum wrc_conicity_method: WRC_CONICITY_WAVELENGTH (0), _REGRESSION (1)"};
+
+inline constexpr Enumerator wrc_face_kind_values[] = {
+    {"WRC_FACE_RAIL", WRC_FACE_RAIL},
+    {"WRC_FACE_STOCK", WRC_FACE_STOCK},
+    {"WRC_FACE_BLADE", WRC_FACE_BLADE},
+    {"WRC_FACE_WING", WRC_FACE_WING},
+    {"WRC_FACE_NOSE", WRC_FACE_NOSE},
+    {"WRC_FACE_CHECK", WRC_FACE_CHECK},
+};
+inline constexpr Enumeration wrc_face_kind{wrc_face_kind_values, 6,
+    "see enum wrc_face_kind: WRC_FACE_RAIL (0), _STOCK (1), _BLADE (2), _WING (3), _NOSE (4), _CHECK (5)"};
 
 }  // namespace enumerations
 
@@ -2273,5 +2285,110 @@ struct Description<wrc_flange> {
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_flange) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_section_line> {
+  static constexpr const char* name = "wrc_section_line";
+  static constexpr bool versioned = false;
+  static constexpr std::size_t first = first_size<wrc_section_line>(64);
+  static constexpr wrc_section_line defaults = [] {
+    wrc_section_line value{};
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "distance", .offset = offsetof(wrc_section_line, distance), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "count", .offset = offsetof(wrc_section_line, count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_section_line, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "y", .offset = offsetof(wrc_section_line, y), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .counted_by = offsetof(wrc_section_line, count)},
+      {.name = "z", .offset = offsetof(wrc_section_line, z), .type = Type::pointer, .rule = Rule::none, .required = true, .unit = "m", .counted_by = offsetof(wrc_section_line, count)},
+      {.name = "reserved", .offset = offsetof(wrc_section_line, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_section_line) == 64, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_rail_faces_problem> {
+  static constexpr const char* name = "wrc_rail_faces_problem";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_rail_faces_problem>(88);
+  static constexpr wrc_rail_faces_problem defaults = [] {
+    wrc_rail_faces_problem value{};
+    value.struct_size = sizeof value;
+    value.first = -1e7;
+    value.last = 1e7;
+    value.depth = 0.03;
+    value.gap = 5e-3;
+    value.kink = 0.7;
+    value.least_width = 3e-3;
+    value.tolerance = 2e-4;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_rail_faces_problem, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "section_count", .offset = offsetof(wrc_rail_faces_problem, section_count), .type = Type::uint32, .rule = Rule::range, .low = 2, .high = 100000, .not_set = "was it set? its default is 0"},
+      {.name = "sections", .offset = offsetof(wrc_rail_faces_problem, sections), .type = Type::pointer, .rule = Rule::none, .required = true, .counted_by = offsetof(wrc_rail_faces_problem, section_count)},
+      {.name = "interruption_count", .offset = offsetof(wrc_rail_faces_problem, interruption_count), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1000},
+      {.name = "reserved0", .offset = offsetof(wrc_rail_faces_problem, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "interruptions", .offset = offsetof(wrc_rail_faces_problem, interruptions), .type = Type::pointer, .rule = Rule::range, .required = true, .low = -1e7, .high = 1e7, .unit = "m", .asked = offsetof(wrc_rail_faces_problem, interruption_count), .state = State::not_zero, .counted_by = offsetof(wrc_rail_faces_problem, interruption_count)},
+      {.name = "first", .offset = offsetof(wrc_rail_faces_problem, first), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m"},
+      {.name = "last", .offset = offsetof(wrc_rail_faces_problem, last), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m"},
+      {.name = "depth", .offset = offsetof(wrc_rail_faces_problem, depth), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 0.2, .unit = "m", .too_small = "a flangeway is deeper than 40 mm: did you pass mm?", .too_large = "a flangeway is deeper than 40 mm: did you pass mm?"},
+      {.name = "gap", .offset = offsetof(wrc_rail_faces_problem, gap), .type = Type::real, .rule = Rule::range, .low = 1e-4, .high = 0.1, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "kink", .offset = offsetof(wrc_rail_faces_problem, kink), .type = Type::real, .rule = Rule::range, .low = 0.1, .high = 3, .unit = "rad"},
+      {.name = "least_width", .offset = offsetof(wrc_rail_faces_problem, least_width), .type = Type::real, .rule = Rule::range, .low = 1e-3, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+      {.name = "tolerance", .offset = offsetof(wrc_rail_faces_problem, tolerance), .type = Type::real, .rule = Rule::range, .low = 1e-6, .high = 0.05, .unit = "m", .too_large = "did you pass mm?"},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_rail_faces_problem) == 88, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_found_faces> {
+  static constexpr const char* name = "wrc_found_faces";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_found_faces>(48);
+  static constexpr wrc_found_faces defaults = [] {
+    wrc_found_faces value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_found_faces, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "face_count", .offset = offsetof(wrc_found_faces, face_count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "outline_count", .offset = offsetof(wrc_found_faces, outline_count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "rail_section_count", .offset = offsetof(wrc_found_faces, rail_section_count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "rail_section_size", .offset = offsetof(wrc_found_faces, rail_section_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "reserved0", .offset = offsetof(wrc_found_faces, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "rail_sections", .offset = offsetof(wrc_found_faces, rail_sections), .type = Type::pointer, .rule = Rule::none},
+      {.name = "notes", .offset = offsetof(wrc_found_faces, notes), .type = Type::pointer, .rule = Rule::none},
+      {.name = "thin", .offset = offsetof(wrc_found_faces, thin), .type = Type::pointer, .rule = Rule::none},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_found_faces) == 48, "run tools/interface/describe.py");
+
+template <>
+struct Description<wrc_face_outline> {
+  static constexpr const char* name = "wrc_face_outline";
+  static constexpr bool versioned = true;
+  static constexpr std::size_t first = first_size<wrc_face_outline>(64);
+  static constexpr wrc_face_outline defaults = [] {
+    wrc_face_outline value{};
+    value.struct_size = sizeof value;
+    return value;
+  }();
+  static constexpr Member members[] = {
+      {.name = "struct_size", .offset = offsetof(wrc_face_outline, struct_size), .type = Type::uint32, .rule = Rule::none},
+      {.name = "kind", .offset = offsetof(wrc_face_outline, kind), .type = Type::int32, .rule = Rule::none, .enumeration = &enumerations::wrc_face_kind},
+      {.name = "face", .offset = offsetof(wrc_face_outline, face), .type = Type::uint32, .rule = Rule::none},
+      {.name = "number", .offset = offsetof(wrc_face_outline, number), .type = Type::uint32, .rule = Rule::none},
+      {.name = "count", .offset = offsetof(wrc_face_outline, count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "mark_count", .offset = offsetof(wrc_face_outline, mark_count), .type = Type::uint32, .rule = Rule::none},
+      {.name = "distance", .offset = offsetof(wrc_face_outline, distance), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "spacing_error", .offset = offsetof(wrc_face_outline, spacing_error), .type = Type::real, .rule = Rule::none, .unit = "m"},
+      {.name = "y", .offset = offsetof(wrc_face_outline, y), .type = Type::pointer, .rule = Rule::none, .unit = "m", .counted_by = offsetof(wrc_face_outline, count)},
+      {.name = "z", .offset = offsetof(wrc_face_outline, z), .type = Type::pointer, .rule = Rule::none, .unit = "m", .counted_by = offsetof(wrc_face_outline, count)},
+      {.name = "marks", .offset = offsetof(wrc_face_outline, marks), .type = Type::pointer, .rule = Rule::none, .unit = "m", .counted_by = offsetof(wrc_face_outline, mark_count)},
+  };
+};
+static_assert(!pointers_of_64_bits || sizeof(wrc_face_outline) == 64, "run tools/interface/describe.py");
 
 }  // namespace wrc::abi

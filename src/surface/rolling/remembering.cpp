@@ -45,11 +45,9 @@ Scratch cut(Arena& arena, std::int32_t most) {
 
 class Rememberer {
  public:
-  Rememberer(const RememberingInput& in, tangential::Memory& memory, Arena& arena,
-             const SurfaceRollingForces& forces)
+  Rememberer(const RememberingInput& in, Arena& arena, const SurfaceRollingForces& forces)
       : in_(in),
         strips_(in.strips),
-        memory_(memory),
         forces_(forces),
         scratch_(cut(arena, in.strips.count)),
         parts_{in.strips, in.along, scratch_.line_load, scratch_.load, joint} {
@@ -108,7 +106,7 @@ class Rememberer {
       longest_ = std::max(longest_, 2.0 * strip.half_length);
       scratch_.shared[j] = {};
     }
-    for (std::int64_t k = 0; k < memory_.count; ++k) energy_ += memory_.remembered()[k].energy;
+    for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
     from_now_ = tangential::forgets(in_.rolled, longest_);
   }
@@ -132,8 +130,8 @@ class Rememberer {
     });
     contact_.region = region;
     contact_.friction = {m.friction, scratch_.shares};
-    return {memory_.remembered(),
-            memory_.count,
+    return {in_.past,
+            in_.past_count,
             scratch_.written,
             scratch_.scratch,
             scratch_.number,
@@ -252,7 +250,7 @@ class Rememberer {
       const double of_cells[3] = {strip.force[0], strip.force[1], moment_of(j, strip.force)};
       const auto& steady = scratch_.steady[j].force;
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
-      const PastStrip* const past = tangential::past_of_number(memory_.remembered(), memory_.count, strip.y);
+      const PastStrip* const past = tangential::past_of_number(in_.past, in_.past_count, strip.y);
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
@@ -327,15 +325,13 @@ class Rememberer {
       strip.energy = energy.left / count;
       strip = tangential::turned(strip, in_.direction);
     }
-    memory_.written = count;
     return energy.dissipated;
   }
 
-  PastStrip* written() const { return memory_.other(); }
+  PastStrip* written() const { return in_.written; }
 
   const RememberingInput& in_;
   const SurfaceRollingInput& strips_;
-  tangential::Memory& memory_;
   const SurfaceRollingForces& forces_;
   Scratch scratch_;
   StripsInParts parts_;
@@ -352,9 +348,9 @@ class Rememberer {
 
 void count_remembering(Arena& arena, std::int32_t most) { cut(arena, most); }
 
-RememberingResult roll_remembering(const RememberingInput& in, tangential::Memory& memory, Arena arena,
+RememberingResult roll_remembering(const RememberingInput& in, Arena arena,
                                    const SurfaceRollingForces& forces) noexcept {
-  return Rememberer(in, memory, arena, forces).roll();
+  return Rememberer(in, arena, forces).roll();
 }
 
 }  // namespace wrc::surface

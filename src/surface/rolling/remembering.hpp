@@ -22,9 +22,12 @@ struct RememberingInput {
   const double* along;                ///< x of the strips' middles, seen likewise [m]
   const double* number;               ///< numbers of the rail's strips, increasing
   const theory::SdecTable& linear_theory;
-  double travel = 0.0;     ///< displacement of a slip of 1 over the step [m]
-  double rolled = 0.0;     ///< amount of the distance rolled [m]
-  double direction = 1.0;  ///< -1: the bodies roll backwards
+  double travel = 0.0;                          ///< displacement of a slip of 1 over the step [m]
+  double rolled = 0.0;                          ///< amount of the distance rolled [m]
+  double direction = 1.0;                       ///< -1: the bodies roll backwards
+  const tangential::PastStrip* past = nullptr;  ///< the committed step's
+  std::int64_t past_count = 0;
+  tangential::PastStrip* written = nullptr;  ///< the step's: as many as `strips` has
 };
 
 struct RememberingResult {
@@ -32,9 +35,8 @@ struct RememberingResult {
   double dissipated = 0.0;  ///< work of the step [J]
 };
 
-/// Solves the step from the strips that `memory` remembers, and writes its other list. Real-time: work
-/// proportional to strips.
-RememberingResult roll_remembering(const RememberingInput& in, tangential::Memory& memory, Arena arena,
+/// Solves the step from the committed strips, and writes its own. Real-time: work proportional to strips.
+RememberingResult roll_remembering(const RememberingInput& in, Arena arena,
                                    const SurfaceRollingForces& forces) noexcept;
 
 /// Counts the scratch of so many strips.

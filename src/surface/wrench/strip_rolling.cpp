@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "surface/rolling/remembering.hpp"
 #include "surface/wrench/strip_friction.hpp"
 
 namespace wrc::surface {
@@ -86,6 +85,42 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
   return fault;
 }
 
+RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
+                                             const ContactStrips& strips, const RememberedStep& step,
+                                             Arena arena, const SurfaceRollingForces& forces) {
+  const SurfaceModel& model = problem.model;
+  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  auto rolls = rolling_input<double>(model, problem.in, strips);
+  rolls.peak = strips.solved_peak;
+  // seen along the direction of rolling
+  const std::int32_t count = strips.count;
+  const double direction = step.rolling_speed < 0.0 ? -1.0 : 1.0;
+  for (std::int32_t k = 0; k < count; ++k) {
+    scratch.slip_x[k] = direction * strips.slip_x[k];
+    scratch.spin[k] = direction * strips.spin[k];
+    scratch.x[k] = direction * strips.x[k];
+    scratch.number[k] = overlaps.strip[strips.candidate[k]];
+  }
+  rolls.slip_x = scratch.slip_x;
+  rolls.spin = scratch.spin;
+  const RememberingInput in{rolls,
+                            scratch.x,
+                            scratch.number,
+                            *model.methods.linear_theory,
+                            step.divisor * step.time,
+                            std::abs(step.rolling_speed) * step.time,
+                            direction,
+                            problem.memory->remembered(),
+                            problem.memory->count,
+                            step.written};
+  const RememberingResult result = roll_remembering(in, arena, forces);
+  if (direction < 0.0) {
+    reverse(count, forces.fx);
+    reverse(count, forces.mz);
+  }
+  return result;
+}
+
 namespace {
 
 /// Frictional power of the strips without memory [W], slips over `speed` [m/s].
@@ -112,35 +147,15 @@ void share_power(const ContactStrips& strips, double speed, double dissipated) {
         dissipated * (worked > 0.0 ? std::max(strips.power[k], 0.0) / worked : load_of(k) / load);
 }
 
-/// Forces of strips that remember, at the end of the step.
+/// Forces and power of strips that remember, whose tractions go to the list that may be committed.
 Fault remember_strips(const WheelProblem& problem, const Overlaps& overlaps, const ContactStrips& strips,
                       double rolling_speed, double divisor, Arena arena) {
-  const SurfaceModel& model = problem.model;
-  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
-  auto rolls = rolling_input<double>(model, problem.in, strips);
-  rolls.peak = strips.solved_peak;
-  // seen along the direction of rolling
-  const std::int32_t count = strips.count;
-  const double direction = rolling_speed < 0.0 ? -1.0 : 1.0;
-  for (std::int32_t k = 0; k < count; ++k) {
-    scratch.slip_x[k] = direction * strips.slip_x[k];
-    scratch.spin[k] = direction * strips.spin[k];
-    scratch.x[k] = direction * strips.x[k];
-    scratch.number[k] = overlaps.strip[strips.candidate[k]];
-  }
-  rolls.slip_x = scratch.slip_x;
-  rolls.spin = scratch.spin;
+  tangential::Memory& memory = *problem.memory;
   const double time = problem.in.time;
-  const RememberingInput step{rolls,          scratch.x,
-                              scratch.number, *model.methods.linear_theory,
-                              divisor * time, std::abs(rolling_speed) * time,
-                              direction};
   const RememberingResult result =
-      roll_remembering(step, *problem.memory, arena, {strips.fx, strips.fy, strips.mz});
-  if (direction < 0.0) {
-    reverse(count, strips.fx);
-    reverse(count, strips.mz);
-  }
+      solve_remembered_tractions(problem, overlaps, strips, {rolling_speed, divisor, time, memory.other()},
+                                 arena, {strips.fx, strips.fy, strips.mz});
+  memory.written = strips.count;
   share_power(strips, divisor, time > 0.0 ? result.dissipated / time : 0.0);
   return result.fault;
 }

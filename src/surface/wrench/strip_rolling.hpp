@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/creepages.hpp"
+#include "surface/rolling/remembering.hpp"
 #include "surface/wrench/wheel_solution.hpp"
 #include "tangential/friction/heated_friction.hpp"
 
@@ -49,6 +50,19 @@ Fault solve_tractions(const SurfaceModel& model, const WheelOnRail& in, const Co
 Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, const ContactStrips& strips,
                              bool backwards, double speed, const RollingScratch& scratch,
                              const SurfaceRollingForces& forces, int more = 0);
+
+/// A step of strips that remember: speed of rolling, speed that slips are over [m/s], time since the
+/// committed step [s], and where its tractions go.
+struct RememberedStep {
+  double rolling_speed, divisor, time;
+  tangential::PastStrip* written;
+};
+
+/// Forces of strips that remember at the end of the step, with friction as it is. Scratch is that of
+/// cut_rolling() and of roll_remembering().
+RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
+                                             const ContactStrips& strips, const RememberedStep& step,
+                                             Arena arena, const SurfaceRollingForces& forces);
 
 /// Forces and power of the strips, with slips over the reference's divisor: those of their own direction of
 /// rolling, and near standstill of both, blended. Of a model that remembers those at the end of the step.

@@ -167,8 +167,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   last.count = start.solution.count;
   last.set = start.from == StartFrom::overlaps ? 0.0 : 1.0;
   complete_results(problem, solution, state.kept);
-  if (problem.memory) {  // the committed step stays as it was
-    problem.memory->count = remembered;
+  if (problem.memory) {
     state.steps.pending = 1.0;
     state.steps.to[0] = in.wheel.position[1] - in.rail.y;
     state.steps.to[1] = out.height - in.rail.z;
@@ -179,6 +178,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::place, arena, *jacobian));
   if (by_track && varies(model))
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::track, arena, *by_track));
+  if (problem.memory) problem.memory->count = remembered;  // the committed step stays as it was
 
   // numbers of the wrench that no region has
   for (std::int32_t k = 0; k < solution.strips.count; ++k)

@@ -37,7 +37,7 @@ struct LoadedStrips {
   Number friction_factor = 1.0;  ///< on the friction of all
   std::int32_t* pressed;         ///< number among the strips in contact
   double *place, *width;         ///< [m]
-  Number *normal, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
+  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
   Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
 };
 
@@ -46,12 +46,13 @@ struct DualForces {
   Number *fx, *fy, *mz;
 };
 
-/// Plain numbers of differences under friction over temperature.
-struct HeatedScratch {
-  double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *fx, *fy, *mz;
+/// Plain numbers of differences, under friction over temperature and with memory.
+struct DifferencesScratch {
+  double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *x, *friction, *fx, *fy, *mz;
   double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
-  RollingScratch rolling;
+  RollingScratch rolling;               ///< friction over temperature
+  Arena remembering;                    ///< scratch of steps that remember
 };
 
 struct Scratch {
@@ -61,7 +62,7 @@ struct Scratch {
   RollingArraysOf<Number> rolling;
   double* values;  ///< for the kernel: its numbers without derivatives
   double* slopes;  ///< from the kernel
-  HeatedScratch heated;
+  DifferencesScratch differences;
 };
 
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
@@ -82,15 +83,17 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   LoadedStrips& s = w.loaded;
   s.pressed = arena.take<std::int32_t>(most);
   arena.each(most, s.place, s.width);
-  arena.each(most, s.normal, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin, s.friction, s.fx,
-             s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
+  arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
+             s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
-  HeatedScratch& h = w.heated;
-  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.friction, h.fx, h.fy,
-             h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
+  DifferencesScratch& h = w.differences;
+  arena.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction, h.fx,
+             h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
+  h.remembering = arena;
   h.rolling = cut_rolling(arena, sizes);
+  if (sizes.methods.remembers) count_remembering(arena, sizes.strips);
 
   // whichever of both is larger
   const std::int64_t behind = pressures.bytes() - arena.bytes();
@@ -232,6 +235,7 @@ Number differentiate_loaded_strips(const Differentiation& d) {
     loaded.place[i] = s.place[k];
     loaded.width[i] = s.width[k];
     loaded.normal[i] = N;
+    loaded.centre[i] = frame_number(s.centre_dual[k]);
     loaded.half_length[i] = root(frame_number(s.length_squared_dual[k]));
     loaded.peak[i] = line_load / loaded.half_length[i];
     loaded.curvature[i] = damped * o.curvature;
@@ -404,17 +408,19 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);
 }
 
-/// Tractions under friction over temperature: by one difference of their solution along the change of the
-/// strips with each input.
-class HeatedDifferences {
- public:
-  HeatedDifferences(const Differentiation& d, const Number& speed, bool backwards)
+/// The strips a step along the change that an input makes: for differences of tractions.
+class StripsAlongInput {
+ protected:
+  static constexpr int results = 3, lengths = 0, slips = 3, spins = 5, places = 6;
+
+  /// `numbers`: of those below that the tractions depend on.
+  StripsAlongInput(const Differentiation& d, const Number& speed, int numbers)
       : d_(d),
         s_(d.w.loaded),
-        h_(d.w.heated),
+        h_(d.w.differences),
         speed_(speed),
-        backwards_(backwards),
-        strips_(d.solved.strips) {
+        strips_(d.solved.strips),
+        numbers_(numbers) {
     // numbers that inputs change are its own; places, widths and candidates stay those of the solution
     strips_.count = s_.count;
     strips_.half_length = h_.half_length;
@@ -423,6 +429,7 @@ class HeatedDifferences {
     strips_.slip_x = h_.slip_x;
     strips_.slip_y = h_.slip_y;
     strips_.spin = h_.spin;
+    strips_.x = h_.x;
     strips_.friction = h_.friction;
     for (int a = 0; a < numbers; ++a)
       for (std::int32_t k = 0; k < s_.count; ++k) size_[a] = larger(size_[a], magnitude(from_[a][k].value));
@@ -432,7 +439,59 @@ class HeatedDifferences {
         larger(larger(size_[slips], size_[slips + 1]), larger(size_[spins] * size_[lengths], least_slip));
     size_[slips] = size_[slips + 1] = slip;
     size_[spins] = slip / size_[lengths];
+    size_[places] = size_[lengths];
   }
+
+  /// Largest change of any number of the strips per unit of an input, relative to the number's size.
+  double largest_change(std::size_t input) const {
+    double change = larger(magnitude(speed_.d[input]) / speed_.value, magnitude(s_.friction_factor.d[input]));
+    for (int a = 0; a < numbers_; ++a)
+      for (std::int32_t k = 0; k < s_.count; ++k)
+        change = larger(change, magnitude(from_[a][k].d[input]) / size_[a]);
+    return change;
+  }
+
+  /// Goes a step along an input, with cold friction into `friction`. Returns the speed that slips are over.
+  double go(std::size_t input, double step, double* friction) {
+    double* const to[] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin, h_.x};
+    for (std::int32_t k = 0; k < s_.count; ++k)
+      for (int a = 0; a < numbers_; ++a) to[a][k] = from_[a][k].value + step * from_[a][k].d[input];
+    const double speed = speed_.value + step * speed_.d[input];
+    const double factor = 1.0 + step * s_.friction_factor.d[input];
+
+    // the law at each strip's own place and sliding speed
+    const WheelOnRail& in = d_.problem.in;
+    for (std::int32_t k = 0; k < s_.count; ++k) {
+      to[lengths][k] = larger(to[lengths][k], 0.0);
+      friction[k] = in.friction * factor;
+      if (in.law == nullptr) continue;
+      const FrictionAtRest cold = friction_at_rest(d_.problem, d_.solved.overlaps, strips_.candidate[k]);
+      double mu = cold.value;
+      if (in.zones_on_wheel)
+        mu = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(d_.w, k).d[input], 0.0);
+      friction[k] = mu * (strip_speed_factor(*in.law, strips_, k, speed) * factor);
+    }
+    return speed;
+  }
+
+  const Differentiation& d_;
+  const LoadedStrips& s_;
+  const DifferencesScratch& h_;
+  const Number& speed_;
+  ContactStrips strips_;  ///< those of the solution, with numbers of their own
+
+ private:
+  const Number* from_[7] = {s_.half_length, s_.peak, s_.curvature, s_.slip_x, s_.slip_y, s_.spin, s_.centre};
+  double size_[7] = {};
+  int numbers_;
+};
+
+/// Tractions under friction over temperature: by one difference of their solution along the change of the
+/// strips with each input.
+class HeatedDifferences : StripsAlongInput {
+ public:
+  HeatedDifferences(const Differentiation& d, const Number& speed, bool backwards)
+      : StripsAlongInput(d, speed, 6), backwards_(backwards) {}
 
   /// Fills the forces and their derivatives.
   void differentiate(const DualForces& forces) {
@@ -464,50 +523,66 @@ class HeatedDifferences {
   }
 
  private:
-  static constexpr int numbers = 6, results = 3, lengths = 0, slips = 3, spins = 5;
-
-  /// Largest change of any number of the strips per unit of an input, relative to the number's size.
-  double largest_change(std::size_t input) const {
-    double change = larger(magnitude(speed_.d[input]) / speed_.value, magnitude(s_.friction_factor.d[input]));
-    for (int a = 0; a < numbers; ++a)
-      for (std::int32_t k = 0; k < s_.count; ++k)
-        change = larger(change, magnitude(from_[a][k].d[input]) / size_[a]);
-    return change;
-  }
-
   /// Solves the tractions of the strips a step along an input; `more` as in solve_heated_tractions().
   void solve(std::size_t input, double step, int more) {
-    const WheelOnRail& in = d_.problem.in;
-    const Overlaps& overlaps = d_.solved.overlaps;
-    double* const to[numbers] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin};
-    double* const cold_friction = h_.rolling.cold_friction;
     if (more > 0) std::copy_n(h_.share, s_.count, h_.rolling.heat_share);
-    for (std::int32_t k = 0; k < s_.count; ++k)
-      for (int a = 0; a < numbers; ++a) to[a][k] = from_[a][k].value + step * from_[a][k].d[input];
-    const double speed = speed_.value + step * speed_.d[input];
-
-    // the law at each strip's own place and sliding speed
-    for (std::int32_t k = 0; k < s_.count; ++k) {
-      to[lengths][k] = larger(to[lengths][k], 0.0);
-      const FrictionAtRest cold = friction_at_rest(d_.problem, overlaps, strips_.candidate[k]);
-      double mu = cold.value;
-      if (in.zones_on_wheel)
-        mu = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(d_.w, k).d[input], 0.0);
-      cold_friction[k] =
-          mu * (strip_speed_factor(*in.law, strips_, k, speed) * (1.0 + step * s_.friction_factor.d[input]));
-    }
-    solve_heated_tractions(d_.problem.model, in, strips_, backwards_, speed, h_.rolling,
+    const double speed = go(input, step, h_.rolling.cold_friction);
+    solve_heated_tractions(d_.problem.model, d_.problem.in, strips_, backwards_, speed, h_.rolling,
                            {h_.fx, h_.fy, h_.mz}, more);
   }
 
-  const Differentiation& d_;
-  const LoadedStrips& s_;
-  const HeatedScratch& h_;
-  const Number& speed_;
   bool backwards_;
-  ContactStrips strips_;  ///< those of the solution, with numbers of their own
-  const Number* from_[numbers] = {s_.half_length, s_.peak, s_.curvature, s_.slip_x, s_.slip_y, s_.spin};
-  double size_[numbers] = {};
+};
+
+/// Tractions of strips that remember: by one difference of the step along the change of the strips with each
+/// input.
+class RememberedDifferences : StripsAlongInput {
+ public:
+  RememberedDifferences(const Differentiation& d, const Number& rolling_speed, const Number& divisor)
+      : StripsAlongInput(d, divisor, 7), rolling_speed_(rolling_speed), time_(d.problem.in.time) {
+    if (d.by == JacobianBy::place) time_.d[frame_time] = 1.0;
+  }
+
+  /// Fills the forces and their derivatives.
+  void differentiate(const DualForces& forces) {
+    const ContactStrips& solved = d_.solved.strips;
+    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
+    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
+    const double* const values[results] = {solved.fx, solved.fy, solved.mz};
+    double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
+    const std::int32_t n = s_.count;
+    solve(0, 0.0);
+    for (int r = 0; r < results; ++r) {
+      std::copy_n(found[r], n, base[r]);
+      for (std::int32_t k = 0; k < n; ++k) results_of[r][k] = values[r][k];
+    }
+
+    // one step along each input, as large as makes the largest relative change of any number 3e-8
+    for (std::size_t input = 0; input < frame_inputs; ++input) {
+      constexpr double least_time = 1e-3;  // [s]
+      const double change =
+          larger(largest_change(input), magnitude(time_.d[input]) / larger(time_.value, least_time));
+      if (!(change > 0.0)) continue;
+      constexpr double relative_step = 3e-8;
+      const double step = relative_step / change;
+      solve(input, step);
+      for (int r = 0; r < results; ++r)
+        for (std::int32_t k = 0; k < n; ++k) results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
+    }
+  }
+
+ private:
+  /// Solves the step of the strips a step along an input; its tractions go to the list that no step uses.
+  void solve(std::size_t input, double step) {
+    const double divisor = go(input, step, h_.friction);
+    solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,
+                               {rolling_speed_.value + step * rolling_speed_.d[input], divisor,
+                                time_.value + step * time_.d[input], d_.problem.memory->list(2)},
+                               h_.remembering, {h_.fx, h_.fy, h_.mz});
+  }
+
+  const Number& rolling_speed_;
+  Number time_;
 };
 
 /// Tractions from velocities of the strips: slips over the speed, and both directions of rolling near
@@ -519,6 +594,9 @@ void differentiate_rolling(const Differentiation& d, const Number& rolling_speed
   const Number per_speed = Number(1.0) / reference.divisor;
   for (std::int32_t k = 0; k < s.count; ++k)
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
+
+  if (d.problem.memory)
+    return RememberedDifferences(d, rolling_speed, reference.divisor).differentiate({s.fx, s.fy, s.mz});
 
   // friction first: tractions are bounded by it; heated, its share is found with them
   const tangential::FrictionLaw* const law = d.problem.in.law;
@@ -562,7 +640,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   const bool graded = solved.overlaps.grade != nullptr;
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
-    add_force(frame_overlap(w.pressed.overlap[k]), frame_number(w.pressed.centre_dual[k]), graded,
+    add_force(frame_overlap(w.pressed.overlap[k]), loaded.centre[i], graded,
               {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   return {};

@@ -444,7 +444,7 @@ void run_aslant(wrc_contact* right, wrc_contact* left, Hash& hash) {
     add_wrench(i % 2 == 0 ? right : left, input, false, hash);
     wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(i % 2 == 0 ? right : left, &input, nullptr, &found));
-    add_derivatives(found, WRC_WRENCH_INPUTS, hash);
+    add_derivatives(found, WRC_BY_TIME_STEP, hash);
   }
 }
 
@@ -465,6 +465,11 @@ void run_remembering(wrc_contact* right, wrc_contact* left, Hash& hash) {
       input.wheel.yaw_rate = numbers.between(-0.1, 0.1);
       input.time_step = numbers.between(0.0, i % 7 == 6 ? 0.1 : 5e-3);
       add_wrench(contact, input, false, hash);
+      if (i % 4 == 0) {
+        wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
+        hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
+        add_derivatives(found, WRC_WRENCH_INPUTS, hash);
+      }
       if (i % 3 != 2) hash.add(wrc_contact_commit(contact));
     }
 }
