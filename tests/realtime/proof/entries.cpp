@@ -309,7 +309,7 @@ int32_t wheel_heated(Wheel& wheel) {
   int32_t status = wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   if (status == WRC_ERROR_UNSUPPORTED) status = wrc_contact_wrench(wheel.contact, &input, &wrench);
   // it is for methods with tractions
-  return wheel.methods.tangential == preset_table && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
+  return !gives_tractions(wheel.methods.tangential) && status == WRC_ERROR_UNSUPPORTED ? WRC_OK : status;
 }
 
 int32_t wheel_sensitivities(Wheel& wheel) {
