@@ -9,7 +9,7 @@ namespace {
 
 /// The next `vectors` vectors of the sum, in the order of the rows.
 template <int vectors>
-void blend_columns(const BlendRowsTask& task, std::int64_t first) {
+void blend_group(const BlendRowsTask& task, std::int64_t first) {
   Native sum[vectors];
   for (int k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
   for (std::int32_t i = 0; i < task.count; ++i) {
@@ -20,14 +20,21 @@ void blend_columns(const BlendRowsTask& task, std::int64_t first) {
   for (int k = 0; k < vectors; ++k) store_lanes(task.to + first + k * native_lanes, sum[k]);
 }
 
+/// Groups of so many vectors from `first` on, which is moved behind them.
+template <int vectors>
+void blend_groups(const BlendRowsTask& task, std::int64_t& first) {
+  for (; first + vectors * native_lanes <= task.columns; first += vectors * native_lanes)
+    blend_group<vectors>(task, first);
+}
+
 /// SurfaceKernels::blend_rows.
 inline void blend_rows_kernel(const BlendRowsTask& task) {
-  // Four vectors at a time stay in registers over all rows, then one at a time.
-  constexpr int vectors = 4;
+  // As many vectors as stay in registers over all rows, then fewer.
   std::int64_t first = 0;
-  for (; first + vectors * native_lanes <= task.columns; first += vectors * native_lanes)
-    blend_columns<vectors>(task, first);
-  for (; first < task.columns; first += native_lanes) blend_columns<1>(task, first);
+  blend_groups<8>(task, first);
+  blend_groups<4>(task, first);
+  blend_groups<2>(task, first);
+  blend_groups<1>(task, first);
 }
 
 }  // namespace
