@@ -2471,107 +2471,68 @@ remembering:
 .LC194:
 	.string	"wrc_exact_wrench(wheel, &input, &coarse, &wrench)"
 	.section	.rodata.str1.1
-.LC186:
+.LC204:
 	.string	"locomotive"
 	.section	.rodata.str1.8
 	.align 8
-.LC187:
+.LC205:
 	.string	"wrc_friction_use(&curve.friction, \"locomotive\", text, sizeof text)"
 	.align 8
-.LC188:
+.LC206:
 	.string	"wrc_fit_creep_curve(planar, &curve, &fit, adhesion)"
 	.section	.rodata.str1.1
-.LC189:
+.LC207:
 	.string	"fit.scatter"
 	.section	.rodata.str1.8
 	.align 8
-.LC190:
+.LC208:
 	.string	"fit.value[WRC_CREEP_COEFFICIENT]"
 	.align 8
-.LC191:
+.LC209:
 	.string	"fit.deviation[WRC_CREEP_COEFFICIENT]"
 	.section	.rodata.str1.1
-.LC192:
+.LC210:
 	.string	"adhesion"
 	.section	.rodata.str1.8
 	.align 8
-.LC193:
+.LC211:
 	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC194:
+.LC212:
 	.string	"radius_difference"
-.LC195:
-	.string	"y_wheel"
-	.section	.rodata.str1.8
-	.align 8
-.LC197:
-	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC198:
-	.string	"conicity"
-.LC199:
-	.string	"wavelength"
-	.section	.rodata.str1.8
-	.align 8
-.LC203:
-	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
-	.section	.rodata.str1.1
-.LC204:
-	.string	"z[points / 2]"
-	.section	.rodata.str1.8
-	.align 8
-.LC207:
-	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC208:
-	.string	"worn.passages"
-.LC209:
-	.string	"worn_z[worn.count / 2]"
-	.section	.rodata.str1.8
-	.align 8
-.LC210:
-	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC211:
-	.align 8
-.LC195:
-	.string	"wrc_profile_wheelset_geometry(model, &problem, &functions, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC196:
-	.string	"radius_difference"
-.LC197:
-	.string	"y_wheel"
-	.section	.rodata.str1.8
-	.align 8
-.LC199:
-	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC200:
-	.string	"conicity"
-.LC201:
-	.string	"wavelength"
-	.section	.rodata.str1.8
-	.align 8
-.LC205:
-	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
-	.section	.rodata.str1.1
-.LC206:
-	.string	"z[points / 2]"
-	.section	.rodata.str1.8
-	.align 8
-.LC209:
-	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
-	.section	.rodata.str1.1
-.LC210:
-	.string	"worn.passages"
-.LC211:
-	.string	"worn_z[worn.count / 2]"
-	.section	.rodata.str1.8
-	.align 8
 .LC213:
+	.string	"y_wheel"
+	.section	.rodata.str1.8
+	.align 8
+.LC215:
+	.string	"wrc_equivalent_conicity(&rolls, &found, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC216:
+	.string	"conicity"
+.LC217:
+	.string	"wavelength"
+	.section	.rodata.str1.8
+	.align 8
+.LC221:
+	.string	"wrc_model_arc_places(model, WRC_BODY_WHEEL, points, arc, y, z)"
+	.section	.rodata.str1.1
+.LC222:
+	.string	"z[points / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC225:
+	.string	"wrc_profile_remove_wear(&wear, &worn, text, sizeof text)"
+	.section	.rodata.str1.1
+.LC226:
+	.string	"worn.passages"
+.LC227:
+	.string	"worn_z[worn.count / 2]"
+	.section	.rodata.str1.8
+	.align 8
+.LC228:
 	.string	"wrc_flange_dimensions(points, y, z, 0.07, &flange, text, sizeof text)"
 	.section	.rodata.str1.1
-.LC214:
+.LC229:
 	.string	"flange.height"
 	.text
 	.type	experimental, @function
@@ -2582,18 +2543,12 @@ experimental:
 	pushq	%r12
 	pushq	%rbp
 	pushq	%rbx
-	subq	$9032, %rsp
+	subq	$9048, %rsp
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	cmpl	$303, (%rax)
-	jbe	.L123
-	leaq	7840(%rsp), %rbx
-	subq	$6936, %rsp
-	movl	$1, %edi
-	call	wrc_get_experimental_api@PLT
-	cmpl	$303, (%rax)
-	jbe	.L132
-	leaq	5744(%rsp), %rbx
+	jbe	.L134
+	leaq	7856(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
 	movq	%rbx, %rdi
@@ -2608,62 +2563,36 @@ experimental:
 	movq	%rbx, %rdi
 	call	contact_of
 	movq	%rax, %r14
-	leaq	7120(%rsp), %rbx
+	leaq	7136(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	rolling
 	movl	$0, %r13d
-	movq	$0, 6932(%rsp)
-	movq	$0, 7104(%rsp)
-	leaq	6936(%rsp), %rdi
+	movq	$0, 6948(%rsp)
+	movq	$0, 7120(%rsp)
+	leaq	6952(%rsp), %rdi
 	movl	$22, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$184, 6928(%rsp)
-	leaq	6464(%rsp), %rbp
+	movl	$184, 6944(%rsp)
+	leaq	6480(%rsp), %rbp
 	movq	%rbp, %rdi
 	call	wrc_planar_input_default
 	movq	.LC121(%rip), %rax
-	movq	%rax, 6472(%rsp)
+	movq	%rax, 6488(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 6536(%rsp)
+	movq	%rax, 6552(%rsp)
 	movq	.LC57(%rip), %r15
-	movq	%r15, 6600(%rsp)
-	leaq	5744(%rsp), %rdi
-	leaq	5024(%rsp), %rbx
-	movq	%rbx, %rdi
-	call	rolling
-	movl	$0, %r13d
-	movq	$0, 4836(%rsp)
-	movq	$0, 5008(%rsp)
-	leaq	4840(%rsp), %rdi
-	movl	$22, %ecx
-	movq	%r13, %rax
-	rep stosq
-	movl	$184, 4832(%rsp)
-	leaq	4368(%rsp), %rbp
-	movq	%rbp, %rdi
-	call	wrc_planar_input_default
-	movq	.LC121(%rip), %rax
-	movq	%rax, 4376(%rsp)
-	movq	.LC46(%rip), %rax
-	movq	%rax, 4440(%rsp)
-	movq	.LC57(%rip), %r15
-	movq	%r15, 4504(%rsp)
-	leaq	3648(%rsp), %rdi
+	movq	%r15, 6616(%rsp)
+	leaq	5760(%rsp), %rdi
 	movl	$90, %ecx
 	movq	%rbx, %rsi
 	rep movsq
 	movq	.LC87(%rip), %rax
-	movq	%rax, 5784(%rsp)
+	movq	%rax, 5800(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
-	leaq	6928(%rsp), %rdx
-	leaq	5744(%rsp), %rsi
-	movq	%rax, 3688(%rsp)
-	movb	$0, text(%rip)
-	movq	%r12, spoken(%rip)
-	leaq	4832(%rsp), %rdx
-	leaq	3648(%rsp), %rsi
+	leaq	6944(%rsp), %rdx
+	leaq	5760(%rsp), %rsi
 	movq	%r12, %rdi
 	call	wrc_contact_wrench@PLT
 	movl	%eax, %edi
@@ -2698,24 +2627,15 @@ experimental:
 	movq	%rbx, %rsi
 	leaq	.LC126(%rip), %rdi
 	call	show
-	leaq	2912(%rsp), %rbp
+	leaq	2928(%rsp), %rbp
 	pxor	%xmm6, %xmm6
-	movaps	%xmm6, 2912(%rsp)
 	movaps	%xmm6, 2928(%rsp)
+	movaps	%xmm6, 2944(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_bulk_temperatures_init@PLT
-	movdqa	2912(%rsp), %xmm7
-	movaps	%xmm7, 576(%rsp)
 	movdqa	2928(%rsp), %xmm7
-	leaq	2464(%rsp), %rbp
-	pxor	%xmm6, %xmm6
-	movaps	%xmm6, 2464(%rsp)
-	movaps	%xmm6, 2480(%rsp)
-	movq	%rbp, %rdi
-	call	wrc_bulk_temperatures_init@PLT
-	movdqa	2464(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movdqa	2480(%rsp), %xmm7
+	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 608(%rsp)
 	movq	.LC127(%rip), %rax
 	movq	%rax, 592(%rsp)
@@ -2749,8 +2669,7 @@ experimental:
 	movq	%rbp, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$584, 2912(%rsp)
-	movl	$584, 2464(%rsp)
+	movl	$584, 2928(%rsp)
 	movb	$0, text(%rip)
 	movq	%r12, spoken(%rip)
 	leaq	1744(%rsp), %r13
@@ -2772,43 +2691,24 @@ experimental:
 	call	show_peaks
 	leaq	2144(%rsp), %rdi
 	call	show_peaks
-	leaq	2936(%rsp), %rdi
+	leaq	2952(%rsp), %rdi
 	call	show_peaks
-	leaq	3128(%rsp), %rdi
+	leaq	3144(%rsp), %rdi
 	call	show_peaks
-	leaq	3320(%rsp), %rdi
+	leaq	3336(%rsp), %rdi
 	call	show_peaks
 	pxor	%xmm6, %xmm6
-	movups	%xmm6, 2932(%rsp)
 	movups	%xmm6, 2948(%rsp)
-	movl	$0, 2964(%rsp)
-	movl	$40, 2928(%rsp)
+	movups	%xmm6, 2964(%rsp)
+	movl	$0, 2980(%rsp)
+	movl	$40, 2944(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_fatigue_laws_init@PLT
-	movdqa	2928(%rsp), %xmm7
-	movaps	%xmm7, 592(%rsp)
 	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 608(%rsp)
-	movq	2960(%rsp), %rax
-	movq	%rax, 624(%rsp)
-	leaq	2488(%rsp), %rdi
-	call	show_peaks
-	leaq	2680(%rsp), %rdi
-	call	show_peaks
-	leaq	2872(%rsp), %rdi
-	call	show_peaks
-	pxor	%xmm6, %xmm6
-	movups	%xmm6, 2484(%rsp)
-	movups	%xmm6, 2500(%rsp)
-	movl	$0, 2516(%rsp)
-	movl	$40, 2480(%rsp)
-	movq	%rbp, %rdi
-	call	wrc_fatigue_laws_init@PLT
-	movdqa	2480(%rsp), %xmm7
-	movaps	%xmm7, 608(%rsp)
-	movdqa	2496(%rsp), %xmm7
+	movdqa	2960(%rsp), %xmm7
 	movaps	%xmm7, 624(%rsp)
-	movq	2512(%rsp), %rax
+	movq	2976(%rsp), %rax
 	movq	%rax, 640(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
@@ -2821,40 +2721,23 @@ experimental:
 	call	memset@PLT
 	leaq	1160(%rsp), %r13
 	addq	$16, %rsp
-	leaq	2912(%rsp), %r15
-.L104:
-	pxor	%xmm3, %xmm3
-	movups	%xmm3, 2916(%rsp)
-	movups	%xmm3, 2932(%rsp)
-	movups	%xmm3, 2948(%rsp)
-	movl	$0, 2964(%rsp)
-	movl	$56, 2912(%rsp)
-	movq	%r15, %rdi
-	call	wrc_damage_bins_init@PLT
-	movl	2912(%rsp), %eax
-	movl	%eax, (%rbx)
-	movl	2936(%rsp), %eax
-	movl	%eax, 24(%rbx)
-	movsd	2944(%rsp), %xmm0
-	movsd	%xmm0, 32(%rbx)
-	movsd	2952(%rsp), %xmm0
-	leaq	2464(%rsp), %r15
+	leaq	2928(%rsp), %r15
 .L106:
 	pxor	%xmm3, %xmm3
-	movups	%xmm3, 2468(%rsp)
-	movups	%xmm3, 2484(%rsp)
-	movups	%xmm3, 2500(%rsp)
-	movl	$0, 2516(%rsp)
-	movl	$56, 2464(%rsp)
+	movups	%xmm3, 2932(%rsp)
+	movups	%xmm3, 2948(%rsp)
+	movups	%xmm3, 2964(%rsp)
+	movl	$0, 2980(%rsp)
+	movl	$56, 2928(%rsp)
 	movq	%r15, %rdi
 	call	wrc_damage_bins_init@PLT
-	movl	2464(%rsp), %eax
+	movl	2928(%rsp), %eax
 	movl	%eax, (%rbx)
-	movl	2488(%rsp), %eax
+	movl	2952(%rsp), %eax
 	movl	%eax, 24(%rbx)
-	movsd	2496(%rsp), %xmm0
+	movsd	2960(%rsp), %xmm0
 	movsd	%xmm0, 32(%rbx)
-	movsd	2504(%rsp), %xmm0
+	movsd	2968(%rsp), %xmm0
 	movsd	%xmm0, 40(%rbx)
 	movl	$40, 4(%rbx)
 	movq	.LC132(%rip), %rax
@@ -2918,8 +2801,7 @@ experimental:
 	leaq	.LC136(%rip), %rsi
 	call	done
 	movl	$0, %ebx
-	leaq	2912(%rsp), %rbp
-	leaq	2464(%rsp), %rbp
+	leaq	2928(%rsp), %rbp
 	leaq	.LC137(%rip), %r15
 	leaq	.LC138(%rip), %r13
 .L107:
@@ -2975,18 +2857,18 @@ experimental:
 	movl	$0, %ebp
 	movq	.LC70(%rip), %r15
 .L110:
-	leaq	2464(%rsp), %rdi
+	leaq	2928(%rsp), %rdi
 	pxor	%xmm0, %xmm0
-	movups	%xmm0, 2468(%rsp)
-	movups	%xmm0, 2484(%rsp)
-	movups	%xmm0, 2496(%rsp)
-	movl	$48, 2464(%rsp)
+	movups	%xmm0, 2932(%rsp)
+	movups	%xmm0, 2948(%rsp)
+	movups	%xmm0, 2960(%rsp)
+	movl	$48, 2928(%rsp)
 	call	wrc_surface_init@PLT
-	movl	2464(%rsp), %eax
+	movl	2928(%rsp), %eax
 	movl	%eax, (%rbx)
-	movsd	2472(%rsp), %xmm0
+	movsd	2936(%rsp), %xmm0
 	movsd	%xmm0, 8(%rbx)
-	movsd	2488(%rsp), %xmm0
+	movsd	2952(%rsp), %xmm0
 	movsd	%xmm0, 24(%rbx)
 	movl	$12, 4(%rbx)
 	cmpl	$1, %ebp
@@ -3003,16 +2885,16 @@ experimental:
 	addq	$48, %rbx
 	addq	$9984, %r13
 	jmp	.L110
-.L132:
+.L134:
 	movl	$2, %edi
 	call	exit@PLT
 .L109:
-	leaq	2464(%rsp), %rbx
+	leaq	2928(%rsp), %rbx
 	movl	$90, %ecx
 	movl	$0, %eax
 	movq	%rbx, %rdi
 	rep stosq
-	movl	$720, 2464(%rsp)
+	movl	$720, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_surface_laws_init@PLT
 	leaq	1744(%rsp), %rdi
@@ -3094,12 +2976,12 @@ experimental:
 	movl	$11, %edx
 	leaq	.LC154(%rip), %rdi
 	call	show
-	leaq	2480(%rsp), %rdx
+	leaq	2944(%rsp), %rdi
 	pushq	$400
 	leaq	text(%rip), %rbp
 	pushq	%rbp
-	movq	%rdx, 56(%rsp)
-	movq	%rdx, %r9
+	movq	%rdi, 56(%rsp)
+	movq	%rdi, %r9
 	movq	%r13, %r8
 	movq	40(%rsp), %rcx
 	movq	%r15, %rdx
@@ -3114,7 +2996,7 @@ experimental:
 	movq	24(%rsp), %rsi
 	leaq	.LC156(%rip), %rdi
 	call	show
-	leaq	2624(%rsp), %rsi
+	leaq	3088(%rsp), %rsi
 	movl	$1, %edx
 	leaq	.LC157(%rip), %rdi
 	call	show
@@ -3216,55 +3098,23 @@ experimental:
 	movsd	%xmm0, 1360(%rsp,%rax,8)
 	addq	$1, %rax
 	cmpq	$16, %rax
-	jne	.L106
-	leaq	1728(%rsp), %rdi
-	call	wrc_config_default
-	movq	2024(%rsp), %r8
-	movq	2032(%rsp), %r9
-	movq	%r8, 576(%rsp)
-	movq	%r9, 584(%rsp)
-	movq	2040(%rsp), %rsi
-	movq	2048(%rsp), %rdi
-	movq	%rsi, 592(%rsp)
-	movq	%rdi, 600(%rsp)
-	movq	2056(%rsp), %rcx
-	movq	2064(%rsp), %rbx
-	movq	%rcx, 608(%rsp)
-	movq	%rbx, 616(%rsp)
-	movq	2072(%rsp), %rax
-	movq	2080(%rsp), %rdx
-	movq	%rax, 624(%rsp)
-	movq	%rdx, 632(%rsp)
-	movq	%r8, 688(%rsp)
-	movq	%rsi, 704(%rsp)
-	movq	%rdi, 712(%rsp)
-	movq	%rcx, 720(%rsp)
-	movq	%rbx, 728(%rsp)
-	movq	%rax, 736(%rsp)
-	movq	%rdx, 744(%rsp)
-	movq	.LC153(%rip), %rax
-	movq	%rax, 696(%rsp)
-	leaq	2912(%rsp), %rbx
-	leaq	688(%rsp), %rbp
-	leaq	576(%rsp), %rdx
-	leaq	1344(%rsp), %rsi
 	jne	.L113
-	leaq	2464(%rsp), %rdi
+	leaq	1744(%rsp), %rdi
 	call	wrc_config_default
-	movq	2760(%rsp), %r8
-	movq	2768(%rsp), %r9
+	movq	2040(%rsp), %r8
+	movq	2048(%rsp), %r9
 	movq	%r8, 592(%rsp)
 	movq	%r9, 600(%rsp)
-	movq	2776(%rsp), %rsi
-	movq	2784(%rsp), %rdi
+	movq	2056(%rsp), %rsi
+	movq	2064(%rsp), %rdi
 	movq	%rsi, 608(%rsp)
 	movq	%rdi, 616(%rsp)
-	movq	2792(%rsp), %rcx
-	movq	2800(%rsp), %rbx
+	movq	2072(%rsp), %rcx
+	movq	2080(%rsp), %rbx
 	movq	%rcx, 624(%rsp)
 	movq	%rbx, 632(%rsp)
-	movq	2808(%rsp), %rax
-	movq	2816(%rsp), %rdx
+	movq	2088(%rsp), %rax
+	movq	2096(%rsp), %rdx
 	movq	%rax, 640(%rsp)
 	movq	%rdx, 648(%rsp)
 	movq	%r8, 704(%rsp)
@@ -3276,7 +3126,7 @@ experimental:
 	movq	%rdx, 760(%rsp)
 	movq	.LC171(%rip), %rax
 	movq	%rax, 712(%rsp)
-	leaq	1744(%rsp), %rbx
+	leaq	2928(%rsp), %rbx
 	leaq	704(%rsp), %rbp
 	leaq	592(%rsp), %rdx
 	leaq	1360(%rsp), %rsi
@@ -3295,44 +3145,26 @@ experimental:
 	call	show
 	movl	$0, 36(%rsp)
 	pxor	%xmm4, %xmm4
-	movups	%xmm4, 2952(%rsp)
 	movups	%xmm4, 2968(%rsp)
-	movl	$12, 2912(%rsp)
-	movl	$14, 2916(%rsp)
-	movsd	.LC156(%rip), %xmm0
-	movsd	%xmm0, 2920(%rsp)
-	movsd	%xmm0, 2928(%rsp)
-	movq	.LC157(%rip), %rax
-	movq	%rax, 2936(%rsp)
-	movq	.LC158(%rip), %rax
-	movq	%rax, 2944(%rsp)
-	movdqa	2912(%rsp), %xmm7
-	movaps	%xmm7, 288(%rsp)
-	movdqa	2928(%rsp), %xmm7
-	movups	%xmm4, 1784(%rsp)
-	movups	%xmm4, 1800(%rsp)
-	movl	$12, 1744(%rsp)
-	movl	$14, 1748(%rsp)
+	movups	%xmm4, 2984(%rsp)
+	movl	$12, 2928(%rsp)
+	movl	$14, 2932(%rsp)
 	movsd	.LC174(%rip), %xmm0
-	movsd	%xmm0, 1752(%rsp)
-	movsd	%xmm0, 1760(%rsp)
+	movsd	%xmm0, 2936(%rsp)
+	movsd	%xmm0, 2944(%rsp)
 	movq	.LC175(%rip), %rax
-	movq	%rax, 1768(%rsp)
+	movq	%rax, 2952(%rsp)
 	movq	.LC176(%rip), %rax
-	movq	%rax, 1776(%rsp)
-	movdqa	1744(%rsp), %xmm7
+	movq	%rax, 2960(%rsp)
+	movdqa	2928(%rsp), %xmm7
 	movaps	%xmm7, 304(%rsp)
 	movdqa	2944(%rsp), %xmm7
 	movaps	%xmm7, 320(%rsp)
-	movdqa	2960(%rsp), %xmm6
-	movaps	%xmm6, 336(%rsp)
-	movq	2976(%rsp), %rax
-	movq	%rax, 352(%rsp)
-	movdqa	1776(%rsp), %xmm7
+	movdqa	2960(%rsp), %xmm7
 	movaps	%xmm7, 336(%rsp)
-	movdqa	1792(%rsp), %xmm6
+	movdqa	2976(%rsp), %xmm6
 	movaps	%xmm6, 352(%rsp)
-	movq	1808(%rsp), %rax
+	movq	2992(%rsp), %rax
 	movq	%rax, 368(%rsp)
 	leaq	text(%rip), %r15
 	movb	$0, text(%rip)
@@ -3355,8 +3187,7 @@ experimental:
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$264, 2912(%rsp)
-	movl	$264, 1744(%rsp)
+	movl	$264, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_normal_problem_init@PLT
 	movl	$33, %ecx
@@ -3408,8 +3239,7 @@ experimental:
 	movq	%rbx, %rdi
 	movl	$0, %eax
 	rep stosq
-	movl	$376, 2912(%rsp)
-	movl	$376, 1744(%rsp)
+	movl	$376, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_rolling_problem_init@PLT
 	leaq	976(%rsp), %rdi
@@ -3515,62 +3345,20 @@ experimental:
 	jne	.L114
 	movq	40(%rsp), %rdi
 	call	wrc_exact_transient_destroy@PLT
-	leaq	2912(%rsp), %rbx
+	leaq	2928(%rsp), %rbx
 	movl	$0, %r13d
-	movq	$0, 2916(%rsp)
-	movq	$0, 3016(%rsp)
-	leaq	2920(%rsp), %rdi
-	leaq	1744(%rsp), %rbx
-	movl	$0, %r15d
-	movq	$0, 1748(%rsp)
-	movq	$0, 1848(%rsp)
-	leaq	1752(%rsp), %rdi
+	movq	$0, 2932(%rsp)
+	movq	$0, 3032(%rsp)
+	leaq	2936(%rsp), %rdi
 	movl	$13, %ecx
 	movq	%r13, %rax
 	rep stosq
-	movl	$112, 2912(%rsp)
+	movl	$112, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_loads_init@PLT
-	movdqa	2912(%rsp), %xmm4
-	movaps	%xmm4, 576(%rsp)
-	movdqa	3008(%rsp), %xmm5
-	movaps	%xmm5, 672(%rsp)
-	movdqa	288(%rsp), %xmm7
-	movaps	%xmm7, 592(%rsp)
-	movdqa	304(%rsp), %xmm6
-	movaps	%xmm6, 608(%rsp)
-	movdqa	320(%rsp), %xmm3
-	movaps	%xmm3, 624(%rsp)
-	movdqa	336(%rsp), %xmm4
-	movaps	%xmm4, 640(%rsp)
-	movq	352(%rsp), %rax
-	movq	%rax, 656(%rsp)
-	leaq	pressure.10(%rip), %rax
-	movq	%rax, 664(%rsp)
-	leaq	traction_x.9(%rip), %rax
-	movq	%rax, 672(%rsp)
-	movq	$0x000000000, 48(%rsp)
-	movq	$0x000000000, 56(%rsp)
-	movq	.LC38(%rip), %rax
-	movq	%rax, 64(%rsp)
-	movq	.LC57(%rip), %rax
-	movq	%rax, 72(%rsp)
-	movq	.LC38(%rip), %rax
-	movq	%rax, 80(%rsp)
-	movsd	.LC67(%rip), %xmm0
-	movsd	%xmm0, 88(%rsp)
-	movq	.LC57(%rip), %rax
-	movq	%rax, 32(%rsp)
-	movsd	%xmm0, 40(%rsp)
-	leaq	368(%rsp), %rbp
-	leaq	48(%rsp), %rsi
-	leaq	576(%rsp), %r15
-	movl	$112, 1744(%rsp)
-	movq	%rbx, %rdi
-	call	wrc_exact_loads_init@PLT
-	movdqa	1744(%rsp), %xmm4
+	movdqa	2928(%rsp), %xmm4
 	movaps	%xmm4, 592(%rsp)
-	movdqa	1840(%rsp), %xmm5
+	movdqa	3024(%rsp), %xmm5
 	movaps	%xmm5, 688(%rsp)
 	movdqa	304(%rsp), %xmm7
 	movaps	%xmm7, 608(%rsp)
@@ -3588,18 +3376,20 @@ experimental:
 	movq	%rax, 688(%rsp)
 	movq	$0x000000000, 64(%rsp)
 	movq	$0x000000000, 72(%rsp)
-	movsd	.LC38(%rip), %xmm0
-	movsd	%xmm0, 80(%rsp)
-	movsd	.LC57(%rip), %xmm1
-	movsd	%xmm1, 88(%rsp)
-	movsd	%xmm0, 96(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 80(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 88(%rsp)
+	movq	.LC38(%rip), %rax
+	movq	%rax, 96(%rsp)
 	movsd	.LC67(%rip), %xmm0
 	movsd	%xmm0, 104(%rsp)
-	movsd	%xmm1, 48(%rsp)
+	movq	.LC57(%rip), %rax
+	movq	%rax, 48(%rsp)
 	movsd	%xmm0, 56(%rsp)
 	leaq	384(%rsp), %rbp
 	leaq	64(%rsp), %rsi
-	leaq	592(%rsp), %r13
+	leaq	592(%rsp), %r15
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%rbp, %rcx
@@ -3617,10 +3407,7 @@ experimental:
 	movq	%rbx, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$584, 2912(%rsp)
-	leaq	1344(%rsp), %rbp
-	leaq	32(%rsp), %rsi
-	movl	$584, 1744(%rsp)
+	movl	$584, 2928(%rsp)
 	leaq	1360(%rsp), %rbp
 	leaq	48(%rsp), %rsi
 	subq	$8, %rsp
@@ -3643,24 +3430,15 @@ experimental:
 	call	show_peaks
 	leaq	1552(%rsp), %rdi
 	call	show_peaks
-	leaq	2920(%rsp), %rdi
+	leaq	2936(%rsp), %rdi
 	call	show_peaks
-	leaq	3112(%rsp), %rdi
+	leaq	3128(%rsp), %rdi
 	call	show_peaks
-	leaq	3304(%rsp), %rdi
-	call	show_peaks
-	movb	$0, text(%rip)
-	movq	%r14, spoken(%rip)
-	leaq	6464(%rsp), %rsi
-	leaq	1752(%rsp), %rdi
-	call	show_peaks
-	leaq	1944(%rsp), %rdi
-	call	show_peaks
-	leaq	2136(%rsp), %rdi
+	leaq	3320(%rsp), %rdi
 	call	show_peaks
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	4368(%rsp), %rsi
+	leaq	6480(%rsp), %rsi
 	movl	$0, %edx
 	movq	%r14, %rdi
 	call	wrc_planar_step@PLT
@@ -3668,23 +3446,14 @@ experimental:
 	leaq	.LC123(%rip), %rsi
 	call	done
 	pxor	%xmm5, %xmm5
-	movups	%xmm5, 2916(%rsp)
-	movups	%xmm5, 2928(%rsp)
-	movl	$32, 2912(%rsp)
+	movups	%xmm5, 2932(%rsp)
+	movups	%xmm5, 2944(%rsp)
+	movl	$32, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_check_options_init@PLT
-	movdqa	2912(%rsp), %xmm7
-	movaps	%xmm7, 576(%rsp)
-	movdqa	2928(%rsp), %xmm6
-	movaps	%xmm6, 592(%rsp)
-	movups	%xmm5, 1748(%rsp)
-	movups	%xmm5, 1760(%rsp)
-	movl	$32, 1744(%rsp)
-	movq	%rbx, %rdi
-	call	wrc_exact_check_options_init@PLT
-	movdqa	1744(%rsp), %xmm7
+	movdqa	2928(%rsp), %xmm7
 	movaps	%xmm7, 592(%rsp)
-	movdqa	1760(%rsp), %xmm6
+	movdqa	2944(%rsp), %xmm6
 	movaps	%xmm6, 608(%rsp)
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 980(%rsp)
@@ -3696,10 +3465,8 @@ experimental:
 	movl	$12, 596(%rsp)
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	960(%rsp), %rdx
-	movq	%r15, %rsi
 	leaq	976(%rsp), %rdx
-	movq	%r13, %rsi
+	movq	%r15, %rsi
 	movq	%r14, %rdi
 	call	wrc_exact_check@PLT
 	movl	%eax, %edi
@@ -3711,8 +3478,7 @@ experimental:
 	call	show
 	movq	%rbx, %rdi
 	call	rolling
-	leaq	1348(%rsp), %r15
-	leaq	1364(%rsp), %r13
+	leaq	1364(%rsp), %r15
 	pxor	%xmm5, %xmm5
 	movups	%xmm5, 1364(%rsp)
 	movups	%xmm5, 1380(%rsp)
@@ -3720,15 +3486,6 @@ experimental:
 	movl	$48, 1360(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_exact_wrench_options_init@PLT
-	movdqa	1344(%rsp), %xmm5
-	movaps	%xmm5, 688(%rsp)
-	movdqa	1376(%rsp), %xmm3
-	movaps	%xmm3, 720(%rsp)
-	movq	$0, 1348(%rsp)
-	movq	$0, 1520(%rsp)
-	leaq	1352(%rsp), %rdi
-	subq	%rdi, %r15
-	leal	180(%r15), %ecx
 	movdqa	1360(%rsp), %xmm5
 	movaps	%xmm5, 704(%rsp)
 	movdqa	1392(%rsp), %xmm3
@@ -3736,19 +3493,15 @@ experimental:
 	movq	$0, 1364(%rsp)
 	movq	$0, 1536(%rsp)
 	leaq	1368(%rsp), %rdi
-	subq	%rdi, %r13
-	leal	180(%r13), %ecx
+	subq	%rdi, %r15
+	leal	180(%r15), %ecx
 	shrl	$3, %ecx
 	movl	%ecx, %ecx
 	movq	%r13, %rax
 	rep stosq
 	movl	$184, 1360(%rsp)
 	movq	.LC119(%rip), %rax
-	movq	%rax, 2952(%rsp)
-	movsd	.LC175(%rip), %xmm0
-	movsd	%xmm0, 712(%rsp)
-	movsd	%xmm0, 704(%rsp)
-	movq	%rax, 1784(%rsp)
+	movq	%rax, 2968(%rsp)
 	movsd	.LC193(%rip), %xmm0
 	movsd	%xmm0, 728(%rsp)
 	movsd	%xmm0, 720(%rsp)
@@ -3767,41 +3520,41 @@ experimental:
 	leaq	.LC35(%rip), %rdi
 	call	show
 	movq	.LC57(%rip), %rax
-	movq	%rax, 368(%rsp)
-	movq	.LC38(%rip), %rax
-	movq	%rax, 376(%rsp)
-	movq	.LC121(%rip), %rax
 	movq	%rax, 384(%rsp)
-	movq	.LC177(%rip), %rax
+	movq	.LC38(%rip), %rax
 	movq	%rax, 392(%rsp)
-	movq	.LC108(%rip), %rax
+	movq	.LC121(%rip), %rax
 	movq	%rax, 400(%rsp)
-	movq	.LC178(%rip), %rax
+	movq	.LC195(%rip), %rax
 	movq	%rax, 408(%rsp)
-	movq	.LC76(%rip), %rax
+	movq	.LC108(%rip), %rax
 	movq	%rax, 416(%rsp)
+	movq	.LC196(%rip), %rax
+	movq	%rax, 424(%rsp)
+	movq	.LC76(%rip), %rax
+	movq	%rax, 432(%rsp)
 	movsd	.LC68(%rip), %xmm0
-	movsd	%xmm0, 424(%rsp)
-	movq	.LC179(%rip), %rax
-	movq	%rax, 464(%rsp)
-	movq	.LC180(%rip), %rax
-	movq	%rax, 472(%rsp)
-	movsd	%xmm0, 480(%rsp)
-	movq	.LC144(%rip), %rax
+	movsd	%xmm0, 440(%rsp)
+	movq	.LC197(%rip), %rax
+	movq	%rax, 480(%rsp)
+	movq	.LC198(%rip), %rax
 	movq	%rax, 488(%rsp)
-	movq	.LC181(%rip), %rax
-	movq	%rax, 496(%rsp)
-	movq	.LC182(%rip), %rax
+	movsd	%xmm0, 496(%rsp)
+	movq	.LC162(%rip), %rax
 	movq	%rax, 504(%rsp)
-	movq	.LC183(%rip), %rax
+	movq	.LC199(%rip), %rax
 	movq	%rax, 512(%rsp)
-	movq	.LC184(%rip), %rax
+	movq	.LC200(%rip), %rax
 	movq	%rax, 520(%rsp)
+	movq	.LC201(%rip), %rax
+	movq	%rax, 528(%rsp)
+	movq	.LC202(%rip), %rax
+	movq	%rax, 536(%rsp)
 	movl	$47, %ecx
 	movq	%rbx, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$376, 2912(%rsp)
+	movl	$376, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_creep_curve_init@PLT
 	movl	$47, %ecx
@@ -3812,11 +3565,11 @@ experimental:
 	movq	%rbx, %rdi
 	movq	%r13, %rax
 	rep stosq
-	movl	$2832, 2912(%rsp)
+	movl	$2832, 2928(%rsp)
 	movl	$0, %edx
 	movsd	.LC59(%rip), %xmm2
 	movsd	.LC46(%rip), %xmm1
-.L108:
+.L115:
 	movslq	%edx, %rax
 	imulq	$1431655766, %rax, %rax
 	shrq	$32, %rax
@@ -3829,72 +3582,67 @@ experimental:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	addsd	%xmm2, %xmm0
-	movsd	%xmm0, 576(%rsp,%rdx,8)
-	movsd	%xmm1, 688(%rsp,%rdx,8)
+	movsd	%xmm0, 592(%rsp,%rdx,8)
+	movsd	%xmm1, 704(%rsp,%rdx,8)
 	addq	$1, %rdx
 	cmpq	$8, %rdx
-	jne	.L108
-	movl	$8, 1348(%rsp)
-	leaq	368(%rsp), %rax
-	movq	%rax, 1352(%rsp)
-	leaq	464(%rsp), %rbx
-	movq	%rbx, 1360(%rsp)
-	leaq	576(%rsp), %rax
+	jne	.L115
+	movl	$8, 1364(%rsp)
+	leaq	384(%rsp), %rax
 	movq	%rax, 1368(%rsp)
-	leaq	688(%rsp), %rax
-	movq	%rax, 1376(%rsp)
-	movq	.LC185(%rip), %rax
+	leaq	480(%rsp), %rbx
+	movq	%rbx, 1376(%rsp)
+	leaq	592(%rsp), %rax
 	movq	%rax, 1384(%rsp)
-	movq	.LC60(%rip), %rax
+	leaq	704(%rsp), %rax
 	movq	%rax, 1392(%rsp)
+	movq	.LC203(%rip), %rax
+	movq	%rax, 1400(%rsp)
+	movq	.LC60(%rip), %rax
+	movq	%rax, 1408(%rsp)
 	movq	.LC46(%rip), %rax
-	movq	%rax, 1416(%rsp)
-	leaq	1344(%rsp), %r13
-	leaq	1448(%rsp), %rdi
+	movq	%rax, 1432(%rsp)
+	leaq	1360(%rsp), %r13
+	leaq	1464(%rsp), %rdi
 	movl	$400, %ecx
 	leaq	text(%rip), %rdx
-	leaq	.LC186(%rip), %rsi
+	leaq	.LC204(%rip), %rsi
 	call	wrc_friction_use@PLT
 	movl	%eax, %edi
-	leaq	.LC187(%rip), %rsi
+	leaq	.LC205(%rip), %rsi
 	call	done
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
-	leaq	960(%rsp), %rbp
-	leaq	2912(%rsp), %rdx
+	leaq	976(%rsp), %rbp
+	leaq	2928(%rsp), %rdx
 	movq	%rbp, %rcx
 	movq	%r13, %rsi
 	movq	%r14, %rdi
 	call	wrc_fit_creep_curve@PLT
 	movl	%eax, %edi
-	leaq	.LC188(%rip), %rsi
+	leaq	.LC206(%rip), %rsi
 	call	done
-	leaq	2936(%rsp), %rsi
+	leaq	2952(%rsp), %rsi
 	movl	$1, %edx
-	leaq	.LC189(%rip), %rdi
+	leaq	.LC207(%rip), %rdi
 	call	show
-	leaq	3184(%rsp), %rsi
+	leaq	3200(%rsp), %rsi
 	movl	$1, %edx
-	leaq	.LC190(%rip), %rdi
+	leaq	.LC208(%rip), %rdi
 	call	show
-	leaq	3312(%rsp), %rsi
+	leaq	3328(%rsp), %rsi
 	movl	$1, %edx
-	leaq	.LC191(%rip), %rdi
+	leaq	.LC209(%rip), %rdi
 	call	show
 	movl	$8, %edx
 	movq	%rbp, %rsi
-	leaq	.LC192(%rip), %rdi
+	leaq	.LC210(%rip), %rdi
 	call	show
 	movq	%rbx, %rax
-	leaq	536(%rsp), %rcx
-	movl	$-4, %edx
-	movsd	.LC57(%rip), %xmm1
-.L109:
-	leaq	480(%rsp), %rax
 	leaq	552(%rsp), %rcx
 	movl	$-4, %edx
 	movsd	.LC57(%rip), %xmm1
-.L115:
+.L116:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%edx, %xmm0
 	mulsd	%xmm1, %xmm0
@@ -3902,43 +3650,24 @@ experimental:
 	addl	$1, %edx
 	addq	$8, %rax
 	cmpq	%rcx, %rax
-	jne	.L109
-	movq	$0, 176(%rsp)
-	movl	$24, 160(%rsp)
-	movl	$9, 164(%rsp)
-	leaq	464(%rsp), %rbp
-	movq	%rbp, 168(%rsp)
-	movq	$0, 2916(%rsp)
-	movq	$0, 3000(%rsp)
-	leaq	2920(%rsp), %rdi
-	movl	$11, %ecx
-	movl	$0, %eax
-	rep stosq
-	movl	$96, 2912(%rsp)
-	leaq	576(%rsp), %rbx
-	movq	%rbx, 2936(%rsp)
-	leaq	688(%rsp), %r13
-	movq	%r13, 2976(%rsp)
-	leaq	2912(%rsp), %rdx
-	leaq	160(%rsp), %rsi
-	jne	.L115
+	jne	.L116
 	movq	$0, 192(%rsp)
 	movl	$24, 176(%rsp)
 	movl	$9, 180(%rsp)
 	leaq	480(%rsp), %rbp
 	movq	%rbp, 184(%rsp)
-	movq	$0, 1748(%rsp)
-	movq	$0, 1832(%rsp)
-	leaq	1752(%rsp), %rdi
+	movq	$0, 2932(%rsp)
+	movq	$0, 3016(%rsp)
+	leaq	2936(%rsp), %rdi
 	movl	$11, %ecx
 	movl	$0, %eax
 	rep stosq
-	movl	$96, 1744(%rsp)
+	movl	$96, 2928(%rsp)
 	leaq	592(%rsp), %rbx
-	movq	%rbx, 1768(%rsp)
+	movq	%rbx, 2952(%rsp)
 	leaq	704(%rsp), %r13
-	movq	%r13, 1808(%rsp)
-	leaq	1744(%rsp), %rdx
+	movq	%r13, 2992(%rsp)
+	leaq	2928(%rsp), %rdx
 	leaq	176(%rsp), %rsi
 	movl	$400, %r8d
 	leaq	text(%rip), %r15
@@ -3946,34 +3675,19 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_profile_wheelset_geometry@PLT
 	movl	%eax, %edi
-	leaq	.LC193(%rip), %rsi
+	leaq	.LC211(%rip), %rsi
 	call	done
 	movl	$9, %edx
 	movq	%rbx, %rsi
-	leaq	.LC194(%rip), %rdi
+	leaq	.LC212(%rip), %rdi
 	call	show
 	movl	$9, %edx
 	movq	%r13, %rsi
-	leaq	.LC195(%rip), %rdi
-	call	show
-	movq	.LC57(%rip), %rax
-	movq	%rax, 96(%rsp)
-	movq	.LC196(%rip), %rax
-	movq	%rax, 104(%rsp)
-	leaq	1344(%rsp), %rdi
-	leaq	.LC195(%rip), %rsi
-	call	done
-	movl	$9, %edx
-	movq	%rbx, %rsi
-	leaq	.LC196(%rip), %rdi
-	call	show
-	movl	$9, %edx
-	movq	%r13, %rsi
-	leaq	.LC197(%rip), %rdi
+	leaq	.LC213(%rip), %rdi
 	call	show
 	movq	.LC57(%rip), %rax
 	movq	%rax, 112(%rsp)
-	movq	.LC198(%rip), %rax
+	movq	.LC214(%rip), %rax
 	movq	%rax, 120(%rsp)
 	leaq	1360(%rsp), %rdi
 	pxor	%xmm7, %xmm7
@@ -4009,32 +3723,21 @@ experimental:
 	movq	%r15, %rdx
 	call	wrc_equivalent_conicity@PLT
 	movl	%eax, %edi
-	leaq	.LC197(%rip), %rsi
+	leaq	.LC215(%rip), %rsi
 	call	done
 	movl	$2, %edx
 	movq	%rbp, %rsi
-	leaq	.LC198(%rip), %rdi
+	leaq	.LC216(%rip), %rdi
 	call	show
 	movl	$2, %edx
 	movq	%rbx, %rsi
-	leaq	.LC199(%rip), %rdi
-	leaq	.LC199(%rip), %rsi
-	call	done
-	movl	$2, %edx
-	movq	%rbp, %rsi
-	leaq	.LC200(%rip), %rdi
-	call	show
-	movl	$2, %edx
-	movq	%rbx, %rsi
-	leaq	.LC201(%rip), %rdi
+	leaq	.LC217(%rip), %rdi
 	call	show
 	movl	$0, %eax
 	leaq	arc.5(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
-	movsd	.LC200(%rip), %xmm1
-.L110:
-	movsd	.LC202(%rip), %xmm1
-.L116:
+	movsd	.LC218(%rip), %xmm1
+.L117:
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%eax, %xmm0
 	mulsd	%xmm2, %xmm0
@@ -4042,24 +3745,17 @@ experimental:
 	movsd	%xmm0, (%rdx,%rax,8)
 	addq	$1, %rax
 	cmpq	$240, %rax
-	jne	.L110
+	jne	.L117
 	leaq	depth.4(%rip), %rdx
 	movl	$-81, %eax
-.L114:
+.L121:
 	cmpl	$38, %eax
-	jbe	.L124
-	jne	.L116
-	leaq	depth.4(%rip), %rdx
-	movl	$-81, %eax
-.L120:
-	cmpl	$38, %eax
-	jbe	.L133
+	jbe	.L135
 	movq	$0x000000000, (%rdx)
 	addl	$1, %eax
 	addq	$8, %rdx
 	cmpl	$119, %eax
-	jne	.L114
-	jne	.L120
+	jne	.L121
 	leaq	z.2(%rip), %r9
 	leaq	y.3(%rip), %r8
 	leaq	arc.5(%rip), %rcx
@@ -4068,16 +3764,11 @@ experimental:
 	movq	(%rsp), %rdi
 	call	wrc_model_arc_places@PLT
 	movl	%eax, %edi
-	leaq	.LC203(%rip), %rsi
+	leaq	.LC221(%rip), %rsi
 	call	done
 	movl	$1, %edx
 	leaq	960+z.2(%rip), %rsi
-	leaq	.LC204(%rip), %rdi
-	leaq	.LC205(%rip), %rsi
-	call	done
-	movl	$1, %edx
-	leaq	960+z.2(%rip), %rsi
-	leaq	.LC206(%rip), %rdi
+	leaq	.LC222(%rip), %rdi
 	call	show
 	leaq	1360(%rsp), %r15
 	movq	$0, 1364(%rsp)
@@ -4104,14 +3795,10 @@ experimental:
 	movq	%rbp, 1000(%rsp)
 	movl	$200, 988(%rsp)
 	leaq	depth.4(%rip), %rax
-	movq	%rax, 992(%rsp)
-	movq	.LC205(%rip), %rax
-	movq	%rax, 1000(%rsp)
-	movq	.LC206(%rip), %rax
 	movq	%rax, 1008(%rsp)
-	movq	.LC207(%rip), %rax
+	movq	.LC223(%rip), %rax
 	movq	%rax, 1016(%rsp)
-	movq	.LC208(%rip), %rax
+	movq	.LC224(%rip), %rax
 	movq	%rax, 1032(%rsp)
 	pxor	%xmm0, %xmm0
 	movups	%xmm0, 1368(%rsp)
@@ -4129,43 +3816,34 @@ experimental:
 	movq	%r15, %rsi
 	call	wrc_profile_remove_wear@PLT
 	movl	%eax, %edi
-	leaq	.LC207(%rip), %rsi
-	leaq	.LC209(%rip), %rsi
+	leaq	.LC225(%rip), %rsi
 	call	done
 	leaq	1392(%rsp), %rsi
 	movl	$3, %edx
-	leaq	.LC208(%rip), %rdi
-	leaq	.LC210(%rip), %rdi
+	leaq	.LC226(%rip), %rdi
 	call	show
 	movl	1368(%rsp), %eax
 	shrl	%eax
 	movl	%eax, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
-	leaq	.LC209(%rip), %rdi
-	leaq	.LC211(%rip), %rdi
+	leaq	.LC227(%rip), %rdi
 	call	show
 	leaq	304(%rsp), %r13
 	movl	$400, %r9d
 	leaq	text(%rip), %r8
 	movq	%r13, %rcx
-	movsd	.LC179(%rip), %xmm0
-	movsd	.LC212(%rip), %xmm0
+	movsd	.LC197(%rip), %xmm0
 	movq	%rbp, %rdx
 	movq	%rbx, %rsi
 	movl	$240, %edi
 	call	wrc_flange_dimensions@PLT
 	movl	%eax, %edi
-	leaq	.LC210(%rip), %rsi
+	leaq	.LC228(%rip), %rsi
 	call	done
 	movl	$3, %edx
 	movq	%r13, %rsi
-	leaq	.LC211(%rip), %rdi
-	leaq	.LC213(%rip), %rsi
-	call	done
-	movl	$3, %edx
-	movq	%r13, %rsi
-	leaq	.LC214(%rip), %rdi
+	leaq	.LC229(%rip), %rdi
 	call	show
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
@@ -4173,8 +3851,7 @@ experimental:
 	call	wrc_contact_destroy@PLT
 	movq	(%rsp), %rdi
 	call	wrc_model_destroy@PLT
-	addq	$9032, %rsp
-	addq	$6936, %rsp
+	addq	$9048, %rsp
 	popq	%rbx
 	popq	%rbp
 	popq	%r12
@@ -4182,43 +3859,23 @@ experimental:
 	popq	%r14
 	popq	%r15
 	ret
-.L123:
-	movl	$2, %edi
-	call	exit@PLT
-.L124:
+.L135:
 	leal	1(%rax), %esi
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
-	mulsd	.LC201(%rip), %xmm0
-.L133:
-	leal	1(%rax), %esi
-	pxor	%xmm0, %xmm0
-	cvtsi2sdl	%esi, %xmm0
-	mulsd	.LC203(%rip), %xmm0
+	mulsd	.LC219(%rip), %xmm0
 	movl	$39, %ecx
 	subl	%eax, %ecx
 	pxor	%xmm1, %xmm1
 	cvtsi2sdl	%ecx, %xmm1
 	mulsd	%xmm1, %xmm0
-	divsd	.LC202(%rip), %xmm0
+	divsd	.LC220(%rip), %xmm0
 	movsd	%xmm0, (%rdx)
 	movl	%esi, %eax
 	addq	$8, %rdx
-	jmp	.L114
-	.size	experimental, .-experimental
-	.section	.rodata.str1.1
-.LC212:
-	.string	"%s; %s\n"
-.LC213:
-	.string	"%d %d\n"
-.LC214:
-	divsd	.LC204(%rip), %xmm0
-	movsd	%xmm0, (%rdx)
-	movl	%esi, %eax
-	addq	$8, %rdx
-	jmp	.L120
+	jmp	.L121
 .L108:
-	movq	.LC215(%rip), %rax
+	movq	.LC230(%rip), %rax
 	movq	%rax, 16(%rbx)
 	sete	%al
 	movzbl	%al, %eax
@@ -4231,11 +3888,11 @@ experimental:
 	jmp	.L110
 	.size	experimental, .-experimental
 	.section	.rodata.str1.1
-.LC216:
+.LC231:
 	.string	"%s; %s\n"
-.LC217:
+.LC232:
 	.string	"%d %d\n"
-.LC218:
+.LC233:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -4245,34 +3902,22 @@ main:
 	movl	$900, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	je	.L126
+	je	.L137
 	movq	%rax, %rbx
 	cmpl	$359, (%rax)
-	jbe	.L126
+	jbe	.L137
 	movl	$1, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	jne	.L128
-	je	.L135
-	movq	%rax, %rbx
-	cmpl	$359, (%rax)
-	jbe	.L135
-	movl	$1, %edi
-	call	wrc_get_api@PLT
-	testq	%rax, %rax
-	jne	.L137
+	jne	.L139
 	call	*8(%rbx)
 	movl	%eax, %ebx
 	call	wrc_version@PLT
 	cmpl	%eax, %ebx
-	jne	.L128
+	jne	.L139
 	call	wrc_abi_version@PLT
 	cmpl	$900, %eax
-	jne	.L128
-	jne	.L137
-	call	wrc_abi_version@PLT
-	cmpl	$900, %eax
-	jne	.L137
+	jne	.L139
 	movl	$1, %edi
 	call	wrc_status_text@PLT
 	movq	%rax, %rbx
@@ -4280,8 +3925,7 @@ main:
 	call	wrc_status_name@PLT
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
-	leaq	.LC212(%rip), %rdi
-	leaq	.LC216(%rip), %rdi
+	leaq	.LC231(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -4294,8 +3938,7 @@ main:
 	setne	%sil
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
-	leaq	.LC213(%rip), %rdi
-	leaq	.LC217(%rip), %rdi
+	leaq	.LC232(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
@@ -4304,33 +3947,22 @@ main:
 	call	posed
 	call	given
 	movl	blocks(%rip), %esi
-	leaq	.LC214(%rip), %rdi
-	leaq	.LC218(%rip), %rdi
+	leaq	.LC233(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	testq	%rax, %rax
-	je	.L130
+	je	.L141
 	call	experimental
-.L130:
+.L141:
 	movl	$0, %eax
 	popq	%rbx
 	ret
-.L126:
-	movl	$2, %edi
-	call	exit@PLT
-.L128:
-	je	.L139
-	call	experimental
-.L139:
-	movl	$0, %eax
-	popq	%rbx
-	ret
-.L135:
-	movl	$2, %edi
-	call	exit@PLT
 .L137:
+	movl	$2, %edi
+	call	exit@PLT
+.L139:
 	movl	$2, %edi
 	call	exit@PLT
 	.size	main, .-main
@@ -4656,94 +4288,67 @@ main:
 	.long	-1133871366
 	.long	1062769524
 	.align 8
-.LC177:
+.LC195:
 	.long	-755914244
 	.long	1065378381
 	.align 8
-.LC178:
+.LC196:
 	.long	-1717986918
 	.long	1068079513
 	.align 8
-.LC179:
+.LC197:
 	.long	515396076
 	.long	1068624773
 	.align 8
-.LC180:
+.LC198:
 	.long	-343597384
 	.long	1069463633
 	.align 8
-.LC181:
+.LC199:
 	.long	515396076
 	.long	1070721925
 	.align 8
-.LC182:
+.LC200:
 	.long	171798692
 	.long	1070638039
 	.align 8
-.LC183:
+.LC201:
 	.long	-687194767
 	.long	1070428323
 	.align 8
-.LC184:
+.LC202:
 	.long	-2061584302
 	.long	1070092779
 	.align 8
-.LC185:
+.LC203:
 	.long	-1133871366
 	.long	1064866676
 	.align 8
-.LC196:
+.LC214:
 	.long	1202590843
 	.long	1063549665
 	.align 8
-.LC200:
+.LC218:
 	.long	-652835029
 	.long	1068758990
 	.align 8
-.LC201:
+.LC219:
 	.long	-500134854
 	.long	1044740494
 	.align 8
-.LC202:
+.LC220:
 	.long	0
 	.long	1081671680
 	.align 8
-.LC205:
+.LC223:
 	.long	-1717986918
 	.long	-1078355559
 	.align 8
-.LC206:
-	.long	0
-	.long	1084178432
-.LC198:
-	.long	1202590843
-	.long	1063549665
-	.align 8
-.LC202:
-	.long	-652835029
-	.long	1068758990
-	.align 8
-.LC203:
-	.long	-500134854
-	.long	1044740494
-	.align 8
-.LC204:
-	.long	0
-	.long	1081671680
-	.align 8
-.LC207:
-	.long	-1717986918
-	.long	-1078355559
-	.align 8
-.LC208:
+.LC224:
 	.long	0
 	.long	1084178432
 	.align 8
-.LC212:
-	.long	515396076
-	.long	1068624773
-	.align 8
-.LC215:
+.LC230:
 	.long	-343597384
 	.long	1070512209
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"
