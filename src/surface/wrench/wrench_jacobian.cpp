@@ -60,8 +60,8 @@ struct Scratch {
   double* pressures;  ///< scratch of differentiate_pressures(), whose memory is that of all below
   LoadedStrips loaded;
   RollingArraysOf<Number> rolling;
-  double* values;  ///< for the kernel: its numbers without derivatives
-  double* slopes;  ///< from the kernel
+  double* values;                  ///< for the kernel: its numbers without derivatives
+  double* slopes;                  ///< from the kernel
   DifferencesScratch differences;  ///< its memory is that of the three above
 };
 
