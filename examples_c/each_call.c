@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "wrc/wrc_offline.h"
+#include "wrc/wrc_profiles.h"
 #include "wrc/wrc_surface.h"
 
 static const wrc_contact* asked; /* whose sentence explains a failure */
@@ -240,6 +241,37 @@ static void films(void) {
   printf("films:  %.0f g of water on a band of 20 m\n", 1e3 * water);
 }
 
+/* Measured sections of a rail, written to a file, read again, parted into faces. */
+static void sections(void) {
+  enum { count = 3, points = 40 };
+  static double y[count][points], z[count][points];
+  wrc_section_line measured[count] = {{0}}, read;
+  for (int k = 0; k < count; ++k) {
+    for (int i = 0; i < points; ++i) {
+      y[k][i] = 1.8e-3 * (i - points / 2);
+      z[k][i] = 2.0 * y[k][i] * y[k][i] + 1e-4 * k;
+    }
+    measured[k] = (wrc_section_line){.distance = 0.5 * k, .count = points, .y = y[k], .z = z[k]};
+  }
+  const char* path = "each_call_sections.txt";
+  wrc_section_file* file;
+  DO(wrc_section_file_write(path, measured, count, NULL, 0));
+  DO(wrc_section_file_read(path, 1.0, 0, 0, &file, NULL, 0)); /* 1.0: metres */
+  remove(path);
+  DO(wrc_section_file_line(file, 1, &read));
+  wrc_rail_faces_problem problem = wrc_rail_faces_problem_default();
+  problem.section_count = count;
+  problem.sections = measured;
+  wrc_rail_faces* faces;
+  wrc_face_outline outline = {.struct_size = sizeof outline};
+  DO(wrc_rail_faces_create(&problem, &faces, NULL, 0));
+  DO(wrc_rail_faces_outline(faces, 1, &outline));
+  printf("rails:  %u points at %.1f m; the face there has %u points from y %.1f mm\n", read.count,
+         read.distance, outline.count, 1e3 * outline.y[0]);
+  wrc_rail_faces_destroy(faces);
+  wrc_section_file_destroy(file);
+}
+
 int main(void) {
   if (wrc_abi_version() != WRC_ABI_VERSION || wrc_version() >> 16 != WRC_VERSION_MAJOR ||
       wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION) == NULL) {
@@ -271,5 +303,6 @@ int main(void) {
   exact_bodies();
   for (int i = 0; i < 2; ++i) free(of_malloc[i]);
   films();
+  sections();
   return EXIT_SUCCESS;
 }

@@ -276,7 +276,7 @@ WRC_API int32_t wrc_rail_faces_create(const wrc_rail_faces_problem* problem, wrc
 
 /** The faces, and the sections of a model.
  * @param faces of wrc_rail_faces_create()
- * @param[in,out] found results
+ * @param[out] found results
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE.
  * @rt init @thread free */
 WRC_API int32_t wrc_rail_faces_found(const wrc_rail_faces* faces, wrc_found_faces* found);
@@ -284,7 +284,7 @@ WRC_API int32_t wrc_rail_faces_found(const wrc_rail_faces* faces, wrc_found_face
 /** A face in one of the sections.
  * @param faces of wrc_rail_faces_create()
  * @param index 0..outline_count - 1
- * @param[in,out] outline results
+ * @param[out] outline results
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE.
  * @rt init @thread free */
 WRC_API int32_t wrc_rail_faces_outline(const wrc_rail_faces* faces, uint32_t index, wrc_face_outline* outline);

@@ -100,9 +100,9 @@ Fault create_faces(const wrc_rail_faces_problem* theirs, wrc_rail_faces*& handle
 }
 
 Fault faces_found(const wrc_rail_faces* handle, wrc_found_faces* found) {
-  wrc_found_faces into;
+  wrc_found_faces into{};
   RETURN_IF_FAILED(clear(found));
-  RETURN_IF_FAILED(read(found, "found", into));
+  if (found == nullptr) return Fault::null("found");
   if (!is_faces(handle)) return Fault::null("faces");
   into.face_count = static_cast<std::uint32_t>(handle->found.faces.size());
   for (const profiles::Face& face : handle->found.faces)
@@ -117,9 +117,9 @@ Fault faces_found(const wrc_rail_faces* handle, wrc_found_faces* found) {
 }
 
 Fault face_outline(const wrc_rail_faces* handle, std::uint32_t index, wrc_face_outline* outline) {
-  wrc_face_outline into;
+  wrc_face_outline into{};
   RETURN_IF_FAILED(clear(outline));
-  RETURN_IF_FAILED(read(outline, "outline", into));
+  if (outline == nullptr) return Fault::null("outline");
   if (!is_faces(handle)) return Fault::null("faces");
   std::size_t first = 0, f = 0;
   const std::vector<profiles::Face>& faces = handle->found.faces;

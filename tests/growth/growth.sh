@@ -73,7 +73,7 @@ built() {
 
 # numbers CALLER LIBRARY: what a caller prints with a library, kept as CALLER.LIBRARY
 numbers() {
-  LD_LIBRARY_PATH=$scratch/$2 "$scratch/$1" >"$scratch/$1.$2" || { echo "WRONG: the caller $1 ends with $? on the library $2"; return 1; }
+  (cd "$scratch" && LD_LIBRARY_PATH=$scratch/$2 "./$1") >"$scratch/$1.$2" || { echo "WRONG: the caller $1 ends with $? on the library $2"; return 1; }
   diff "$scratch/then.today" "$scratch/$1.$2" || { echo "WRONG: the caller $1 has other numbers (>) from the library $2"; return 1; }
   echo "caller $1, library $2: $(wc -l <"$scratch/$1.$2") lines, the same"
 }
@@ -100,7 +100,7 @@ structs() {
   cc -std=c99 -I"$root/include_c" "$caller" "$library" -o "$scratch/then"
   cc -std=c99 -I"$copy/include_c" "$caller" "$library" -o "$scratch/now"
   cc -std=gnu99 -include "$scratch/probes.h" -I"$copy/include_c" "$caller" "$library" -o "$scratch/probing"
-  LD_LIBRARY_PATH=$scratch/today "$scratch/then" >"$scratch/then.today" || return 1
+  (cd "$scratch" && LD_LIBRARY_PATH=$scratch/today ./then) >"$scratch/then.today" || return 1
   numbers now today || wrong=1
   numbers probing today || wrong=1
   if [ "${2:-}" = build ]; then

@@ -112,8 +112,16 @@ inline status flange_dimensions(std::uint32_t count, const double* y, const doub
 inline status rail_faces_create(const wrc_rail_faces_problem& problem, wrc_rail_faces** faces, span<char> text) noexcept { return wrc_rail_faces_create(&problem, faces, text.data(), text.size()); }
 /** wrc_rail_faces_found(); may change in a minor version */
 inline status rail_faces_found(const wrc_rail_faces& faces, wrc_found_faces& found) noexcept { return wrc_rail_faces_found(&faces, &found); }
+inline expected<answer<wrc_found_faces>> try_rail_faces_found(const wrc_rail_faces& faces) noexcept { return detail::attempt_struct<wrc_found_faces>([&](wrc_found_faces& found_) { return rail_faces_found(faces, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline answer<wrc_found_faces> rail_faces_found(const wrc_rail_faces& faces) { return detail::value_or_throw(try_rail_faces_found(faces)); }
+#endif
 /** wrc_rail_faces_outline(); may change in a minor version */
 inline status rail_faces_outline(const wrc_rail_faces& faces, std::uint32_t index, wrc_face_outline& outline) noexcept { return wrc_rail_faces_outline(&faces, index, &outline); }
+inline expected<answer<wrc_face_outline>> try_rail_faces_outline(const wrc_rail_faces& faces, std::uint32_t index) noexcept { return detail::attempt_struct<wrc_face_outline>([&](wrc_face_outline& found_) { return rail_faces_outline(faces, index, found_); }); }
+#ifdef WRC_EXCEPTIONS
+inline answer<wrc_face_outline> rail_faces_outline(const wrc_rail_faces& faces, std::uint32_t index) { return detail::value_or_throw(try_rail_faces_outline(faces, index)); }
+#endif
 /** wrc_section_file_read(); may change in a minor version */
 inline status section_file_read(const char* path, double unit, std::int32_t mirror_y, std::int32_t mirror_z, wrc_section_file** file, span<char> text) noexcept { return wrc_section_file_read(path, unit, mirror_y, mirror_z, file, text.data(), text.size()); }
 /** wrc_section_file_line(); may change in a minor version */

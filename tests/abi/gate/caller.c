@@ -832,6 +832,52 @@ static void profiles(const wrc_model* model) {
   SHOW(flange, height, slope);
 }
 
+/* Measured sections of a rail: written, read, parted into faces. The file lies in the working folder. */
+static void faced(void) {
+  enum { count = 3, points = 40 };
+  static double y[count][points], z[count][points];
+  wrc_section_line line[count];
+  memset(line, 0, sizeof line);
+  for (int k = 0; k < count; ++k) {
+    for (int i = 0; i < points; ++i) {
+      y[k][i] = 1.8e-3 * (i - points / 2);
+      z[k][i] = 2.0 * y[k][i] * y[k][i] + 1e-4 * k;
+    }
+    line[k].distance = 0.5 * k;
+    line[k].count = points;
+    line[k].y = y[k];
+    line[k].z = z[k];
+  }
+  const char* const path = "sections.txt";
+  wrc_section_file* file;
+  wrc_section_line read;
+  DO(wrc_section_file_write(path, line, count, text, sizeof text));
+  DO(wrc_section_file_read(path, 1.0, 0, 0, &file, text, sizeof text));
+  remove(path);
+  DO(wrc_section_file_line(file, 1, &read));
+  SHOW_ONE(read.distance);
+  SHOW_ONE(read.z[3]);
+  wrc_section_file_destroy(file);
+
+  wrc_rail_faces_problem problem = wrc_rail_faces_problem_default();
+  problem.section_count = count;
+  problem.sections = line;
+  wrc_rail_faces* faces;
+  wrc_found_faces found = {sizeof found};
+  wrc_face_outline outline = {sizeof outline};
+  DO(wrc_rail_faces_create(&problem, &faces, text, sizeof text));
+  DO(wrc_rail_faces_found(faces, &found));
+  printf("%u faces, %u outlines, %u sections\n", (unsigned)found.face_count, (unsigned)found.outline_count,
+         (unsigned)found.rail_section_count);
+  const wrc_rail_section* const second =
+      (const wrc_rail_section*)((const char*)found.rail_sections + found.rail_section_size);
+  SHOW_ONE(second->distance);
+  DO(wrc_rail_faces_outline(faces, 1, &outline));
+  SHOW(outline, distance, spacing_error);
+  SHOW_ONE(outline.y[3]);
+  wrc_rail_faces_destroy(faces);
+}
+
 /* What may change in a minor version. */
 static void experimental(void) {
   const wrc_experimental_api* const api = wrc_get_experimental_api(WRC_EXPERIMENTAL_VERSION);
@@ -859,6 +905,7 @@ static void experimental(void) {
   exactly(planar, wheel);
   fitted(planar);
   profiles(model);
+  faced();
   wrc_contact_destroy(planar);
   wrc_contact_destroy(wheel);
   wrc_model_destroy(model);

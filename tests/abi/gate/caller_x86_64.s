@@ -519,7 +519,7 @@ show_regions:
 	imulq	40(%rsp), %rdx
 	testq	%rdx, %rdx
 	je	.L38
-	leaq	values.14(%rip), %rax
+	leaq	values.16(%rip), %rax
 	leaq	(%rax,%rdx,8), %rdx
 	pxor	%xmm0, %xmm0
 .L39:
@@ -588,7 +588,7 @@ show_regions:
 	call	show
 	movl	$0, %ebx
 	leaq	32(%rsp), %r15
-	leaq	values.14(%rip), %r14
+	leaq	values.16(%rip), %r14
 	leaq	.LC26(%rip), %r13
 	jmp	.L40
 .L36:
@@ -2534,6 +2534,45 @@ remembering:
 	.section	.rodata.str1.1
 .LC229:
 	.string	"flange.height"
+.LC231:
+	.string	"sections.txt"
+	.section	.rodata.str1.8
+	.align 8
+.LC232:
+	.string	"wrc_section_file_write(path, line, count, text, sizeof text)"
+	.align 8
+.LC233:
+	.string	"wrc_section_file_read(path, 1.0, 0, 0, &file, text, sizeof text)"
+	.align 8
+.LC234:
+	.string	"wrc_section_file_line(file, 1, &read)"
+	.section	.rodata.str1.1
+.LC235:
+	.string	"read.distance"
+.LC236:
+	.string	"read.z[3]"
+	.section	.rodata.str1.8
+	.align 8
+.LC237:
+	.string	"wrc_rail_faces_create(&problem, &faces, text, sizeof text)"
+	.align 8
+.LC238:
+	.string	"wrc_rail_faces_found(faces, &found)"
+	.align 8
+.LC239:
+	.string	"%u faces, %u outlines, %u sections\n"
+	.section	.rodata.str1.1
+.LC240:
+	.string	"second->distance"
+	.section	.rodata.str1.8
+	.align 8
+.LC241:
+	.string	"wrc_rail_faces_outline(faces, 1, &outline)"
+	.section	.rodata.str1.1
+.LC242:
+	.string	"outline.distance"
+.LC243:
+	.string	"outline.y[3]"
 	.text
 	.type	experimental, @function
 experimental:
@@ -2547,7 +2586,7 @@ experimental:
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	cmpl	$303, (%rax)
-	jbe	.L134
+	jbe	.L138
 	leaq	7856(%rsp), %rbx
 	movq	%rbx, %rdi
 	call	standard
@@ -2628,22 +2667,22 @@ experimental:
 	leaq	.LC126(%rip), %rdi
 	call	show
 	leaq	2928(%rsp), %rbp
-	pxor	%xmm6, %xmm6
-	movaps	%xmm6, 2928(%rsp)
-	movaps	%xmm6, 2944(%rsp)
+	pxor	%xmm4, %xmm4
+	movaps	%xmm4, 2928(%rsp)
+	movaps	%xmm4, 2944(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_bulk_temperatures_init@PLT
-	movdqa	2928(%rsp), %xmm7
-	movaps	%xmm7, 592(%rsp)
-	movdqa	2944(%rsp), %xmm7
-	movaps	%xmm7, 608(%rsp)
+	movdqa	2928(%rsp), %xmm5
+	movaps	%xmm5, 592(%rsp)
+	movdqa	2944(%rsp), %xmm6
+	movaps	%xmm6, 608(%rsp)
 	movq	.LC127(%rip), %rax
 	movq	%rax, 592(%rsp)
-	pxor	%xmm6, %xmm6
-	movups	%xmm6, 708(%rsp)
-	movups	%xmm6, 724(%rsp)
-	movups	%xmm6, 740(%rsp)
-	movups	%xmm6, 756(%rsp)
+	pxor	%xmm4, %xmm4
+	movups	%xmm4, 708(%rsp)
+	movups	%xmm4, 724(%rsp)
+	movups	%xmm4, 740(%rsp)
+	movups	%xmm4, 756(%rsp)
 	movl	$0, 772(%rsp)
 	movl	$72, 704(%rsp)
 	movb	$0, text(%rip)
@@ -2697,24 +2736,24 @@ experimental:
 	call	show_peaks
 	leaq	3336(%rsp), %rdi
 	call	show_peaks
-	pxor	%xmm6, %xmm6
-	movups	%xmm6, 2948(%rsp)
-	movups	%xmm6, 2964(%rsp)
+	pxor	%xmm4, %xmm4
+	movups	%xmm4, 2948(%rsp)
+	movups	%xmm4, 2964(%rsp)
 	movl	$0, 2980(%rsp)
 	movl	$40, 2944(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_fatigue_laws_init@PLT
-	movdqa	2944(%rsp), %xmm7
-	movaps	%xmm7, 608(%rsp)
-	movdqa	2960(%rsp), %xmm7
-	movaps	%xmm7, 624(%rsp)
+	movdqa	2944(%rsp), %xmm5
+	movaps	%xmm5, 608(%rsp)
+	movdqa	2960(%rsp), %xmm6
+	movaps	%xmm6, 624(%rsp)
 	movq	2976(%rsp), %rax
 	movq	%rax, 640(%rsp)
 	movq	%r13, %rdi
 	call	wrc_wear_laws_default
 	movq	.LC131(%rip), %rax
 	movq	%rax, 616(%rsp)
-	leaq	bin.13(%rip), %rbp
+	leaq	bin.15(%rip), %rbp
 	movl	$38376, %edx
 	movl	$0, %esi
 	movq	%rbp, %rdi
@@ -2723,10 +2762,10 @@ experimental:
 	addq	$16, %rsp
 	leaq	2928(%rsp), %r15
 .L106:
-	pxor	%xmm3, %xmm3
-	movups	%xmm3, 2932(%rsp)
-	movups	%xmm3, 2948(%rsp)
-	movups	%xmm3, 2964(%rsp)
+	pxor	%xmm7, %xmm7
+	movups	%xmm7, 2932(%rsp)
+	movups	%xmm7, 2948(%rsp)
+	movups	%xmm7, 2964(%rsp)
 	movl	$0, 2980(%rsp)
 	movl	$56, 2928(%rsp)
 	movq	%r15, %rdi
@@ -2830,9 +2869,9 @@ experimental:
 	addl	$1, %ebx
 	cmpl	$8, %ebx
 	jne	.L107
-	movl	12752+bin.13(%rip), %esi
-	movsd	6504+bin.13(%rip), %xmm1
-	movsd	6496+bin.13(%rip), %xmm0
+	movl	12752+bin.15(%rip), %esi
+	movsd	6504+bin.15(%rip), %xmm1
+	movsd	6496+bin.15(%rip), %xmm0
 	leaq	.LC140(%rip), %rdi
 	movl	$2, %eax
 	call	printf@PLT
@@ -2848,7 +2887,7 @@ experimental:
 	movq	%rbx, %rsi
 	leaq	.LC143(%rip), %rdi
 	call	show
-	leaq	bin.12(%rip), %r13
+	leaq	bin.14(%rip), %r13
 	movl	$29952, %edx
 	movl	$0, %esi
 	movq	%r13, %rdi
@@ -2885,7 +2924,7 @@ experimental:
 	addq	$48, %rbx
 	addq	$9984, %r13
 	jmp	.L110
-.L134:
+.L138:
 	movl	$2, %edi
 	call	exit@PLT
 .L109:
@@ -3144,9 +3183,9 @@ experimental:
 	leaq	.LC173(%rip), %rdi
 	call	show
 	movl	$0, 36(%rsp)
-	pxor	%xmm4, %xmm4
-	movups	%xmm4, 2968(%rsp)
-	movups	%xmm4, 2984(%rsp)
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 2968(%rsp)
+	movups	%xmm5, 2984(%rsp)
 	movl	$12, 2928(%rsp)
 	movl	$14, 2932(%rsp)
 	movsd	.LC174(%rip), %xmm0
@@ -3156,21 +3195,21 @@ experimental:
 	movq	%rax, 2952(%rsp)
 	movq	.LC176(%rip), %rax
 	movq	%rax, 2960(%rsp)
-	movdqa	2928(%rsp), %xmm7
-	movaps	%xmm7, 304(%rsp)
-	movdqa	2944(%rsp), %xmm7
-	movaps	%xmm7, 320(%rsp)
-	movdqa	2960(%rsp), %xmm7
-	movaps	%xmm7, 336(%rsp)
-	movdqa	2976(%rsp), %xmm6
-	movaps	%xmm6, 352(%rsp)
+	movdqa	2928(%rsp), %xmm6
+	movaps	%xmm6, 304(%rsp)
+	movdqa	2944(%rsp), %xmm4
+	movaps	%xmm4, 320(%rsp)
+	movdqa	2960(%rsp), %xmm6
+	movaps	%xmm6, 336(%rsp)
+	movdqa	2976(%rsp), %xmm4
+	movaps	%xmm4, 352(%rsp)
 	movq	2992(%rsp), %rax
 	movq	%rax, 368(%rsp)
 	leaq	text(%rip), %r15
 	movb	$0, text(%rip)
 	movq	%r14, spoken(%rip)
 	leaq	304(%rsp), %rax
-	leaq	gap.11(%rip), %r13
+	leaq	gap.13(%rip), %r13
 	movq	%r13, %rdx
 	movq	%rax, 8(%rsp)
 	movq	%rax, %rsi
@@ -3194,22 +3233,22 @@ experimental:
 	movq	%rbp, %rdi
 	movq	%rbx, %rsi
 	rep movsq
-	pxor	%xmm4, %xmm4
-	movups	%xmm4, 116(%rsp)
-	movups	%xmm4, 132(%rsp)
-	movups	%xmm4, 148(%rsp)
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 116(%rsp)
+	movups	%xmm5, 132(%rsp)
+	movups	%xmm5, 148(%rsp)
 	movl	$0, 164(%rsp)
 	movl	$64, 112(%rsp)
 	movq	.LC46(%rip), %rcx
 	movq	%rcx, 720(%rsp)
-	movdqa	304(%rsp), %xmm7
-	movups	%xmm7, 872(%rsp)
-	movdqa	320(%rsp), %xmm6
-	movups	%xmm6, 888(%rsp)
-	movdqa	336(%rsp), %xmm3
-	movups	%xmm3, 904(%rsp)
-	movdqa	352(%rsp), %xmm7
-	movups	%xmm7, 920(%rsp)
+	movdqa	304(%rsp), %xmm6
+	movups	%xmm6, 872(%rsp)
+	movdqa	320(%rsp), %xmm4
+	movups	%xmm4, 888(%rsp)
+	movdqa	336(%rsp), %xmm6
+	movups	%xmm6, 904(%rsp)
+	movdqa	352(%rsp), %xmm4
+	movups	%xmm4, 920(%rsp)
 	movq	368(%rsp), %rax
 	movq	%rax, 936(%rsp)
 	movq	%r13, 944(%rsp)
@@ -3217,7 +3256,7 @@ experimental:
 	movq	%rcx, 952(%rsp)
 	leaq	36(%rsp), %rax
 	movq	%rax, 960(%rsp)
-	leaq	pressure.10(%rip), %r13
+	leaq	pressure.12(%rip), %r13
 	movq	%r13, 168(%rsp)
 	leaq	112(%rsp), %rsi
 	movl	$400, %ecx
@@ -3246,19 +3285,19 @@ experimental:
 	movl	$47, %ecx
 	movq	%rbx, %rsi
 	rep movsq
-	pxor	%xmm4, %xmm4
-	movups	%xmm4, 484(%rsp)
-	movups	%xmm4, 500(%rsp)
-	movups	%xmm4, 516(%rsp)
-	movups	%xmm4, 532(%rsp)
+	pxor	%xmm5, %xmm5
+	movups	%xmm5, 484(%rsp)
+	movups	%xmm5, 500(%rsp)
+	movups	%xmm5, 516(%rsp)
+	movups	%xmm5, 532(%rsp)
 	movl	$0, 548(%rsp)
 	movl	$104, 480(%rsp)
-	movdqa	304(%rsp), %xmm6
-	movups	%xmm6, 1128(%rsp)
-	movdqa	320(%rsp), %xmm3
-	movups	%xmm3, 1144(%rsp)
-	movdqa	336(%rsp), %xmm4
-	movups	%xmm4, 1160(%rsp)
+	movdqa	304(%rsp), %xmm5
+	movups	%xmm5, 1128(%rsp)
+	movdqa	320(%rsp), %xmm5
+	movups	%xmm5, 1144(%rsp)
+	movdqa	336(%rsp), %xmm5
+	movups	%xmm5, 1160(%rsp)
 	movdqa	352(%rsp), %xmm5
 	movups	%xmm5, 1176(%rsp)
 	movq	368(%rsp), %rax
@@ -3268,13 +3307,13 @@ experimental:
 	movq	%rax, 1224(%rsp)
 	movq	.LC76(%rip), %rax
 	movq	%rax, 1240(%rsp)
-	leaq	traction_x.9(%rip), %rbp
+	leaq	traction_x.11(%rip), %rbp
 	movq	%rbp, 552(%rsp)
-	leaq	traction_y.8(%rip), %rax
+	leaq	traction_y.10(%rip), %rax
 	movq	%rax, 560(%rsp)
-	leaq	slip_x.7(%rip), %rax
+	leaq	slip_x.9(%rip), %rax
 	movq	%rax, 568(%rsp)
-	leaq	slip_y.6(%rip), %rbx
+	leaq	slip_y.8(%rip), %rbx
 	movq	%rbx, 576(%rsp)
 	leaq	480(%rsp), %rsi
 	leaq	976(%rsp), %rdi
@@ -3297,22 +3336,22 @@ experimental:
 	leaq	.LC185(%rip), %rdi
 	call	show
 	movq	$0, 40(%rsp)
-	movdqu	1000(%rsp), %xmm7
-	movaps	%xmm7, 176(%rsp)
+	movdqu	1000(%rsp), %xmm5
+	movaps	%xmm5, 176(%rsp)
 	movdqu	1016(%rsp), %xmm6
 	movaps	%xmm6, 192(%rsp)
-	movdqu	1032(%rsp), %xmm3
-	movaps	%xmm3, 208(%rsp)
-	movdqu	1048(%rsp), %xmm4
-	movaps	%xmm4, 224(%rsp)
-	movdqu	1064(%rsp), %xmm5
-	movaps	%xmm5, 240(%rsp)
+	movdqu	1032(%rsp), %xmm4
+	movaps	%xmm4, 208(%rsp)
+	movdqu	1048(%rsp), %xmm5
+	movaps	%xmm5, 224(%rsp)
+	movdqu	1064(%rsp), %xmm6
+	movaps	%xmm6, 240(%rsp)
 	movdqu	1080(%rsp), %xmm7
 	movaps	%xmm7, 256(%rsp)
-	movdqu	1096(%rsp), %xmm6
-	movaps	%xmm6, 272(%rsp)
-	movdqu	1112(%rsp), %xmm3
-	movaps	%xmm3, 288(%rsp)
+	movdqu	1096(%rsp), %xmm4
+	movaps	%xmm4, 272(%rsp)
+	movdqu	1112(%rsp), %xmm5
+	movaps	%xmm5, 288(%rsp)
 	leaq	40(%rsp), %rcx
 	leaq	240(%rsp), %rdx
 	leaq	176(%rsp), %rsi
@@ -3356,23 +3395,23 @@ experimental:
 	movl	$112, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_loads_init@PLT
-	movdqa	2928(%rsp), %xmm4
-	movaps	%xmm4, 592(%rsp)
-	movdqa	3024(%rsp), %xmm5
-	movaps	%xmm5, 688(%rsp)
-	movdqa	304(%rsp), %xmm7
-	movaps	%xmm7, 608(%rsp)
-	movdqa	320(%rsp), %xmm6
-	movaps	%xmm6, 624(%rsp)
-	movdqa	336(%rsp), %xmm3
-	movaps	%xmm3, 640(%rsp)
-	movdqa	352(%rsp), %xmm4
-	movaps	%xmm4, 656(%rsp)
+	movdqa	2928(%rsp), %xmm6
+	movaps	%xmm6, 592(%rsp)
+	movdqa	3024(%rsp), %xmm7
+	movaps	%xmm7, 688(%rsp)
+	movdqa	304(%rsp), %xmm4
+	movaps	%xmm4, 608(%rsp)
+	movdqa	320(%rsp), %xmm5
+	movaps	%xmm5, 624(%rsp)
+	movdqa	336(%rsp), %xmm6
+	movaps	%xmm6, 640(%rsp)
+	movdqa	352(%rsp), %xmm7
+	movaps	%xmm7, 656(%rsp)
 	movq	368(%rsp), %rax
 	movq	%rax, 672(%rsp)
-	leaq	pressure.10(%rip), %rax
+	leaq	pressure.12(%rip), %rax
 	movq	%rax, 680(%rsp)
-	leaq	traction_x.9(%rip), %rax
+	leaq	traction_x.11(%rip), %rax
 	movq	%rax, 688(%rsp)
 	movq	$0x000000000, 64(%rsp)
 	movq	$0x000000000, 72(%rsp)
@@ -3445,21 +3484,21 @@ experimental:
 	movl	%eax, %edi
 	leaq	.LC123(%rip), %rsi
 	call	done
-	pxor	%xmm5, %xmm5
-	movups	%xmm5, 2932(%rsp)
-	movups	%xmm5, 2944(%rsp)
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 2932(%rsp)
+	movups	%xmm6, 2944(%rsp)
 	movl	$32, 2928(%rsp)
 	movq	%rbx, %rdi
 	call	wrc_exact_check_options_init@PLT
-	movdqa	2928(%rsp), %xmm7
-	movaps	%xmm7, 592(%rsp)
-	movdqa	2944(%rsp), %xmm6
-	movaps	%xmm6, 608(%rsp)
-	pxor	%xmm5, %xmm5
-	movups	%xmm5, 980(%rsp)
-	movups	%xmm5, 996(%rsp)
-	movups	%xmm5, 1012(%rsp)
-	movups	%xmm5, 1024(%rsp)
+	movdqa	2928(%rsp), %xmm4
+	movaps	%xmm4, 592(%rsp)
+	movdqa	2944(%rsp), %xmm5
+	movaps	%xmm5, 608(%rsp)
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 980(%rsp)
+	movups	%xmm6, 996(%rsp)
+	movups	%xmm6, 1012(%rsp)
+	movups	%xmm6, 1024(%rsp)
 	movl	$64, 976(%rsp)
 	movl	$12, 600(%rsp)
 	movl	$12, 596(%rsp)
@@ -3479,17 +3518,17 @@ experimental:
 	movq	%rbx, %rdi
 	call	rolling
 	leaq	1364(%rsp), %r15
-	pxor	%xmm5, %xmm5
-	movups	%xmm5, 1364(%rsp)
-	movups	%xmm5, 1380(%rsp)
-	movups	%xmm5, 1392(%rsp)
+	pxor	%xmm6, %xmm6
+	movups	%xmm6, 1364(%rsp)
+	movups	%xmm6, 1380(%rsp)
+	movups	%xmm6, 1392(%rsp)
 	movl	$48, 1360(%rsp)
 	movq	%rbp, %rdi
 	call	wrc_exact_wrench_options_init@PLT
-	movdqa	1360(%rsp), %xmm5
-	movaps	%xmm5, 704(%rsp)
-	movdqa	1392(%rsp), %xmm3
-	movaps	%xmm3, 736(%rsp)
+	movdqa	1360(%rsp), %xmm6
+	movaps	%xmm6, 704(%rsp)
+	movdqa	1392(%rsp), %xmm7
+	movaps	%xmm7, 736(%rsp)
 	movq	$0, 1364(%rsp)
 	movq	$0, 1536(%rsp)
 	leaq	1368(%rsp), %rdi
@@ -3734,7 +3773,7 @@ experimental:
 	leaq	.LC217(%rip), %rdi
 	call	show
 	movl	$0, %eax
-	leaq	arc.5(%rip), %rdx
+	leaq	arc.7(%rip), %rdx
 	movsd	.LC63(%rip), %xmm2
 	movsd	.LC218(%rip), %xmm1
 .L117:
@@ -3746,19 +3785,19 @@ experimental:
 	addq	$1, %rax
 	cmpq	$240, %rax
 	jne	.L117
-	leaq	depth.4(%rip), %rdx
+	leaq	depth.6(%rip), %rdx
 	movl	$-81, %eax
 .L121:
 	cmpl	$38, %eax
-	jbe	.L135
+	jbe	.L139
 	movq	$0x000000000, (%rdx)
 	addl	$1, %eax
 	addq	$8, %rdx
 	cmpl	$119, %eax
 	jne	.L121
-	leaq	z.2(%rip), %r9
-	leaq	y.3(%rip), %r8
-	leaq	arc.5(%rip), %rcx
+	leaq	z.4(%rip), %r9
+	leaq	y.5(%rip), %r8
+	leaq	arc.7(%rip), %rcx
 	movl	$240, %edx
 	movl	$0, %esi
 	movq	(%rsp), %rdi
@@ -3767,7 +3806,7 @@ experimental:
 	leaq	.LC221(%rip), %rsi
 	call	done
 	movl	$1, %edx
-	leaq	960+z.2(%rip), %rsi
+	leaq	960+z.4(%rip), %rsi
 	leaq	.LC222(%rip), %rdi
 	call	show
 	leaq	1360(%rsp), %r15
@@ -3780,35 +3819,35 @@ experimental:
 	movl	$88, 1360(%rsp)
 	movq	%r15, %rdi
 	call	wrc_profile_wear_init@PLT
-	movdqa	1360(%rsp), %xmm7
-	movaps	%xmm7, 976(%rsp)
-	movdqa	1408(%rsp), %xmm6
-	movaps	%xmm6, 1024(%rsp)
-	movdqa	1424(%rsp), %xmm3
-	movaps	%xmm3, 1040(%rsp)
+	movdqa	1360(%rsp), %xmm6
+	movaps	%xmm6, 976(%rsp)
+	movdqa	1408(%rsp), %xmm7
+	movaps	%xmm7, 1024(%rsp)
+	movdqa	1424(%rsp), %xmm4
+	movaps	%xmm4, 1040(%rsp)
 	movq	1440(%rsp), %rax
 	movq	%rax, 1056(%rsp)
 	movl	$240, 984(%rsp)
-	leaq	y.3(%rip), %rbx
+	leaq	y.5(%rip), %rbx
 	movq	%rbx, 992(%rsp)
-	leaq	z.2(%rip), %rbp
+	leaq	z.4(%rip), %rbp
 	movq	%rbp, 1000(%rsp)
 	movl	$200, 988(%rsp)
-	leaq	depth.4(%rip), %rax
-	movq	%rax, 1008(%rsp)
-	movq	.LC223(%rip), %rax
-	movq	%rax, 1016(%rsp)
-	movq	.LC224(%rip), %rax
-	movq	%rax, 1032(%rsp)
+	leaq	depth.6(%rip), %rcx
+	movq	%rcx, 1008(%rsp)
+	movq	.LC223(%rip), %rcx
+	movq	%rcx, 1016(%rsp)
+	movq	.LC224(%rip), %rcx
+	movq	%rcx, 1032(%rsp)
 	pxor	%xmm0, %xmm0
 	movups	%xmm0, 1368(%rsp)
 	movups	%xmm0, 1384(%rsp)
 	movups	%xmm0, 1400(%rsp)
 	movl	$56, 1360(%rsp)
 	movl	$2000, 1364(%rsp)
-	leaq	worn_y.1(%rip), %rax
-	movq	%rax, 1376(%rsp)
-	leaq	worn_z.0(%rip), %r13
+	leaq	worn_y.3(%rip), %rcx
+	movq	%rcx, 1376(%rsp)
+	leaq	worn_z.2(%rip), %r13
 	movq	%r13, 1384(%rsp)
 	leaq	976(%rsp), %rdi
 	movl	$400, %ecx
@@ -3822,9 +3861,9 @@ experimental:
 	movl	$3, %edx
 	leaq	.LC226(%rip), %rdi
 	call	show
-	movl	1368(%rsp), %eax
-	shrl	%eax
-	movl	%eax, %eax
+	movl	1368(%rsp), %ecx
+	shrl	%ecx
+	movl	%ecx, %eax
 	leaq	0(%r13,%rax,8), %rsi
 	movl	$1, %edx
 	leaq	.LC227(%rip), %rdi
@@ -3845,6 +3884,170 @@ experimental:
 	movq	%r13, %rsi
 	leaq	.LC229(%rip), %rdi
 	call	show
+	leaq	2928(%rsp), %rdx
+	movl	$24, %ecx
+	movq	%rdx, %rdi
+	movl	$0, %eax
+	rep stosq
+	movq	%rdx, %rdi
+	leaq	y.1(%rip), %rsi
+	leaq	z.0(%rip), %rcx
+	movl	$0, %r8d
+	movsd	.LC75(%rip), %xmm6
+	movsd	.LC230(%rip), %xmm3
+	movsd	.LC133(%rip), %xmm5
+.L122:
+	pxor	%xmm4, %xmm4
+	cvtsi2sdl	%r8d, %xmm4
+	movapd	%xmm4, %xmm2
+	mulsd	%xmm6, %xmm2
+	movl	$0, %eax
+.L123:
+	leal	-20(%rax), %edx
+	pxor	%xmm0, %xmm0
+	cvtsi2sdl	%edx, %xmm0
+	mulsd	%xmm3, %xmm0
+	movsd	%xmm0, (%rsi,%rax,8)
+	movapd	%xmm0, %xmm1
+	addsd	%xmm0, %xmm1
+	mulsd	%xmm0, %xmm1
+	addsd	%xmm2, %xmm1
+	movsd	%xmm1, (%rcx,%rax,8)
+	addq	$1, %rax
+	cmpq	$40, %rax
+	jne	.L123
+	mulsd	%xmm5, %xmm4
+	movsd	%xmm4, (%rdi)
+	movl	$40, 8(%rdi)
+	movq	%rsi, 16(%rdi)
+	movq	%rcx, 24(%rdi)
+	addl	$1, %r8d
+	addq	$64, %rdi
+	addq	$320, %rsi
+	addq	$320, %rcx
+	cmpl	$3, %r8d
+	jne	.L122
+	leaq	2928(%rsp), %r13
+	movl	$400, %r8d
+	leaq	text(%rip), %rbp
+	movq	%rbp, %rcx
+	movl	$3, %edx
+	movq	%r13, %rsi
+	leaq	.LC231(%rip), %rbx
+	movq	%rbx, %rdi
+	call	wrc_section_file_write@PLT
+	movl	%eax, %edi
+	leaq	.LC232(%rip), %rsi
+	call	done
+	leaq	384(%rsp), %rcx
+	movl	$400, %r9d
+	movq	%rbp, %r8
+	movl	$0, %edx
+	movl	$0, %esi
+	movsd	.LC70(%rip), %xmm0
+	movq	%rbx, %rdi
+	call	wrc_section_file_read@PLT
+	movl	%eax, %edi
+	leaq	.LC233(%rip), %rsi
+	call	done
+	movq	%rbx, %rdi
+	call	remove@PLT
+	leaq	704(%rsp), %rbx
+	movq	%rbx, %rdx
+	movl	$1, %esi
+	movq	384(%rsp), %rdi
+	call	wrc_section_file_line@PLT
+	movl	%eax, %edi
+	leaq	.LC234(%rip), %rsi
+	call	done
+	movl	$1, %edx
+	movq	%rbx, %rsi
+	leaq	.LC235(%rip), %rdi
+	call	show
+	movq	728(%rsp), %rax
+	leaq	24(%rax), %rsi
+	movl	$1, %edx
+	leaq	.LC236(%rip), %rdi
+	call	show
+	movq	384(%rsp), %rdi
+	call	wrc_section_file_destroy@PLT
+	leaq	1360(%rsp), %rbx
+	movq	$0, 1364(%rsp)
+	movq	$0, 1440(%rsp)
+	leaq	1368(%rsp), %rdi
+	movl	$10, %ecx
+	movl	$0, %eax
+	rep stosq
+	movl	$88, 1360(%rsp)
+	movq	%rbx, %rdi
+	call	wrc_rail_faces_problem_init@PLT
+	movdqa	1360(%rsp), %xmm5
+	movaps	%xmm5, 976(%rsp)
+	movdqa	1376(%rsp), %xmm6
+	movaps	%xmm6, 992(%rsp)
+	movdqa	1392(%rsp), %xmm7
+	movaps	%xmm7, 1008(%rsp)
+	movdqa	1408(%rsp), %xmm4
+	movaps	%xmm4, 1024(%rsp)
+	movdqa	1424(%rsp), %xmm5
+	movaps	%xmm5, 1040(%rsp)
+	movq	1440(%rsp), %rax
+	movq	%rax, 1056(%rsp)
+	movl	$3, 980(%rsp)
+	movq	%r13, 984(%rsp)
+	pxor	%xmm0, %xmm0
+	movups	%xmm0, 596(%rsp)
+	movups	%xmm0, 612(%rsp)
+	movups	%xmm0, 624(%rsp)
+	movl	$48, 592(%rsp)
+	movups	%xmm0, 1364(%rsp)
+	movups	%xmm0, 1380(%rsp)
+	movups	%xmm0, 1396(%rsp)
+	movups	%xmm0, 1408(%rsp)
+	movl	$64, 1360(%rsp)
+	leaq	480(%rsp), %rsi
+	leaq	976(%rsp), %rdi
+	movl	$400, %ecx
+	movq	%rbp, %rdx
+	call	wrc_rail_faces_create@PLT
+	movl	%eax, %edi
+	leaq	.LC237(%rip), %rsi
+	call	done
+	leaq	592(%rsp), %rsi
+	movq	480(%rsp), %rdi
+	call	wrc_rail_faces_found@PLT
+	movl	%eax, %edi
+	leaq	.LC238(%rip), %rsi
+	call	done
+	movl	604(%rsp), %ecx
+	movl	600(%rsp), %edx
+	movl	596(%rsp), %esi
+	leaq	.LC239(%rip), %rdi
+	movl	$0, %eax
+	call	printf@PLT
+	movl	608(%rsp), %esi
+	addq	616(%rsp), %rsi
+	movl	$1, %edx
+	leaq	.LC240(%rip), %rdi
+	call	show
+	movq	%rbx, %rdx
+	movl	$1, %esi
+	movq	480(%rsp), %rdi
+	call	wrc_rail_faces_outline@PLT
+	movl	%eax, %edi
+	leaq	.LC241(%rip), %rsi
+	call	done
+	leaq	1384(%rsp), %rsi
+	movl	$2, %edx
+	leaq	.LC242(%rip), %rdi
+	call	show
+	movq	1400(%rsp), %rax
+	leaq	24(%rax), %rsi
+	movl	$1, %edx
+	leaq	.LC243(%rip), %rdi
+	call	show
+	movq	480(%rsp), %rdi
+	call	wrc_rail_faces_destroy@PLT
 	movq	%r14, %rdi
 	call	wrc_contact_destroy@PLT
 	movq	%r12, %rdi
@@ -3859,7 +4062,7 @@ experimental:
 	popq	%r14
 	popq	%r15
 	ret
-.L135:
+.L139:
 	leal	1(%rax), %esi
 	pxor	%xmm0, %xmm0
 	cvtsi2sdl	%esi, %xmm0
@@ -3875,7 +4078,7 @@ experimental:
 	addq	$8, %rdx
 	jmp	.L121
 .L108:
-	movq	.LC230(%rip), %rax
+	movq	.LC244(%rip), %rax
 	movq	%rax, 16(%rbx)
 	sete	%al
 	movzbl	%al, %eax
@@ -3888,11 +4091,11 @@ experimental:
 	jmp	.L110
 	.size	experimental, .-experimental
 	.section	.rodata.str1.1
-.LC231:
+.LC245:
 	.string	"%s; %s\n"
-.LC232:
+.LC246:
 	.string	"%d %d\n"
-.LC233:
+.LC247:
 	.string	"blocks of memory %d\n"
 	.text
 	.globl	main
@@ -3902,22 +4105,22 @@ main:
 	movl	$900, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	je	.L137
+	je	.L141
 	movq	%rax, %rbx
 	cmpl	$359, (%rax)
-	jbe	.L137
+	jbe	.L141
 	movl	$1, %edi
 	call	wrc_get_api@PLT
 	testq	%rax, %rax
-	jne	.L139
+	jne	.L143
 	call	*8(%rbx)
 	movl	%eax, %ebx
 	call	wrc_version@PLT
 	cmpl	%eax, %ebx
-	jne	.L139
+	jne	.L143
 	call	wrc_abi_version@PLT
 	cmpl	$900, %eax
-	jne	.L139
+	jne	.L143
 	movl	$1, %edi
 	call	wrc_status_text@PLT
 	movq	%rax, %rbx
@@ -3925,7 +4128,7 @@ main:
 	call	wrc_status_name@PLT
 	movq	%rax, %rsi
 	movq	%rbx, %rdx
-	leaq	.LC231(%rip), %rdi
+	leaq	.LC245(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wrc_build_info@PLT
@@ -3938,7 +4141,7 @@ main:
 	setne	%sil
 	movzbl	%sil, %esi
 	movl	%ebx, %edx
-	leaq	.LC232(%rip), %rdi
+	leaq	.LC246(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	call	wheel_on_a_rail
@@ -3947,55 +4150,59 @@ main:
 	call	posed
 	call	given
 	movl	blocks(%rip), %esi
-	leaq	.LC233(%rip), %rdi
+	leaq	.LC247(%rip), %rdi
 	movl	$0, %eax
 	call	printf@PLT
 	movl	$1, %edi
 	call	wrc_get_experimental_api@PLT
 	testq	%rax, %rax
-	je	.L141
+	je	.L145
 	call	experimental
-.L141:
+.L145:
 	movl	$0, %eax
 	popq	%rbx
 	ret
-.L137:
+.L141:
 	movl	$2, %edi
 	call	exit@PLT
-.L139:
+.L143:
 	movl	$2, %edi
 	call	exit@PLT
 	.size	main, .-main
-	.local	worn_z.0
-	.comm	worn_z.0,16000,32
-	.local	worn_y.1
-	.comm	worn_y.1,16000,32
-	.local	z.2
-	.comm	z.2,1920,32
-	.local	y.3
-	.comm	y.3,1920,32
-	.local	depth.4
-	.comm	depth.4,1600,32
-	.local	arc.5
-	.comm	arc.5,1920,32
-	.local	slip_y.6
-	.comm	slip_y.6,1344,32
-	.local	slip_x.7
-	.comm	slip_x.7,1344,32
-	.local	traction_y.8
-	.comm	traction_y.8,1344,32
-	.local	traction_x.9
-	.comm	traction_x.9,1344,32
-	.local	pressure.10
-	.comm	pressure.10,1344,32
-	.local	gap.11
-	.comm	gap.11,1344,32
-	.local	bin.12
-	.comm	bin.12,29952,32
-	.local	bin.13
-	.comm	bin.13,38376,32
-	.local	values.14
-	.comm	values.14,102400,32
+	.local	z.0
+	.comm	z.0,960,32
+	.local	y.1
+	.comm	y.1,960,32
+	.local	worn_z.2
+	.comm	worn_z.2,16000,32
+	.local	worn_y.3
+	.comm	worn_y.3,16000,32
+	.local	z.4
+	.comm	z.4,1920,32
+	.local	y.5
+	.comm	y.5,1920,32
+	.local	depth.6
+	.comm	depth.6,1600,32
+	.local	arc.7
+	.comm	arc.7,1920,32
+	.local	slip_y.8
+	.comm	slip_y.8,1344,32
+	.local	slip_x.9
+	.comm	slip_x.9,1344,32
+	.local	traction_y.10
+	.comm	traction_y.10,1344,32
+	.local	traction_x.11
+	.comm	traction_x.11,1344,32
+	.local	pressure.12
+	.comm	pressure.12,1344,32
+	.local	gap.13
+	.comm	gap.13,1344,32
+	.local	bin.14
+	.comm	bin.14,29952,32
+	.local	bin.15
+	.comm	bin.15,38376,32
+	.local	values.16
+	.comm	values.16,102400,32
 	.local	blocks
 	.comm	blocks,4,4
 	.local	spoken
@@ -4349,6 +4556,10 @@ main:
 	.long	1084178432
 	.align 8
 .LC230:
+	.long	1216334738
+	.long	1063091647
+	.align 8
+.LC244:
 	.long	-343597384
 	.long	1070512209
 	.ident	"GCC: (Debian 12.2.0-14+deb12u1) 12.2.0"

@@ -36,8 +36,8 @@ case $1 in
         sed 's/.*/void &(void) {}/' >"$scratch/gone.c"
       cc "$here/caller_x86_64.s" "$scratch/gone.c" "${run[@]}" -o "$scratch/then"
       cc -std=c99 -I"$include" "$here/caller.c" "${run[@]}" -o "$scratch/now"
-      "$scratch/then" >"$scratch/then.txt" || { echo "the host of then ends with $?; $renew"; exit 1; }
-      "$scratch/now" >"$scratch/now.txt"
+      (cd "$scratch" && ./then) >"$scratch/then.txt" || { echo "the host of then ends with $?; $renew"; exit 1; }
+      (cd "$scratch" && ./now) >"$scratch/now.txt"
       then=$(sed -n 's|^#if WRC_EXPERIMENTAL_VERSION == ||p' "$here/baseline.h")
       if ! grep -q "^#define WRC_EXPERIMENTAL_VERSION $then\$" "$include/wrc/wrc.h"; then
         echo "experimental interface $then is no longer there: held is the other"
