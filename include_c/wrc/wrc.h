@@ -297,7 +297,7 @@ enum wrc_wrench_input {
   WRC_BY_RAIL_Z_SLOPE = 20,      /**< rail.z_slope [-]; 0 of a roller */
   WRC_BY_ROLLER_RATE = 21,       /**< roller_rate [rad/s]; 0 of a rail that is no roller */
   WRC_BY_FRICTION = 22,          /**< a factor, here 1, on all coefficients of `friction` [-] */
-  WRC_BY_TIME_STEP = 23          /**< time_step [s], of config.surface.memory; where it is 0, to the side of time */
+  WRC_BY_TIME_STEP = 23          /**< time_step [s], of config.surface.memory; at time_step 0 towards larger times */
 };
 
 #define WRC_WRENCH_INPUTS 24 /**< columns of wrc_wrench_derivatives that this version fills */
@@ -369,7 +369,7 @@ typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
   double y;             /**< place of the profile's origin from that of config.rail, to the field side, -0.5..0.5 m [0] */
   double z;             /**< the same downwards, -0.5..0.5 m [0] */
-  int32_t surface;      /**< which surface it is of, 0..7; sections of one surface stand side by side. Count from the gauge side [0] */
+  int32_t surface;      /**< number of its surface, counted from the gauge side, 0..7; sections of one surface stand side by side [0] */
   uint32_t mark_count;  /**< number of marks, 0..64; equal for all sections of a surface [0] */
   const double* marks;  /**< `mark_count` of them: y on this profile, -0.5..0.5 m, increasing by 1 mm at least, also from
                              the ends [required] */
@@ -433,8 +433,8 @@ typedef struct wrc_config_surface {
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
                             takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
   double max_iterations; /**< work that the normal problem at one height may take, in iterations over all strips that overlap
-                            there, and twice as many over those in contact, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The end is
-                            that of max_work [1e6] */
+                            there, and twice as many over those in contact, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The call
+                            then ends as with max_work [1e6] */
   double reserved[9];    /**< 0 */
 } wrc_config_surface;
 
@@ -538,7 +538,7 @@ typedef struct wrc_friction {
                                 layer_yield at least; goes with layer_yield, -1e13..1e14 Pa/m [0] */
   double adhesion_reduction; /**< Polach's k_A: factor on the gradient of traction where the patch sticks, 0 or 0.001..1; of
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
-  double slip_reduction;   /**< Polach's k_S: the same where it slips, at most adhesion_reduction, 0 or 0.001..1; of
+  double slip_reduction;   /**< Polach's k_S: that factor where the patch slips, at most adhesion_reduction, 0 or 0.001..1; of
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
   double reserved[6];      /**< 0 */
 } wrc_friction;
@@ -790,8 +790,8 @@ WRC_DEFAULT_SIZED(wrc_wheel_input)
 WRC_API int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size);
 
 /** Sets the law and the layer of friction by a name of WRC_FRICTION_LIST (wrc_methods.h), which has their sources: "Polach dry",
- * "sand", "locomotive" ... Members set: coefficient, speed_law, kinetic_ratio, fall_rate, slope_reduction (1), slope_fall (0),
- * adhesion_reduction, slip_reduction and the layer's. Others stay. Theory manual, section 5.
+ * "sand", "locomotive" ... It sets coefficient, speed_law, kinetic_ratio, fall_rate, slope_reduction (1), slope_fall (0),
+ * adhesion_reduction, slip_reduction and the members of the layer. Other members keep their values. Theory manual, section 5.
  * @param[in,out] friction of wrc_friction_default()
  * @param name one of the list
  * @param[out] text the sentence behind the status, terminated, cut if need be; empty after WRC_OK; NULL: not wanted
@@ -993,8 +993,9 @@ WRC_API int32_t wrc_contact_mark(wrc_contact* contact);
 WRC_API int32_t wrc_contact_commit(wrc_contact* contact);
 
 /** wrc_contact_wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete equations, not
- * differences. Over temperature and with config.surface.memory the part of the tractions is a difference. Two to three times the
- * time of the wrench, over temperature four to five times, with memory ten, four where a load is given. Theory manual, section 9.
+ * differences. Over temperature and with config.surface.memory the part of the tractions is a difference. The call takes two to
+ * three times the time of the wrench, over temperature four to five times. With memory it takes ten times, with a load given four
+ * times. Theory manual, section 9.
  * @param contact of a model of WRC_NORMAL_STRIP_HALFSPACE and WRC_TANGENTIAL_STRIP_FASTSIM; others are WRC_ERROR_UNSUPPORTED
  * @param input as for wrc_contact_wrench()
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted

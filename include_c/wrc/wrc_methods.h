@@ -98,9 +98,10 @@ enum wrc_flexibility {
   X(real_time, "real time", 1e-3, 0.25e-3, 3e-4, 1e6, 8)           \
   X(reference, "reference", 0.25e-3, 0.125e-3, 1e-9, 1e8, 1e6)
 
-/** Friction and layers by name, X(identifier, "name", coefficient, WRC_SPEED_LAW_..., kinetic_ratio, fall_rate [s/m],
- * adhesion_reduction, slip_reduction, layer_thickness [m], layer_modulus, layer_yield [Pa], layer_hardening [Pa/m], "source",
- * "how far it is confirmed"). wrc_friction_use() sets them. The factors of adhesion and slip are read by WRC_TANGENTIAL_POLACH alone. */
+/** Friction and layers by name, with their sources. wrc_friction_use() sets them: X(identifier, "name", coefficient,
+ * WRC_SPEED_LAW_..., kinetic_ratio, fall_rate [s/m], adhesion_reduction, slip_reduction, layer_thickness [m], layer_modulus,
+ * layer_yield [Pa], layer_hardening [Pa/m], "source", "how far it is confirmed"). WRC_TANGENTIAL_POLACH alone reads
+ * adhesion_reduction and slip_reduction. */
 #define WRC_FRICTION_LIST(X)                                                                                                  \
   X(polach_dry, "Polach dry", 0.55, EXPONENTIAL, 0.4, 0.6, 1, 0.4, 0, 0, 0, 0, "Polach, Wear 258 (2005)",                     \
     "remembered, not read again; not compared with his measurements")                                                         \

@@ -200,44 +200,44 @@ enum wrc_creep_parameter {
 
 #define WRC_CREEP_PARAMETERS 10 /**< places of the arrays of wrc_creep_fit that this version fills */
 
-/** How measured adhesion scatters. */
+/** Scatter of measured adhesion. */
 enum wrc_scatter {
-  WRC_SCATTER_RELATIVE = 0, /**< in proportion to the adhesion, and to a hundredth of the largest at least */
+  WRC_SCATTER_RELATIVE = 0, /**< in proportion to the adhesion, and at least to a hundredth of the largest */
   WRC_SCATTER_ABSOLUTE = 1  /**< by the same amount at every point */
 };
 
 /** A measured curve of adhesion over slip, and the law to be fitted to it. */
 typedef struct wrc_creep_curve {
   uint32_t struct_size;   /**< sizeof this struct, 376 or more */
-  uint32_t count;         /**< points, three more than parameters at least, 4..100000 [0] */
+  uint32_t count;         /**< number of points, at least three more than parameters, 4..100000 [0] */
   const double* slip;     /**< `count` of them: amount of the longitudinal creepage, 1e-7..1 [required] */
   const double* adhesion; /**< `count` of them: longitudinal force over load, against the slip positive, -0.2..2 [required] */
   const double* speed;    /**< `count` of them: rolling speed, 1e-3..200 m/s [required] */
-  const double* load;     /**< `count` of them: of the wheel, 1..1e7 N [required] */
+  const double* load;     /**< `count` of them: load of the wheel, 1..1e7 N [required] */
   wrc_ellipse ellipse;    /**< the patch under ellipse.normal_force. Its axes grow with the cube root of the load (Hertz) */
-  wrc_friction friction;  /**< the law, without zones and temperatures. The fit begins with its values and keeps those it
-                               does not look for */
+  wrc_friction friction;  /**< the law, without zones and temperatures. The fit begins with its values and keeps those of
+                               other parameters */
   uint32_t parameters;    /**< bit 1 << parameter for each enum wrc_creep_parameter to be found, 1..1023 [1] */
   int32_t scatter;        /**< enum wrc_scatter [WRC_SCATTER_RELATIVE] */
-  int32_t max_iterations; /**< of the fit, 1..1000 [100] */
+  int32_t max_iterations; /**< cap on the iterations of the fit, 1..1000 [100] */
   uint32_t reserved0;     /**< 0 */
   wrc_progress progress;  /**< called between iterations; NULL: none [NULL] */
   void* user;             /**< handed to progress [NULL] */
 } wrc_creep_curve;
 
-/** The law that fits best, and how far the curve determines it. Arrays are over enum wrc_creep_parameter, with 0 of parameters that
- * were not looked for. */
+/** The law that fits best, and how far the curve determines it. Arrays are over enum wrc_creep_parameter, with 0 for parameters that
+ * were not to be found. */
 typedef struct wrc_creep_fit {
   uint32_t struct_size;   /**< sizeof this struct, 2832 or more */
   uint32_t flags;         /**< bit 1 << flag for each WRC_FLAG_... met */
   int32_t iterations;     /**< of the fit */
-  uint32_t undetermined;  /**< bits of parameters that the curve does not determine: any value, or only a combination of several,
-                               would fit. Their deviation is infinite, their interval the whole range */
+  uint32_t undetermined;  /**< bits of parameters that the curve does not determine: any value fits, or only a combination of
+                               several is determined. Their deviation is infinite, their interval the whole range */
   uint32_t at_limit;      /**< bits of parameters that ended at the end of their range */
   uint32_t reserved0;     /**< 0 */
   double scatter;         /**< standard deviation of the measured points from the law: relative, or of the adhesion [-] */
   wrc_friction friction;  /**< the law that fits best */
-  double value[16];       /**< that fits best, in the unit of the parameter */
+  double value[16];       /**< value that fits best, in the unit of the parameter */
   double deviation[16];   /**< standard deviation of that value, in the same unit */
   double low[16];         /**< lower end of the interval that holds the true value with 95 % */
   double high[16];        /**< its upper end */
@@ -404,14 +404,14 @@ WRC_API int32_t wrc_exact_wrench(wrc_contact* contact, const wrc_wheel_input* in
                                 const wrc_exact_wrench_options* options, wrc_wrench* wrench);
 
 /** Fits parameters of friction and of a layer to a measured creep curve, by the tangential method of a contact. Weighted least squares
- * by Levenberg and Marquardt, within the ranges of the members; positive parameters by their logarithm, which is also what
- * intervals are made of. The scatter of the points is found with the parameters, and gives their spread. Theory manual, section 5.
+ * by Levenberg and Marquardt, within the ranges of the members. Positive parameters and their intervals are found by the logarithm.
+ * The scatter of the points is found with the parameters, and gives their spread. Theory manual, section 5.
  * @param contact of any model; it is not changed
- * @param curve points and law
+ * @param curve points and law; only read during the call
  * @param[out] fit the law and its spread
- * @param[out] adhesion curve->count numbers: of that law at the points [-]; NULL: not wanted
+ * @param[out] adhesion curve->count numbers: adhesion of the fitted law at the points [-]; NULL: not wanted
  * @return WRC_OK; WRC_FLAG_ITERATION_CAP, _TABLE_RANGE; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (a parameter
- * that law or method do not read; zones, temperatures; config.planar.non_steady), _MEMORY, _CANCELLED. @rt init @thread contact */
+ * that neither law nor method reads; zones, temperatures; config.planar.non_steady), _MEMORY, _CANCELLED. @rt init @thread contact */
 WRC_API int32_t wrc_fit_creep_curve(wrc_contact* contact, const wrc_creep_curve* curve, wrc_creep_fit* fit, double* adhesion);
 
 #ifdef __cplusplus

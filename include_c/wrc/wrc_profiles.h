@@ -1,7 +1,7 @@
 /** @file wrc_profiles.h
  * Pairs of profiles, before and after they run on each other. Where a wheelset touches its track, rolling radius difference, contact
- * angles, equivalent conicity; profiles that wear; measured sections of a turnout, parted into the faces of its rails. Not for real-time
- * use.
+ * angles, equivalent conicity; profiles that wear; measured sections of a turnout, parted into the faces of its rails. Not for
+ * real-time use.
  *
  * Conventions are those of wrc.h, which it includes. Everything allocates and is "@rt init". Arrays are the caller's.
  *
@@ -129,7 +129,7 @@ enum wrc_face_kind {
   WRC_FACE_CHECK = 5  /**< check rail: as high as the face on its field side, all along */
 };
 
-/** One measured line across a rail, from the gauge side to the field side, with gaps. Its points may lie anywhere along it. */
+/** One measured line across a rail, from the gauge side to the field side, with gaps. Its points need no equal distances. */
 typedef struct wrc_section_line {
   double distance;    /**< along the track [m] */
   uint32_t count;     /**< points, 4 or more */
@@ -148,16 +148,16 @@ typedef struct wrc_rail_faces_problem {
   uint32_t reserved0;          /**< 0 */
   const double* interruptions; /**< `interruption_count` of them: places between two sections that no face passes, the gap of a
                                     joint, -1e7..1e7 m [required] */
-  double first;       /**< where the part of the track begins that is wanted, a section before it kept, -1e7..1e7 m [-1e7] */
-  double last;        /**< where it ends, -1e7..1e7 m [1e7] */
-  double depth;       /**< below z = 0 from which on nothing is a face: the bottom of a flangeway is deeper, 1e-3..0.2 m [0.03] */
-  double gap;         /**< from one point to the next at which a line is parted, 1e-4..0.1 m [5e-3] */
-  double kink;        /**< turn of a line at a concave corner at which it is parted: a blade at its stock rail, 0.1..3 rad [0.7] */
-  double least_width; /**< of a face; what is narrower is left out, 1e-3..0.05 m [3e-3] */
-  double tolerance;   /**< of a section from the mean of its neighbours; more is told in `thin`, 1e-6..0.05 m [2e-4] */
+  double first;       /**< beginning of the wanted part of the track; one section before it is kept, too, -1e7..1e7 m [-1e7] */
+  double last;        /**< its end; one section beyond is kept, too, -1e7..1e7 m [1e7] */
+  double depth;       /**< depth below z = 0 beyond which points belong to no face, as the bottom of a flangeway, 1e-3..0.2 m [0.03] */
+  double gap;         /**< distance from one point to the next at which a line is parted, 1e-4..0.1 m [5e-3] */
+  double kink;        /**< turn at a concave corner above which a line is parted: a blade at its stock rail, 0.1..3 rad [0.7] */
+  double least_width; /**< least width of a face; narrower pieces are left out, 1e-3..0.05 m [3e-3] */
+  double tolerance;   /**< distance of a section from the mean of its neighbours, above which `thin` names it, 1e-6..0.05 m [2e-4] */
 } wrc_rail_faces_problem;
 
-/** Faces of a rail. All that is pointed to is the handle's and ends with it. */
+/** Faces of a rail. Data behind its pointers belong to the handle and end with it. */
 typedef struct wrc_found_faces {
   uint32_t struct_size;        /**< sizeof this struct, 48 or more */
   uint32_t face_count;         /**< faces */
@@ -166,11 +166,11 @@ typedef struct wrc_found_faces {
   uint32_t rail_section_size;  /**< sizeof(wrc_rail_section), for config.rail_section_size */
   uint32_t reserved0;          /**< 0 */
   const wrc_rail_section* rail_sections; /**< for config.rail_sections, without check rails */
-  const char* notes;           /**< what was left out or joined: sentences, each with its end of line */
-  const char* thin;            /**< where sections are too far apart, or faces more than a model holds; as notes */
+  const char* notes;           /**< pieces that were left out or joined: sentences, each with its end of line */
+  const char* thin;            /**< places where sections are too far apart, or more faces than a model holds; as notes */
 } wrc_found_faces;
 
-/** A face in one of the measured sections. Its arrays are the handle's. */
+/** A face in one of the measured sections. Its arrays belong to the handle and end with it. */
 typedef struct wrc_face_outline {
   uint32_t struct_size;  /**< sizeof this struct, 64 or more */
   int32_t kind;          /**< enum wrc_face_kind: of its face */
@@ -261,27 +261,27 @@ WRC_API int32_t wrc_flange_dimensions(uint32_t count, const double* y, const dou
  *
  * A line is parted where it lies deep, over gaps without points, and at concave corners. A face goes on with the piece of the next
  * section that lies over it. Where a piece is a fifth wider, a rail joins or leaves: one face ends, another begins. Steep sides end
- * equally deep in all sections of a face, and its corners at 45 degrees are marks. Theory manual, section 9.
+ * equally deep in all sections of a face, and its corners at 45 degrees are marks. docs/python.md, "Sections of a turnout".
  * @{ */
 
 /** Parts measured sections into the faces that a wheel may roll on, and follows these along the track.
- * @param problem sections, and the limits by which they are parted
- * @param[out] faces the caller's, for wrc_rail_faces_destroy(); NULL on failure
- * @param[out] text what went wrong, as wrc_contact_last_error writes it, with the section's number and distance; NULL: not wanted
+ * @param problem sections, and the limits by which they are parted; only read during the call
+ * @param[out] faces to be released with wrc_rail_faces_destroy(); NULL on failure
+ * @param[out] text the sentence of a failure, with the section's number and distance; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _MEMORY; _PROFILE (a section that is out of order,
  * in another unit or upside down, crosses itself or overhangs).
  * @rt init @thread free */
 WRC_API int32_t wrc_rail_faces_create(const wrc_rail_faces_problem* problem, wrc_rail_faces** faces, char* text, uint64_t size);
 
-/** The faces, and the sections of a model.
+/** Number of faces and outlines, sections for a model, notes.
  * @param faces of wrc_rail_faces_create()
  * @param[out] found results
  * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE.
  * @rt init @thread free */
 WRC_API int32_t wrc_rail_faces_found(const wrc_rail_faces* faces, wrc_found_faces* found);
 
-/** A face in one of the sections.
+/** Outline of a face in one of the measured sections.
  * @param faces of wrc_rail_faces_create()
  * @param index 0..outline_count - 1
  * @param[out] outline results
@@ -293,25 +293,25 @@ WRC_API int32_t wrc_rail_faces_outline(const wrc_rail_faces* faces, uint32_t ind
  * @rt init @thread free */
 WRC_API void wrc_rail_faces_destroy(wrc_rail_faces* faces);
 
-/** Reads measured sections. The file's ending and content say which it is:
- *  - .slcs, slices of CONTACT: places and a file of points each, .prr of Simpack, .ban of MiniProf, any other in columns y, z;
- *  - columns x, y, z: a point a line, those of a section together;
- *  - columns number, place: the points of section 7 are in NAME_7.txt, where SectionPositionNAME.txt is the table's name, beside it
- *    or in a folder NAME.
- * Distances of the first are in the file's unit, of the last in m.
+/** Reads measured sections. The file's ending and content tell its format:
+ *  - .slcs, slices of CONTACT: distances, each with a file of points: .prr of Simpack, .ban of MiniProf, or columns y, z;
+ *  - columns x, y, z: one point in a line, the points of a section together;
+ *  - columns number, distance, in a table named SectionPositionNAME.txt: the points of section 7 are in NAME_7.txt, beside it or in a
+ *    folder NAME.
+ * Distances are in the unit that .slcs states, in that of the points for columns x, y, z, and in m in the table.
  * @param path the file
  * @param unit of the points, 1e-6..1 m; 0: mm or m, whichever fits
- * @param mirror_y 1: turn y round, as the gauge side must be at y < 0; 0: leave it
- * @param mirror_z 1: turn z round, as it must point down; 0: leave it
- * @param[out] file the caller's, for wrc_section_file_destroy(); NULL on failure
- * @param[out] text what went wrong, with the line; NULL: not wanted
+ * @param mirror_y 1: change the sign of y, as the gauge side must be at y < 0; 0: keep it
+ * @param mirror_z 1: change the sign of z, as it must point down; 0: keep it
+ * @param[out] file to be released with wrc_section_file_destroy(); NULL on failure
+ * @param[out] text the sentence of a failure, with the line; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _FILE, _MEMORY.
  * @rt init @thread free */
 WRC_API int32_t wrc_section_file_read(const char* path, double unit, int32_t mirror_y, int32_t mirror_z, wrc_section_file** file,
                                       char* text, uint64_t size);
 
-/** One of the sections. Its arrays are the handle's and end with it.
+/** One of the sections. Its arrays belong to the handle and end with it.
  * @param file of wrc_section_file_read()
  * @param index from 0
  * @param[out] line the section; zero on failure
@@ -323,12 +323,12 @@ WRC_API int32_t wrc_section_file_line(const wrc_section_file* file, uint32_t ind
  * @rt init @thread free */
 WRC_API void wrc_section_file_destroy(wrc_section_file* file);
 
-/** Writes sections. A path that ends in .slcs gets slices of CONTACT, their points [mm] in NAME_1.txt and so on beside it, without
- * gaps. Any other path gets columns x, y, z [m].
+/** Writes sections. A path that ends in .slcs gets slices of CONTACT, with their points [mm] in NAME_1.txt and so on beside it,
+ * without gaps. Any other path gets columns x, y, z [m].
  * @param path the file
  * @param lines the sections, count of them
- * @param count 1..100000
- * @param[out] text what went wrong; NULL: not wanted
+ * @param count number of sections, 1..100000
+ * @param[out] text the sentence of a failure; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _FILE, _MEMORY.
  * @rt init @thread free */

@@ -71,7 +71,7 @@ std::vector<Named> parameters_of(const wrc_friction& friction) {
   return all;
 }
 
-/// Is a parameter one that law and method read?
+/// Does the law or the method read the parameter?
 bool is_read(std::int32_t parameter, const wrc_friction& friction, const contact::TangentialMethod& method) {
   switch (parameter) {
     case WRC_CREEP_KINETIC_RATIO:
@@ -95,7 +95,7 @@ bool is_read(std::int32_t parameter, const wrc_friction& friction, const contact
   }
 }
 
-/// The parameters looked for: each is read, and begins inside its range.
+/// The parameters to be found. Each is read and begins inside its range.
 Fault check_parameters(const wrc_creep_curve& curve, const contact::TangentialMethod& method,
                        const std::vector<Named>& all) {
   for (std::int32_t k = 0; k < WRC_CREEP_PARAMETERS; ++k) {
@@ -125,7 +125,7 @@ Fault check_parameters(const wrc_creep_curve& curve, const contact::TangentialMe
                       "above friction times pressure the layer never yields, and nothing could be found");
 }
 
-/// Does the curve look like one, and like numbers rather than per cent?
+/// Checks the curve: a plausible slope, and numbers rather than per cent.
 Fault check_points(const wrc_creep_curve& curve, std::uint32_t wanted) {
   constexpr std::uint32_t more = 3;
   constexpr double most_points = 1e5;
@@ -144,7 +144,7 @@ Fault check_points(const wrc_creep_curve& curve, std::uint32_t wanted) {
       "curve is needed");
 }
 
-/// Friction that a fit can have.
+/// Checks the friction that a fit begins with.
 Fault check_law(const wrc_friction& friction) {
   if (friction.zone_count > 0)
     return Fault::unsupported("curve.friction.zone_count", {friction.zone_count, ""},
@@ -161,7 +161,7 @@ std::uint32_t count_of(std::uint32_t bits) {
   return count;
 }
 
-/// The fit's problem, checked. `taken`: parameters looked for, in order.
+/// The fit's problem, checked. `taken`: parameters to be found, in order.
 Fault read_curve(const wrc_creep_curve* theirs, const contact::Model& model, wrc_creep_curve& curve,
                  std::vector<Named>& all, std::vector<std::size_t>& taken, curves::CurveFitProblem& problem) {
   RETURN_IF_FAILED(read(theirs, "curve", curve));
@@ -211,7 +211,7 @@ void write_fit(const curves::CurveFit& found, const wrc_creep_curve& curve, cons
   }
 }
 
-/// A contact that is put back as it was.
+/// Restores a contact after the fit.
 class Kept {
  public:
   explicit Kept(contact::Contact& contact) : contact_(contact), bytes_(contact::state_bytes(*contact.model)) {

@@ -1,4 +1,4 @@
-/// Films on rail and wheel: bands of the caller and constants checked, friction put together.
+/// Films on rail and wheel behind the C interface: checks of bands and constants, friction and layer.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -140,22 +140,22 @@ Fault check_quantity(std::int32_t quantity) {
   return Fault::unsupported("quantity", {quantity, ""}, enumerations::wrc_surface_quantity.names);
 }
 
-/// Layer of the base and of films in series, within what friction may be.
+/// Layer of the base and of films in series, within the ranges of friction.
 void put_layer(const damage::FilmFriction& mixed, wrc_friction& friction) {
   constexpr double hardest = 1e11, softest = 1e3, thickest = 0.01;
   if (!mixed.layered) return;
   const double base = friction.layer_modulus > 0.0 ? friction.layer_thickness / friction.layer_modulus : 0.0;
   const double flexibility = base + mixed.flexibility;
-  // The flexibility counts, not thickness and modulus apart.
+  // the modulus is that of the whole thickness and the whole flexibility [Pa]
   friction.layer_thickness = std::min(friction.layer_thickness + mixed.thickness, thickest);
   friction.layer_modulus =
       flexibility > 0.0 ? std::clamp(friction.layer_thickness / flexibility, 1e3, 1e12) : 0.0;
   if (!(flexibility > 0.0)) friction.layer_thickness = 0.0;
-  // One over the traction at which all yield; without films none does, and the layer stays one.
+  // one over the traction at which the layers yield; 0 without films: the layer does not yield
   const double softness = mixed.softness + (friction.layer_yield > 0.0 ? 1.0 / friction.layer_yield : 0.0);
   friction.layer_yield = softness * hardest > 1.0 ? std::max(1.0 / softness, softest) : hardest;
   friction.layer_hardening += mixed.hardening;
-  if (flexibility > 0.0)  // tractions do not jump; wrc_contact_wrench() refuses half
+  if (flexibility > 0.0)  // wrc_contact_wrench() refuses -0.5 and less: tractions would jump
     friction.layer_hardening = std::max(friction.layer_hardening, -0.49 / flexibility);
 }
 
@@ -290,7 +290,7 @@ Fault read_values(const wrc_surface* surface, std::int32_t quantity, std::int32_
   if (book < 0 || book >= WRC_SURFACE_BOOKS)
     return Fault::unsupported("book", {book, ""}, enumerations::wrc_surface_book.names);
   if (values == nullptr && total == nullptr) return Fault::null("values, total");
-  // the total is a sum of whole numbers: exact, whatever the order
+  // the total is a sum of whole numbers, exact in any order
   damage::WholeNumber sum;
   bool in_range = true;
   for (std::int64_t k = 0; k < band.count; ++k) {

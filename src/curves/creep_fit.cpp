@@ -15,13 +15,13 @@ using Vector = std::array<double, most_parameters>;
 using Matrix = Symmetric<most_parameters>;
 
 constexpr double difference = 1e-3;  // step in u, for slopes
-constexpr double farthest = 3.0;     // most that u moves in a step
+constexpr double farthest = 3.0;     // largest change of u in a step
 constexpr double singular = 1e-10;   // eigenvalue of the scaled matrix along which nothing is determined
 constexpr double takes_part = 1e-4;  // share of a parameter in such an eigenvector
 constexpr double settled = 1e-10;    // relative fall of the sum in the last iteration
 
-/// Half width over the deviation of an interval of 95 %, Student's distribution: Cornish's and Fisher's
-/// series.
+/// Half width of an interval of 95 % over the deviation, by Student's distribution: series of Cornish and
+/// Fisher.
 double students_factor(double freedom) {
   const double z = 1.959963984540054, z2 = z * z;
   const double first = z * (z2 + 1.0) / 4.0, second = z * ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
@@ -96,7 +96,7 @@ class Fitter {
     contact::Friction law = problem_.start;
     return problem_.parameters[at(k)].of(law);
   }
-  /// u of a value; of one that is not positive where only that can be, far below.
+  /// u of a value. Where only positive values exist, a value of 0 or less has a u far below all others.
   double coordinate(int k, double value) const {
     const FitParameter& p = problem_.parameters[at(k)];
     return p.positive ? natural_log(value / start(k)) : (value - start(k)) / p.unit;
@@ -183,7 +183,7 @@ class Fitter {
     return m;
   }
 
-  /// Parameters that act and would not leave their range.
+  /// Parameters that have an effect and would not leave their range.
   std::vector<int> free(const Vector& u) const {
     std::vector<int> chosen;
     for (int k = 0; k < count_; ++k) {
@@ -226,7 +226,7 @@ class Fitter {
     return false;
   }
 
-  /// Covariance of u over sigma^2, and the parameters that nothing determines.
+  /// Covariance of u over sigma^2, and the parameters that the curve does not determine.
   void spread(double (&covariance)[most_parameters][most_parameters], bool (&vague)[most_parameters]) const {
     std::vector<int> acting;
     for (int k = 0; k < count_; ++k) {

@@ -1,15 +1,16 @@
 /// Fit of friction and of a layer to a measured creep curve, offline.
 ///
-/// Weighted least squares: the smallest sum of ((f_k(p) - y_k) / s_k)^2, f_k the adhesion that the contact's
-/// tangential method gives at the slip, speed and load of point k, y_k the measured one, s_k how it scatters
-/// up to a common factor: 1, or in proportion to f_k, that of the fit before, three fits in all. In
-/// proportion to y_k would draw the law to points that happen to be low. Levenberg's and Marquardt's method
-/// in coordinates u: positive parameters are start * exp(u), others start + unit * u. Slopes are central
-/// differences. Parameters stay within their range: one at its end that would leave it is held in that step.
+/// Weighted least squares: the smallest sum of ((f_k(p) - y_k) / s_k)^2. f_k is the adhesion that the
+/// contact's tangential method gives at the slip, speed and load of point k; y_k is the measured adhesion.
+/// s_k is the scatter of the point up to a common factor: 1, or in proportion to the adhesion. The first of
+/// three fits then takes y_k for it, the two others f_k of the fit before. With y_k alone, points that happen
+/// to be low would have too much weight. Levenberg's and Marquardt's method works in coordinates u: positive
+/// parameters are start * exp(u), others start + unit * u. Slopes are central differences. Parameters stay
+/// within their range: one at its end that would leave it is held in that step.
 ///
 /// Spread: with J the slopes of the residuals at the end, covariance of u = sigma^2 (J^T J)^-1,
-/// sigma^2 = sum / (points - parameters). Columns of J are scaled to one length before; along eigenvectors of
-/// an eigenvalue below 1e-10 there nothing is determined. Intervals are u +- t_95 sigma_u, t_95 of Student's
+/// sigma^2 = sum / (points - parameters). Columns of J are scaled to one length first. Along eigenvectors
+/// whose eigenvalue is below 1e-10 nothing is determined. Intervals are u +- t_95 sigma_u, t_95 of Student's
 /// distribution. Theory manual, section 5.
 #pragma once
 
@@ -35,9 +36,9 @@ struct CurvePoint {
   double load = 0.0;      ///< [N]
 };
 
-/// A number of the law that is looked for.
+/// A parameter of the law to be found.
 struct FitParameter {
-  double contact::Friction::*friction = nullptr;  ///< one of these says which number it is
+  double contact::Friction::*friction = nullptr;  ///< one of these is set: the member that it is
   double tangential::FrictionLaw::*law = nullptr;
   double tangential::ReductionFactors::*reduction = nullptr;
   double tangential::Layer::*layer = nullptr;
@@ -67,7 +68,7 @@ struct CurveFit {
   Fault fault;
   std::int32_t iterations = 0;
   contact::Friction law;
-  double scatter = 0.0;  ///< sigma: of the residuals over the points' own scatter
+  double scatter = 0.0;  ///< sigma: standard deviation of the residuals over s_k
   struct Of {
     double value = 0.0, deviation = 0.0, low = 0.0, high = 0.0;
     bool undetermined = false, at_limit = false;

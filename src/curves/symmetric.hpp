@@ -11,7 +11,7 @@ struct Symmetric {
   double a[most][most] = {};        ///< the matrix; after diagonalise() its eigenvalues on the diagonal
   double vectors[most][most] = {};  ///< [i][k]: element i of eigenvector k
 
-  /// Turns pairs of axes until the rest beside the diagonal is rounding.
+  /// Turns pairs of axes until the elements beside the diagonal are rounding errors.
   void diagonalise() {
     constexpr int most_sweeps = 60;
     for (int i = 0; i < n; ++i)

@@ -9,7 +9,7 @@
 namespace wrc::damage {
 namespace {
 
-/// 1 - exp(-x), x >= 0, to the last digits where x is small, too: its series, which most steps need alone.
+/// 1 - exp(-x) for x >= 0. A series keeps the last digits where x is small; most steps need only the series.
 double spent(double x) {
   if (!(x < 0.02)) return 1.0 - natural_exp(-x);
   constexpr double c2 = 1.0 / 2, c3 = 1.0 / 3, c4 = 1.0 / 4, c5 = 1.0 / 5, c6 = 1.0 / 6, c7 = 1.0 / 7;
@@ -23,7 +23,7 @@ bool less(const WholeNumber& a, const WholeNumber& b) {  // amounts, not below 0
 
 /// A share, 0 .. 1, of an amount; never more than that.
 WholeNumber part_of(const WholeNumber& all, double share) {
-  if (all.high >> 62 != 0) return {};  // it passed its range, or was never zeroed
+  if (all.high >> 62 != 0) return {};  // the sum passed its range, or was never zeroed
   const WholeNumber part = whole(number(all) * share);
   return less(all, part) ? all : part;
 }
@@ -32,7 +32,7 @@ double stored(const FilmBin& bin, std::int32_t quantity) {
   return std::max(0.0, number(bin.sum[amount][quantity]) / film_scale(quantity));
 }
 
-/// Adds to a sum of a bin, and remembers where that passes its range.
+/// Adds to a sum of a bin, and marks a sum that passes its range.
 void add(FilmBin& bin, std::int32_t book, std::int32_t quantity, const WholeNumber& more, bool& in_range) {
   WholeNumber& sum = bin.sum[book][quantity];
   const WholeNumber before = sum;
@@ -48,13 +48,14 @@ void bring(FilmBin& bin, std::int32_t quantity, const WholeNumber& more, bool& i
   add(bin, put_on, quantity, more, in_range);
 }
 
-/// Takes an amount off a bin, and books where it went.
+/// Takes an amount off a bin, and books it in the column that says why.
 void take(FilmBin& bin, std::int32_t quantity, Book where, const WholeNumber& less_by, bool& in_range) {
   add(bin, amount, quantity, minus({}, less_by), in_range);
   add(bin, where, quantity, less_by, in_range);
 }
 
-/// Two neighbours and their parts at a place between their middles; beyond an end both are the end's bin.
+/// Two neighbouring bins and their parts at a place between their middles. Beyond an end both are the bin at
+/// the end.
 struct Neighbours {
   std::int64_t bin[2];
   double part[2];
@@ -62,8 +63,8 @@ struct Neighbours {
 
 std::int64_t wrapped(std::int64_t k, std::int64_t count) { return ((k % count) + count) % count; }
 
-/// `middle`: index of the bin whose middle lies before the place; `beyond` that: share of the way to the
-/// next.
+/// `middle`: index of the bin whose middle lies before the place. `beyond`: share of the distance from there
+/// to the next middle.
 Neighbours neighbours(const Band& band, std::int64_t middle, double beyond) {
   const std::int64_t last = band.count - 1;
   const double part = std::clamp(beyond, 0.0, 1.0);
@@ -79,8 +80,8 @@ void split(const WholeNumber& all, const Neighbours& of, WholeNumber parts[2]) {
   parts[1] = minus(all, parts[0]);
 }
 
-/// The way of a passage over one band in pieces, between whose ends the parts of two neighbours are straight
-/// lines: from middle to middle of bins; of a band with ends from middle to border to middle.
+/// The way of a passage over one band, in pieces within which the parts of two neighbours change in straight
+/// lines. Pieces end at the middles of bins, and on a band with ends also at their borders.
 class Way {
  public:
   Way(const Band& band, double from, double to)
@@ -92,7 +93,7 @@ class Way {
         band_(&band) {
     if (change_ < 0.0 && start_ == static_cast<double>(cell_)) --cell_;
   }
-  /// Share of the way at which the present piece ends; beyond 1 where the way ends first.
+  /// Share of the way at which the present piece ends; above 1 where the way ends first.
   double next() const {
     if (change_ == 0.0) return std::numeric_limits<double>::infinity();
     return (static_cast<double>(change_ > 0.0 ? cell_ + 1 : cell_) - start_) / change_;
@@ -124,18 +125,18 @@ struct Piece {
 
 bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
 
-/// Does a substance lie on one of the piece's bins?
+/// Does the substance lie on a bin of the piece?
 bool lies(std::int32_t quantity, const Piece& piece) {
   return !nothing(piece.band->bin(piece.of.bin[0]).sum[amount][quantity]) ||
          !nothing(piece.band->bin(piece.of.bin[1]).sum[amount][quantity]);
 }
 
-/// Substances go over to the other body: each gives a share, and receives the other's.
+/// Carries substances to the other body: each body gives a share and receives that of the other.
 void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcome) {
   const double way = std::max(piece[0].way, piece[1].way);
   for (std::int32_t q = 0; q < substances; ++q) {
     if (laws.of[q].carry == 0.0 || !(lies(q, piece[0]) || lies(q, piece[1]))) continue;
-    // shares that each gives from both of its bins, before it receives
+    // shares that each body gives from both of its bins, before it receives [kg]
     WholeNumber given[2];
     for (int body = 0; body < 2; ++body) {
       const Piece& mine = piece[body];
@@ -147,7 +148,7 @@ void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcom
         given[body] = plus(given[body], part);
       }
     }
-    // shares that each receives
+    // shares that each body receives [kg]
     for (int body = 0; body < 2; ++body) {
       WholeNumber parts[2];
       split(given[1 - body], piece[body].of, parts);
@@ -158,7 +159,7 @@ void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcom
   }
 }
 
-/// Losses of a bin by a dose of frictional energy over its area, and by being rolled over.
+/// Losses of a bin: removal by the dose of frictional energy over its area [J/m^2], squeezing by rolling.
 void wear_off(const FilmLaws& laws, const Band& band, FilmBin& bin, double dose, double passed,
               bool& in_range) {
   for (std::int32_t q = 0; q < substances; ++q) {
@@ -172,7 +173,7 @@ void wear_off(const FilmLaws& laws, const Band& band, FilmBin& bin, double dose,
   }
 }
 
-/// Heat comes into a bin and evaporates water: eta q m / (m + m_half) of it, never more than there is.
+/// Heats a bin. Of the heat q the part eta q m / (m + m_half) evaporates water, never more than there is.
 void heat_up(const FilmLaws& laws, const Band& band, FilmBin& bin, const WholeNumber& energy,
              bool& in_range) {
   bring(bin, heat, energy, in_range);
@@ -207,7 +208,7 @@ FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double
   Way way(band, from, to);
   const double scaled = per_area * band.width * (to - from) * film_scale(quantity);
   for (double at = 0.0; at < 1.0;) {
-    // pieces in which the parts of two neighbours are straight lines: their middle has the mean
+    // pieces in which the parts of two neighbours change in straight lines: their middle has the mean
     const double end = std::clamp(way.next(), at, 1.0);
     outcome.beside = outcome.beside || (way.beside() && end > at);
     if (!way.beside()) {
@@ -239,7 +240,7 @@ FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, cons
     const bool there[2] = {!along.beside(), wheel != nullptr && !about.beside()};
     outcome.beside = outcome.beside || along.beside() || (wheel != nullptr && about.beside());
     if (there[0] && there[1]) exchange(laws, piece, outcome);
-    // energy up to here less that before: all pieces together have all of it
+    // energy up to here less that booked before: the sum over all pieces is exact
     const WholeNumber until = whole(passage.energy * end * scale), energy = minus(until, booked);
     booked = until;
     WholeNumber own[2];
@@ -300,7 +301,7 @@ FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, 
   const auto covered = [&](std::int32_t q) {
     return laws.of[q].cover > 0.0 ? std::min(1.0, between(q) / laws.of[q].cover) : 0.0;
   };
-  // Water wets bare steel and its cover.
+  // Water wets bare steel and the substances on it.
   const double wet = covered(water);
   const auto wetted = [&](double dry, std::int32_t q) { return dry + (laws.of[q].wet_friction - dry) * wet; };
   // Means over the substances that cover: friction, softness and hardening, each substance by its share times

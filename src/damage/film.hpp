@@ -1,5 +1,5 @@
-/// Films on rail and wheel: amounts in bins along the running band, how passing wheels change it, and the
-/// friction and layer it gives. Amounts and books are whole numbers (exact_sum.hpp): nothing is lost.
+/// Films on rail and wheel: amounts in bins along the running band, their change by passing wheels, and the
+/// friction and layer that they give. Amounts and books are whole numbers (exact_sum.hpp): nothing is lost.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr std::int32_t substances = heat;
 /// Columns of the books: enum wrc_surface_book.
 enum Book : std::int32_t { amount, put_on, removed, squeezed, evaporated, carried, books };
 
-/// Places for quantities in a bin, those in use and those for later.
+/// Places for quantities in a bin: those in use and reserved ones.
 inline constexpr std::int32_t quantity_places = 8;
 
 /// Units of whole numbers: an amount times this [1/kg, 1/J].
@@ -24,7 +24,7 @@ constexpr double film_scale(std::int32_t quantity) { return quantity == heat ? 0
 /// One bin, laid out as the caller's (wrc_surface_bin).
 struct FilmBin {
   WholeNumber sum[books][quantity_places];
-  std::uint64_t overflow = 0;  ///< bit i: sum i is worthless
+  std::uint64_t overflow = 0;  ///< bit i: sum i is invalid
   double reserved[7] = {};     ///< 0
 };
 
@@ -48,11 +48,11 @@ struct Substance {
   double removal = 0.0;       ///< tau [m^2/J]
   double kept = 0.0;          ///< [kg/m^2]
   double squeeze_rate = 0.0;  ///< -ln(1 - share pressed out by one passage) [-]
-  double carry = 0.0;         ///< share of the way to equal amounts by one passage [-]
+  double carry = 0.0;         ///< rate at which amounts on both bodies become equal, by one passage [-]
   double density = 1000.0, modulus = 0.0, yield = 0.0, hardening = 0.0;
 };
 
-/// Constants of all: wrc_surface_laws.
+/// Constants of all substances: wrc_surface_laws.
 struct FilmLaws {
   Substance of[substances];
   double rail_share = 0.5;
@@ -73,11 +73,11 @@ struct FilmOutcome {
   bool beside = false;                   ///< part lay beyond an end
   bool in_range = true;                  ///< no sum passed its range
   WholeNumber carried[quantity_places];  ///< from rail to wheel
-  WholeNumber energy[2];                 ///< that rail and wheel have booked
+  WholeNumber energy[2];                 ///< booked in the bins of rail and wheel
   WholeNumber energy_beside;
 };
 
-/// Most bins that one call passes on a body.
+/// Largest number of bins that one call passes on a body.
 inline constexpr double most_passed = 1e5;
 
 /// Puts `per_area` of a quantity on a stretch of a band [kg/m^2, J/m^2].

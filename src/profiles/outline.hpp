@@ -61,7 +61,7 @@ std::string sentence(const Parts&... parts) {
   return text;
 }
 
-/// A length in millimetres as people read it, to a hundredth.
+/// A length in millimetres, to a hundredth, for sentences.
 inline double in_mm(double metres) { return std::floor(1e5 * metres + 0.5) / 100.0; }
 
 /// A measured section as sentences name it: number, counted from 1, and distance along the track [m].

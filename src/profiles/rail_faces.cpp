@@ -16,7 +16,7 @@ double overlap(const Outline& a, const Outline& b) {
   return std::min(a.y.back(), b.y.back()) - std::max(a.y.front(), b.y.front());
 }
 
-/// The part of a piece that lies over another, ends that agree within 5 mm kept.
+/// The part of a piece that lies over another. Ends that agree within 5 mm are kept.
 Piece cropped(const Piece& wide, const Piece& narrow) {
   constexpr double agree = 5e-3;  // [m]
   const auto end = [](double own, double other) { return std::abs(own - other) < agree ? own : other; };
@@ -72,7 +72,7 @@ class Follower {
     open_.clear();
   }
 
-  /// Goes on with those pieces of the next section that lie over the runs most.
+  /// Continues each run with the piece of the next section that lies over it most.
   void pair(std::vector<Piece>& here) {
     struct Pair {
       double over;
@@ -94,7 +94,7 @@ class Follower {
       used[each.run] = taken[each.piece] = true;
       went_on.push_back(go_on(open_[each.run], here[each.piece]));
     }
-    // the others end here, or begin
+    // runs without a piece end here; pieces without a run begin one
     for (std::size_t r = 0; r < open_.size(); ++r)
       if (!used[r]) done_.push_back(std::move(open_[r]));
     open_ = std::move(went_on);
@@ -104,7 +104,8 @@ class Follower {
     begin(rest);
   }
 
-  /// The run with the piece at its end; the run that begins where widths differ by a fifth.
+  /// Adds the piece to the run and returns it. Where widths differ by a fifth, it returns the run that
+  /// begins.
   Run go_on(Run& run, Piece& piece) {
     const double before = run.back().line.width(), after = piece.line.width();
     if (!(std::abs(after - before) > std::max(10e-3, 0.2 * std::max(after, before)))) {
@@ -153,8 +154,8 @@ Outline mirrored(const Outline& line) {
   return turned;
 }
 
-/// Ends the steep sides of all outlines equally deep below their tops, as shares of length would shift
-/// otherwise. The gauge side is a wheel's down to 18 mm.
+/// Ends the steep sides of all outlines equally deep below their tops, since shares of length would shift
+/// otherwise. On the gauge side a wheel may touch down to 18 mm.
 void even_sides(std::vector<FaceOutline>& outlines) {
   constexpr double whole[] = {18e-3, 1e-3};  // depths of the gauge and the field side [m]
   for (const int side : {0, 1}) {
@@ -193,14 +194,14 @@ std::optional<double> corner_of(const Outline& line, double sign) {
   return y;
 }
 
-/// Marks the corners on the gauge and the field side, where every outline has them, apart from each other.
+/// Marks the corners on the gauge and the field side, if every outline has them apart from each other.
 void mark_corners(std::vector<FaceOutline>& outlines) {
   constexpr double apart = 1.5e-3, same_corner = 5e-3;  // [m]
   std::vector<std::vector<double>> found;
   for (const double sign : {-1.0, 1.0}) {
     std::vector<double> corners;
     double before = 0.0;
-    bool same = true;  // else another corner is met on the way
+    bool same = true;  // false: the search met another corner
     for (const FaceOutline& each : outlines) {
       const std::optional<double> corner = corner_of(each.line, sign);
       if (!corner) break;
@@ -266,8 +267,8 @@ double spacing_error(const FaceOutline* three) {
   return largest;
 }
 
-/// A narrow outline, or one whose highest point is its end, goes on downwards: a model wants 20 mm and a top
-/// within. Such flanks lie under a face beside it, or where no wheel comes.
+/// Extends downwards an outline that is narrow or has its highest point at an end: a model needs 20 mm and a
+/// top within. Such flanks lie under a face beside it, or where no wheel touches.
 Outline wide_enough(Outline line) {
   constexpr double least = 20.5e-3, beyond_top = 3e-3, fall = 1.5, spacing = 1e-3;  // m, m, -, m
   const double missing = std::max(0.0, least - line.width()), top = line.top() + 1e-6;
@@ -330,8 +331,8 @@ double stretch_of(const Face& face, std::size_t k) {
   return largest;
 }
 
-/// The faces of a run: several, each from the section with which the one before ends, where outlines grow too
-/// long for one.
+/// The faces of a run. Where outlines grow too long for one face there are several, each from the section
+/// with which the face before ends.
 void add_faces(const Run& run, const FacesProblem& problem, FaceKind kind, RailFaces& found) {
   constexpr double most_stretch = 7.0;  // a model refuses 8
   const Piece *begin = run.data(), *const end = begin + run.size();
@@ -370,8 +371,8 @@ std::vector<Beside> fieldwards_of(const std::vector<Run>& runs, std::size_t run)
   return found;
 }
 
-/// Kind of a face that has another on its field side: as high all along, a check rail; a blade where it
-/// begins against it, else a nose. None where there is no other.
+/// Kind of a face that has another on its field side. If it is as high all along, it is a check rail. If it
+/// begins against the other, it is a blade, else a nose. None where there is no other face.
 std::optional<FaceKind> kind_of_gauge_face(const std::vector<Run>& runs, std::size_t run) {
   constexpr double as_high = 5e-3, against = 10e-3;  // [m]
   const std::vector<Beside> both = fieldwards_of(runs, run);
@@ -390,7 +391,7 @@ std::optional<FaceKind> kind_of_gauge_face(const std::vector<Run>& runs, std::si
 /// Kind of a face by its place beside the others.
 FaceKind kind_of(const std::vector<Run>& runs, std::size_t run) {
   if (const std::optional<FaceKind> own = kind_of_gauge_face(runs, run)) return *own;
-  // On its field side is none: those that have it on theirs name it.
+  // It has no face on its field side. Faces that have it on theirs tell its kind.
   bool beside_blade = false, beside_nose = false;
   for (std::size_t other = 0; other < runs.size(); ++other) {
     if (other == run) continue;
@@ -444,7 +445,7 @@ void keep_part(double first, double last, std::vector<Face>& faces) {
   faces = std::move(kept);
 }
 
-/// Where data are thin: sections far from the mean of their neighbours; more faces than a model holds.
+/// Lists thin data: sections far from the mean of their neighbours, and more faces than a model holds.
 std::string thin_places(const std::vector<Face>& faces, const FacesProblem& problem) {
   std::string told;
   std::size_t running = 0;

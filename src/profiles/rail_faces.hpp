@@ -29,11 +29,11 @@ struct Face {
   std::vector<FaceOutline> outlines;
 };
 
-/// Faces from the gauge side; sentences, a line each.
+/// Faces from the gauge side, and sentences about them, one in a line.
 struct RailFaces {
   std::vector<Face> faces;
   std::string notes;  ///< pieces that were left out or joined
-  std::string thin;   ///< where sections are too far apart, or faces too many
+  std::string thin;   ///< places where sections are too far apart, or faces too many
 };
 
 /// WRC_ERROR_PROFILE about a section; `why` holds the sentence that the fault points to.

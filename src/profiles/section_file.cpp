@@ -146,7 +146,7 @@ Fault read_points(const std::string& path, Outline& points, std::string& why) {
 }
 
 /// Slices of CONTACT: offset and scale, their number; then places with names of files. Features that follow
-/// are not read: the faces are found anew.
+/// are not read, since the faces are found from the points.
 Fault read_slices(const std::string& path, std::vector<MeasuredSection>& sections, std::string& why) {
   std::vector<TextLine> lines;
   if (!read_text(path, "%", lines)) return unusable("it cannot be opened: is the path right?", why);

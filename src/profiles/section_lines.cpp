@@ -28,7 +28,7 @@ Outline without_gaps(const Outline& line) {
   return kept;
 }
 
-/// Its place beside the section before; the empty text where it is sound.
+/// Checks a section's place against that of the section before. An empty text: it is sound.
 std::string misplaced(const std::vector<MeasuredSection>& sections, std::size_t k) {
   const double here = sections[k].distance;
   if (!std::isfinite(here)) return "its distance is no finite number";
@@ -45,13 +45,13 @@ std::string misplaced(const std::vector<MeasuredSection>& sections, std::size_t 
   return {};
 }
 
-/// Where a line crosses itself, into y and z. One whose y increases does not.
+/// Finds the place where a line crosses itself, into y and z. A line whose y increases has none.
 bool crosses_itself(const Outline& line, double& y, double& z) {
   const std::size_t segments = line.size() - 1;
   const auto dy = [&](std::size_t i) { return line.y[i + 1] - line.y[i]; };
   const auto dz = [&](std::size_t i) { return line.z[i + 1] - line.z[i]; };
   for (std::size_t k = 0; k < segments; ++k) {
-    // A crossing has a segment that goes back, within it or beside it.
+    // A crossing has a segment in which y decreases, within it or beside it.
     if (dy(k) > 0.0) continue;
     for (std::size_t a = k > 0 ? k - 1 : 0; a < std::min(k + 2, segments); ++a) {
       for (std::size_t b = 0; b < segments; ++b) {
@@ -70,7 +70,7 @@ bool crosses_itself(const Outline& line, double& y, double& z) {
   return false;
 }
 
-/// Its line: unit, height, direction, crossings. `usual`: width of most sections [m].
+/// Checks a section's line: unit, height, direction, crossings. `usual`: width of most sections [m].
 std::string misshapen(const Outline& line, double usual) {
   const auto [low, high] = std::minmax_element(line.y.begin(), line.y.end());
   const double width = *high - *low;
@@ -89,7 +89,7 @@ std::string misshapen(const Outline& line, double usual) {
   return {};
 }
 
-/// Points at which a line that rises and falls turns back up: a head is convex, so two meet there.
+/// Points at which a line turns upwards again: heads are convex, so two heads meet there.
 std::vector<std::size_t> concave_corners(const Outline& line, const std::vector<double>& s, double kink) {
   constexpr double window = 1.5e-3;  // [m]
   if (s.back() < 4.0 * window) return {};
@@ -98,7 +98,7 @@ std::vector<std::size_t> concave_corners(const Outline& line, const std::vector<
   for (std::size_t i = 0; i < line.size(); ++i)
     if (s[i] >= window && s[i] <= s.back() - window)
       turn[i] = chord_angle(line, s, s[i] - window, s[i]) - chord_angle(line, s, s[i], s[i] + window);
-  // the sharpest first; nothing near one is another
+  // the sharpest first; turns near a corner belong to it
   std::vector<std::size_t> found;
   for (;;) {
     const auto at = static_cast<std::size_t>(std::max_element(turn.begin(), turn.end()) - turn.begin());
@@ -145,7 +145,7 @@ std::vector<Piece> pieces_of(std::size_t number, const Outline& line, const Face
   const double depth = limits.depth;
   std::size_t first = 0;
   while (first < line.size()) {
-    // from `first` to `last`: points without a gap between them
+    // a run of points from `first` to `last` without a gap
     std::size_t last = first;
     if (!measured(line, first)) {
       ++first;
@@ -155,7 +155,7 @@ std::vector<Piece> pieces_of(std::size_t number, const Outline& line, const Face
       const double dy = line.y[last + 1] - line.y[last], dz = line.z[last + 1] - line.z[last];
       if (std::sqrt(dy * dy + dz * dz) > limits.gap) break;
     }
-    // runs above the depth within; where the line goes on below, a point at the depth ends the run
+    // parts of the run above the depth; where the line goes on below, a point at the depth ends the part
     const auto add_end = [&](Outline& to, std::size_t inner, std::size_t outer) {
       const double share = (depth - line.z[inner]) / (line.z[outer] - line.z[inner]);
       if (share > 1e-6) to.add(line.y[inner] + share * (line.y[outer] - line.y[inner]), depth);
@@ -176,7 +176,7 @@ std::vector<Piece> pieces_of(std::size_t number, const Outline& line, const Face
   return made;
 }
 
-/// Refuses a piece that overhangs; one that is upright leans by a micrometre from point to point.
+/// Refuses a piece that overhangs. An upright piece is made to lean by a micrometre from point to point.
 std::string overhang(Piece& piece) {
   constexpr double noise = 2e-5, lean = 1e-6;  // [m]
   const Outline& line = piece.line;

@@ -470,7 +470,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE: rail.z_slope [-]; 0 of a roller
     ROLLER_RATE: roller_rate [rad/s]; 0 of a rail that is no roller
     FRICTION: a factor, here 1, on all coefficients of friction [-]
-    TIME_STEP: time_step [s], of config.surface.memory; where it is 0, to the side of time
+    TIME_STEP: time_step [s], of config.surface.memory; at time_step 0 towards larger times
     """
 
     Y = 0, 'wheel.y [m]'
@@ -496,7 +496,7 @@ class WrenchInput(s.Choice):
     RAIL_Z_SLOPE = 20, 'rail.z_slope [-]; 0 of a roller'
     ROLLER_RATE = 21, 'roller_rate [rad/s]; 0 of a rail that is no roller'
     FRICTION = 22, 'a factor, here 1, on all coefficients of friction [-]'
-    TIME_STEP = 23, 'time_step [s], of config.surface.memory; where it is 0, to the side of time'
+    TIME_STEP = 23, 'time_step [s], of config.surface.memory; at time_step 0 towards larger times'
 
 
 class DamageQuantity(s.Choice):
@@ -593,13 +593,13 @@ class CreepParameter(s.Choice):
 
 
 class Scatter(s.Choice):
-    """How measured adhesion scatters.
+    """Scatter of measured adhesion.
 
-    RELATIVE: in proportion to the adhesion, and to a hundredth of the largest at least
+    RELATIVE: in proportion to the adhesion, and at least to a hundredth of the largest
     ABSOLUTE: by the same amount at every point
     """
 
-    RELATIVE = 0, 'in proportion to the adhesion, and to a hundredth of the largest at least'
+    RELATIVE = 0, 'in proportion to the adhesion, and at least to a hundredth of the largest'
     ABSOLUTE = 1, 'by the same amount at every point'
 
 
@@ -636,7 +636,7 @@ class FaceKind(s.Choice):
 
 
 class SurfaceQuantity(s.Choice):
-    """What lies on a surface.
+    """Quantities of a bin: substances and heat.
 
     WATER: [kg/m^2]
     OXIDE: oxide and debris of wear [kg/m^2]
@@ -655,22 +655,23 @@ class SurfaceQuantity(s.Choice):
 
 
 class SurfaceBook(s.Choice):
-    """Columns of the books. Amount = put on - removed - squeezed - evaporated - carried, to the last bit.
+    """Columns of the books of a bin. Amount = put on - removed - squeezed - evaporated - carried, to the last
+        bit.
 
-    AMOUNT: now
-    PUT_ON: by sources; of heat: by friction, too
-    REMOVED: by frictional energy; of heat: to the air and into the depth
-    SQUEEZED: out of the running band by passing wheels
-    EVAPORATED: water into the air; of heat: taken by that
-    CARRIED: to the other body, less the amount that came from it
+    AMOUNT: amount in the bin now
+    PUT_ON: put on by sources; heat also by friction
+    REMOVED: removed by frictional energy; heat lost to the air and into the depth
+    SQUEEZED: pressed out of the running band by passing wheels
+    EVAPORATED: water evaporated; heat that this took
+    CARRIED: carried to the other body, less the amount that came from it
     """
 
-    AMOUNT = 0, 'now'
-    PUT_ON = 1, 'by sources; of heat: by friction, too'
-    REMOVED = 2, 'by frictional energy; of heat: to the air and into the depth'
-    SQUEEZED = 3, 'out of the running band by passing wheels'
-    EVAPORATED = 4, 'water into the air; of heat: taken by that'
-    CARRIED = 5, 'to the other body, less the amount that came from it'
+    AMOUNT = 0, 'amount in the bin now'
+    PUT_ON = 1, 'put on by sources; heat also by friction'
+    REMOVED = 2, 'removed by frictional energy; heat lost to the air and into the depth'
+    SQUEEZED = 3, 'pressed out of the running band by passing wheels'
+    EVAPORATED = 4, 'water evaporated; heat that this took'
+    CARRIED = 5, 'carried to the other body, less the amount that came from it'
 
 
 class Profile(s.Struct):
@@ -835,7 +836,7 @@ class RailSection(s.Struct):
       y [m]: place of the profile's origin from that of config.rail, to the field side (-0.5 .. 0.5; default
           0)
       z [m]: the same downwards (-0.5 .. 0.5; default 0)
-      surface: which surface it is of; sections of one surface stand side by side. Count from the gauge side
+      surface: number of its surface, counted from the gauge side; sections of one surface stand side by side
           (0 .. 7; default 0)
       mark_count: number of marks; equal for all sections of a surface (0 .. 64; default 0)
       marks [m]: mark_count of them: y on this profile, increasing by 1 mm at least, also from the ends (-0.5
@@ -1005,8 +1006,8 @@ class ConfigSurface(s.Struct):
           takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
           2e7)
       max_iterations: work that the normal problem at one height may take, in iterations over all strips that
-          overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The end is
-          that of max_work (2 .. 1e6; default 1e6)
+          overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The call
+          then ends as with max_work (2 .. 1e6; default 1e6)
     """
 
     _c_name_ = 'wrc_config_surface'
@@ -1257,7 +1258,7 @@ class Friction(s.Struct):
           to a tenth of layer_yield at least; goes with layer_yield (-1e13 .. 1e14; default 0)
       adhesion_reduction: Polach's k_A: factor on the gradient of traction where the patch sticks; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
-      slip_reduction: Polach's k_S: the same where it slips, at most adhesion_reduction; of
+      slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
 
@@ -3014,17 +3015,17 @@ class CreepCurve(s.Struct):
     """A measured curve of adhesion over slip, and the law to be fitted to it.
 
     Members:
-      count: points, three more than parameters at least (4 .. 100000; default 0)
+      count: number of points, at least three more than parameters (4 .. 100000; default 0)
       slip: count of them: amount of the longitudinal creepage (1e-7 .. 1; required)
       adhesion: count of them: longitudinal force over load, against the slip positive (-0.2 .. 2; required)
       speed [m/s]: count of them: rolling speed (1e-3 .. 200; required)
-      load [N]: count of them: of the wheel (1 .. 1e7; required)
+      load [N]: count of them: load of the wheel (1 .. 1e7; required)
       ellipse: the patch under ellipse.normal_force. Its axes grow with the cube root of the load (Hertz)
-      friction: the law, without zones and temperatures. The fit begins with its values and keeps those it
-          does not look for
+      friction: the law, without zones and temperatures. The fit begins with its values and keeps those of
+          other parameters
       parameters: bit 1 << parameter for each CreepParameter to be found (1 .. 1023; default 1)
       scatter: Scatter (default Scatter.RELATIVE)
-      max_iterations: of the fit (1 .. 1000; default 100)
+      max_iterations: cap on the iterations of the fit (1 .. 1000; default 100)
       progress: called between iterations; None: none (default None)
       user: handed to progress (default None)
     """
@@ -3065,18 +3066,18 @@ assert c.sizeof(CreepCurve) == 376
 
 
 class CreepFit(s.Struct):
-    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 of
-        parameters that were not looked for.
+    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 for
+        parameters that were not to be found.
 
     Members:
       flags: bit 1 << flag for each WRC_FLAG_... met
       iterations: of the fit
-      undetermined: bits of parameters that the curve does not determine: any value, or only a combination of
-          several, would fit. Their deviation is infinite, their interval the whole range
+      undetermined: bits of parameters that the curve does not determine: any value fits, or only a
+          combination of several is determined. Their deviation is infinite, their interval the whole range
       at_limit: bits of parameters that ended at the end of their range
       scatter: standard deviation of the measured points from the law: relative, or of the adhesion
       friction: the law that fits best
-      value: that fits best, in the unit of the parameter
+      value: value that fits best, in the unit of the parameter
       deviation: standard deviation of that value, in the same unit
       low: lower end of the interval that holds the true value with 95 %
       high: its upper end
@@ -3375,8 +3376,8 @@ assert c.sizeof(Flange) == 48
 
 
 class SectionLine(s.Struct):
-    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points may lie
-        anywhere along it.
+    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points need no
+        equal distances.
 
     Members:
       distance [m]: along the track
@@ -3412,17 +3413,17 @@ class RailFacesProblem(s.Struct):
       interruption_count: (0 .. 1000; default 0)
       interruptions [m]: interruption_count of them: places between two sections that no face passes, the gap
           of a joint (-1e7 .. 1e7; required)
-      first [m]: where the part of the track begins that is wanted, a section before it kept (-1e7 .. 1e7;
+      first [m]: beginning of the wanted part of the track; one section before it is kept, too (-1e7 .. 1e7;
           default -1e7)
-      last [m]: where it ends (-1e7 .. 1e7; default 1e7)
-      depth [m]: below z = 0 from which on nothing is a face: the bottom of a flangeway is deeper (1e-3 ..
-          0.2; default 0.03)
-      gap [m]: from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)
-      kink [rad]: turn of a line at a concave corner at which it is parted: a blade at its stock rail (0.1 ..
-          3; default 0.7)
-      least_width [m]: of a face; what is narrower is left out (1e-3 .. 0.05; default 3e-3)
-      tolerance [m]: of a section from the mean of its neighbours; more is told in thin (1e-6 .. 0.05; default
-          2e-4)
+      last [m]: its end; one section beyond is kept, too (-1e7 .. 1e7; default 1e7)
+      depth [m]: depth below z = 0 beyond which points belong to no face, as the bottom of a flangeway (1e-3
+          .. 0.2; default 0.03)
+      gap [m]: distance from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)
+      kink [rad]: turn at a concave corner above which a line is parted: a blade at its stock rail (0.1 .. 3;
+          default 0.7)
+      least_width [m]: least width of a face; narrower pieces are left out (1e-3 .. 0.05; default 3e-3)
+      tolerance [m]: distance of a section from the mean of its neighbours, above which thin names it (1e-6 ..
+          0.05; default 2e-4)
     """
 
     _c_name_ = 'wrc_rail_faces_problem'
@@ -3459,15 +3460,15 @@ assert c.sizeof(RailFacesProblem) == 88
 
 
 class FoundFaces(s.Struct):
-    """Faces of a rail. All that is pointed to is the handle's and ends with it.
+    """Faces of a rail. Data behind its pointers belong to the handle and end with it.
 
     Members:
       face_count: faces
       outline_count: outlines of all faces, for rail_faces()
       rail_section_count: for config.rail_section_count, which takes 1000 at most
       rail_sections: for config.rail_sections, without check rails
-      notes: what was left out or joined: sentences, each with its end of line
-      thin: where sections are too far apart, or faces more than a model holds; as notes
+      notes: pieces that were left out or joined: sentences, each with its end of line
+      thin: places where sections are too far apart, or more faces than a model holds; as notes
     """
 
     _c_name_ = 'wrc_found_faces'
@@ -3493,7 +3494,7 @@ assert c.sizeof(FoundFaces) == 48
 
 
 class FaceOutline(s.Struct):
-    """A face in one of the measured sections. Its arrays are the handle's.
+    """A face in one of the measured sections. Its arrays belong to the handle and end with it.
 
     Members:
       kind: FaceKind: of its face
@@ -3538,12 +3539,12 @@ assert c.sizeof(FaceOutline) == 64
 
 
 class SurfaceBin(s.Struct):
-    """One bin: all zero, it is clean and at ambient temperature.
+    """One bin. With all members zero it is clean and at ambient temperature.
 
     Members:
       sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer of
           128 bits, two's complement. wrc_surface_values() converts it
-      overflow: bit i: sum i, or a contribution to it, passed its range and is worthless
+      overflow: bit i: sum i, or a contribution to it, passed its range and is invalid
     """
 
     _c_name_ = 'wrc_surface_bin'
@@ -3560,12 +3561,12 @@ assert c.sizeof(SurfaceBin) == 832
 
 class Surface(s.Struct):
     """Running band of a rail along the track, or of a wheel round its tread. Amounts belong to the middles of
-        its bins, straight lines lie between. Beyond the ends of one that is not closed the end's amounts
-        hold, and nothing is changed there.
+        its bins, with straight lines between. Beyond the ends of a band that is not closed the amounts of the
+        end hold. Nothing is changed there.
 
     Members:
       count: bins (1 .. 10000000; default 0)
-      first [m]: distance at which the first begins (-1e9 .. 1e9; default 0)
+      first [m]: distance at which the first bin begins (-1e9 .. 1e9; default 0)
       length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)
       width [m]: of the running band (1e-3 .. 0.5; default 0.02)
       closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1;
@@ -3597,20 +3598,21 @@ assert c.sizeof(Surface) == 48
 
 
 class Substance(s.Struct):
-    """How one substance acts and goes. All zero: it lies there, and does nothing.
+    """Laws of one substance: friction, layer, removal. With all members zero it lies there and has no effect.
 
     Members:
       cover [kg/m^2]: on both bodies together: amount from which it covers the surface; 0: no effect on
           friction and layer (0 or 1e-6 .. 100; default 0)
-      weight: of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000;
+      weight: weight of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000;
           default 0)
-      friction: of a surface that it covers, dry; goes with cover (0 or 1e-3 .. 2; default 0)
+      friction: coefficient of friction of a dry surface that it covers; goes with cover (0 or 1e-3 .. 2;
+          default 0)
       wet_friction: the same where water covers, too; goes with cover (0 or 1e-3 .. 2; default 0)
-      removal [m^2/J]: tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area (0 .. 1;
-          default 0)
+      removal [m^2/J]: tau: frictional energy W over the band's area removes the share 1 - exp(-tau W) (0 ..
+          1; default 0)
       kept [kg/m^2]: amount that a passing wheel leaves in the band (0 .. 100; default 0)
       squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
-      carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)
+      carry: rate at which amounts on both bodies become equal, as a share in one passage (0 .. 1; default 0)
       density [kg/m^3]: of its layer (100 .. 1e5; default 1000)
       layer_modulus [Pa]: of its layer in shear; 0: it does not shear elastically (0 or 1e3 .. 1e12; default
           0)
@@ -3656,19 +3658,23 @@ class SurfaceLaws(s.Struct):
     """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name.
 
     Members:
-      water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
+      water: it wets the others: wet_friction is that of wet steel; weight, friction, layer are 0
       oxide: oxide and debris
       film: organic film
       sand: sand
       lubricant: lubricant
-      rail_share: of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default 0.5)
-      rail_heat_capacity [J/(m^2 K)]: of the rail per area of its band (1e2 .. 1e8; default 35e3)
-      wheel_heat_capacity [J/(m^2 K)]: of the wheel per area of its band (1e2 .. 1e8; default 35e3)
-      cooling_time [s]: in which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
-      drying_time [s]: in which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
-      evaporation_share: of frictional heat that evaporates water where there is plenty (0 .. 1; default 0)
-      evaporation_amount [kg/m^2]: water at which half of that share is left (1e-6 .. 10; default 5e-3)
-      latent_heat [J/kg]: of evaporation (1e5 .. 1e7; default 2.4e6)
+      rail_share: share of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default
+          0.5)
+      rail_heat_capacity [J/(m^2 K)]: heat capacity of the rail per area of its band (1e2 .. 1e8; default
+          35e3)
+      wheel_heat_capacity [J/(m^2 K)]: heat capacity of the wheel per area of its band (1e2 .. 1e8; default
+          35e3)
+      cooling_time [s]: time after which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
+      drying_time [s]: time after which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
+      evaporation_share: share of frictional heat that evaporates water where there is plenty (0 .. 1; default
+          0)
+      evaporation_amount [kg/m^2]: amount of water at which that share is halved (1e-6 .. 10; default 5e-3)
+      latent_heat [J/kg]: latent heat of evaporation (1e5 .. 1e7; default 2.4e6)
       ambient [degC]: temperature of bodies without heat (-100 .. 200; default 20)
     """
 
@@ -3712,7 +3718,7 @@ assert c.sizeof(SurfaceLaws) == 720
 
 
 class SurfacePassage(s.Struct):
-    """A step of a wheel on its rail: which stretches of both passed through the contact, and with which
+    """A step of a wheel on its rail: the stretches of both bodies that passed through the contact, and the
         frictional energy.
 
     Members:
@@ -3720,8 +3726,8 @@ class SurfacePassage(s.Struct):
       rail_to [m]: the same at the end (-1e9 .. 1e9; default 0)
       wheel_from [m]: distance round the wheel at the beginning, growing as it rolls forwards (-1e9 .. 1e9;
           default 0)
-      wheel_to [m]: the same at the end, equal at a locked wheel (-1e9 .. 1e9; default 0)
-      energy [J]: frictional: Wrench.power times the duration (0 .. 1e9; default 0)
+      wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)
+      energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)
     """
 
     _c_name_ = 'wrc_surface_passage'
@@ -3745,13 +3751,13 @@ assert c.sizeof(SurfacePassage) == 48
 
 
 class SurfaceExchange(s.Struct):
-    """What a passage moved.
+    """Amounts and energies that a passage moved.
 
     Members:
-      carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back
-      rail_energy [J]: frictional energy that the rail's bins have booked
-      wheel_energy [J]: the same of the wheel's
-      beside_energy [J]: the rest: of a rail beyond its ends, of a wheel that is None
+      carried [kg]: by SurfaceQuantity: from rail to wheel, less that from wheel to rail
+      rail_energy [J]: frictional energy booked in the rail's bins
+      wheel_energy [J]: the same in the wheel's bins
+      beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None
     """
 
     _c_name_ = 'wrc_surface_exchange'
@@ -3959,8 +3965,9 @@ class ContactCalls(_l.Handle):
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
             equations, not differences. Over temperature and with config.surface.memory the part of the
-            tractions is a difference. Two to three times the time of the wrench, over temperature four to
-            five times, with memory ten, four where a load is given. Theory manual, section 9.
+            tractions is a difference. The call takes two to three times the time of the wrench, over
+            temperature four to five times. With memory it takes ten times, with a load given four times.
+            Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
@@ -4386,23 +4393,24 @@ def shakedown_limit_point(utilisation: float) -> float:
 def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
     """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
         substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
-        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
-        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
-        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
-        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
-        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
-        trial steps of an integrator; derivatives are those of the wrench as they are.
+        goes from dry to wet by water's theta. The share of bare steel is the product of 1 - theta of all
+        other substances. Covered steel has the mean friction of these, weighted by theta times weight. So one
+        substance alone, dry or wet, changes friction in proportion to its amount. Under frictional energy W
+        friction then recovers as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International
+        69 (2014). Layers lie in series. Friction and layer are continuous in amounts, heat and places. They
+        are inputs of the wrench: hold them over the step and over trial steps of an integrator. Derivatives
+        of the wrench hold at this friction.
 
     rail: the rail
     wheel: the wheel; None: it carries nothing
     laws: constants
-    passage: its rail_from and wheel_from count
-    base: friction of clean, dry bodies; None: the defaults. Laws of speed and temperature stay; a layer of
-        its own lies in series. Without zones
-    out: base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults
-        on failure; None: a new one
+    passage: only rail_from and wheel_from are used
+    base: friction of clean, dry bodies, without zones; None: the defaults. Its laws of speed and temperature
+        are kept. Its layer lies in series with those of the substances
+    out: base with coefficient, layer_... and bulk of the surfaces; base itself is not changed; defaults on
+        failure; None: a new one
 
-    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken);
+    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, where the end's amounts hold);
         Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
     """
     if out is None:

@@ -431,7 +431,7 @@ class WrenchInput(s.Choice):
     FRICTION = 22
     """a factor, here 1, on all coefficients of friction [-]"""
     TIME_STEP = 23
-    """time_step [s], of config.surface.memory; where it is 0, to the side of time"""
+    """time_step [s], of config.surface.memory; at time_step 0 towards larger times"""
 WrenchInputLike = Union[WrenchInput, Literal['Y', 'Z', 'ROLL', 'YAW', 'VELOCITY_X', 'VELOCITY_Y', 'VELOCITY_Z', 'ANGULAR_VELOCITY_X', 'ANGULAR_VELOCITY_Y', 'ANGULAR_VELOCITY_Z', 'RAIL_Y', 'RAIL_Z', 'RAIL_ROLL', 'RAIL_Y_VELOCITY', 'RAIL_Z_VELOCITY', 'RAIL_ROLL_RATE', 'VERTICAL_LOAD', 'DISTANCE', 'ANGLE', 'RAIL_Y_SLOPE', 'RAIL_Z_SLOPE', 'ROLLER_RATE', 'FRICTION', 'TIME_STEP']]
 
 class DamageQuantity(s.Choice):
@@ -506,7 +506,7 @@ CreepParameterLike = Union[CreepParameter, Literal['COEFFICIENT', 'KINETIC_RATIO
 
 class Scatter(s.Choice):
     RELATIVE = 0
-    """in proportion to the adhesion, and to a hundredth of the largest at least"""
+    """in proportion to the adhesion, and at least to a hundredth of the largest"""
     ABSOLUTE = 1
     """by the same amount at every point"""
 ScatterLike = Union[Scatter, Literal['RELATIVE', 'ABSOLUTE']]
@@ -553,17 +553,17 @@ SurfaceQuantityLike = Union[SurfaceQuantity, Literal['WATER', 'OXIDE', 'FILM', '
 
 class SurfaceBook(s.Choice):
     AMOUNT = 0
-    """now"""
+    """amount in the bin now"""
     PUT_ON = 1
-    """by sources; of heat: by friction, too"""
+    """put on by sources; heat also by friction"""
     REMOVED = 2
-    """by frictional energy; of heat: to the air and into the depth"""
+    """removed by frictional energy; heat lost to the air and into the depth"""
     SQUEEZED = 3
-    """out of the running band by passing wheels"""
+    """pressed out of the running band by passing wheels"""
     EVAPORATED = 4
-    """water into the air; of heat: taken by that"""
+    """water evaporated; heat that this took"""
     CARRIED = 5
-    """to the other body, less the amount that came from it"""
+    """carried to the other body, less the amount that came from it"""
 SurfaceBookLike = Union[SurfaceBook, Literal['AMOUNT', 'PUT_ON', 'REMOVED', 'SQUEEZED', 'EVAPORATED', 'CARRIED']]
 
 class Profile(s.Struct):
@@ -722,7 +722,7 @@ class RailSection(s.Struct):
     z: float
     """z [m]: the same downwards (-0.5 .. 0.5; default 0)"""
     surface: int
-    """surface: which surface it is of; sections of one surface stand side by side. Count from the gauge side (0
+    """surface: number of its surface, counted from the gauge side; sections of one surface stand side by side (0
         .. 7; default 0)
     """
     @property
@@ -919,8 +919,8 @@ class ConfigSurface(s.Struct):
     """
     max_iterations: float
     """max_iterations: work that the normal problem at one height may take, in iterations over all strips that
-        overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The end is
-        that of max_work (2 .. 1e6; default 1e6)
+        overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The call then
+        ends as with max_work (2 .. 1e6; default 1e6)
     """
     def __init__(self, *, cells: int = ..., memory: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
         """The defaults, and what is given."""
@@ -1206,7 +1206,7 @@ class Friction(s.Struct):
         TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
     slip_reduction: float
-    """slip_reduction: Polach's k_S: the same where it slips, at most adhesion_reduction; of
+    """slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
         TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
     def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> None:
@@ -2944,7 +2944,7 @@ class CreepCurve(s.Struct):
     """A measured curve of adhesion over slip, and the law to be fitted to it."""
     @property
     def count(self) -> int:
-        """count: points, three more than parameters at least (4 .. 100000; default 0)"""
+        """count: number of points, at least three more than parameters (4 .. 100000; default 0)"""
     @property
     def slip(self) -> Optional[NDArray[np.float64]]:
         """slip: count of them: amount of the longitudinal creepage (1e-7 .. 1; required)"""
@@ -2963,14 +2963,14 @@ class CreepCurve(s.Struct):
     def speed(self, value: Optional[s.Floats]) -> None: ...
     @property
     def load(self) -> Optional[NDArray[np.float64]]:
-        """load [N]: count of them: of the wheel (1 .. 1e7; required)"""
+        """load [N]: count of them: load of the wheel (1 .. 1e7; required)"""
     @load.setter
     def load(self, value: Optional[s.Floats]) -> None: ...
     ellipse: Ellipse
     """ellipse: the patch under ellipse.normal_force. Its axes grow with the cube root of the load (Hertz)"""
     friction: Friction
-    """friction: the law, without zones and temperatures. The fit begins with its values and keeps those it does
-        not look for
+    """friction: the law, without zones and temperatures. The fit begins with its values and keeps those of other
+        parameters
     """
     parameters: int
     """parameters: bit 1 << parameter for each CreepParameter to be found (1 .. 1023; default 1)"""
@@ -2980,7 +2980,7 @@ class CreepCurve(s.Struct):
     @scatter.setter
     def scatter(self, value: ScatterLike) -> None: ...
     max_iterations: int
-    """max_iterations: of the fit (1 .. 1000; default 100)"""
+    """max_iterations: cap on the iterations of the fit (1 .. 1000; default 100)"""
     progress: Any
     """progress: called between iterations; None: none (default None)"""
     user: Any
@@ -3005,8 +3005,8 @@ class CreepCurveDict(TypedDict, total=False):
     user: Any
 
 class CreepFit(s.Struct):
-    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 of
-        parameters that were not looked for.
+    """The law that fits best, and how far the curve determines it. Arrays are over CreepParameter, with 0 for
+        parameters that were not to be found.
     """
     @property
     def flags(self) -> Flags:
@@ -3016,8 +3016,8 @@ class CreepFit(s.Struct):
     iterations: int
     """iterations: of the fit"""
     undetermined: int
-    """undetermined: bits of parameters that the curve does not determine: any value, or only a combination of
-        several, would fit. Their deviation is infinite, their interval the whole range
+    """undetermined: bits of parameters that the curve does not determine: any value fits, or only a combination
+        of several is determined. Their deviation is infinite, their interval the whole range
     """
     at_limit: int
     """at_limit: bits of parameters that ended at the end of their range"""
@@ -3027,7 +3027,7 @@ class CreepFit(s.Struct):
     """friction: the law that fits best"""
     @property
     def value(self) -> NDArray[Any]:
-        """value: that fits best, in the unit of the parameter"""
+        """value: value that fits best, in the unit of the parameter"""
     @value.setter
     def value(self, value: s.Floats) -> None: ...
     @property
@@ -3374,8 +3374,8 @@ class FlangeDict(TypedDict, total=False):
     slope: float
 
 class SectionLine(s.Struct):
-    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points may lie
-        anywhere along it.
+    """One measured line across a rail, from the gauge side to the field side, with gaps. Its points need no
+        equal distances.
     """
     distance: float
     """distance [m]: along the track"""
@@ -3424,26 +3424,26 @@ class RailFacesProblem(s.Struct):
     @interruptions.setter
     def interruptions(self, value: Optional[s.Floats]) -> None: ...
     first: float
-    """first [m]: where the part of the track begins that is wanted, a section before it kept (-1e7 .. 1e7;
+    """first [m]: beginning of the wanted part of the track; one section before it is kept, too (-1e7 .. 1e7;
         default -1e7)
     """
     last: float
-    """last [m]: where it ends (-1e7 .. 1e7; default 1e7)"""
+    """last [m]: its end; one section beyond is kept, too (-1e7 .. 1e7; default 1e7)"""
     depth: float
-    """depth [m]: below z = 0 from which on nothing is a face: the bottom of a flangeway is deeper (1e-3 .. 0.2;
-        default 0.03)
+    """depth [m]: depth below z = 0 beyond which points belong to no face, as the bottom of a flangeway (1e-3 ..
+        0.2; default 0.03)
     """
     gap: float
-    """gap [m]: from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)"""
+    """gap [m]: distance from one point to the next at which a line is parted (1e-4 .. 0.1; default 5e-3)"""
     kink: float
-    """kink [rad]: turn of a line at a concave corner at which it is parted: a blade at its stock rail (0.1 .. 3;
+    """kink [rad]: turn at a concave corner above which a line is parted: a blade at its stock rail (0.1 .. 3;
         default 0.7)
     """
     least_width: float
-    """least_width [m]: of a face; what is narrower is left out (1e-3 .. 0.05; default 3e-3)"""
+    """least_width [m]: least width of a face; narrower pieces are left out (1e-3 .. 0.05; default 3e-3)"""
     tolerance: float
-    """tolerance [m]: of a section from the mean of its neighbours; more is told in thin (1e-6 .. 0.05; default
-        2e-4)
+    """tolerance [m]: distance of a section from the mean of its neighbours, above which thin names it (1e-6 ..
+        0.05; default 2e-4)
     """
     def __init__(self, *, sections: Optional[Sequence[Union[SectionLine, SectionLineDict]]] = ..., interruptions: Optional[s.Floats] = ..., first: float = ..., last: float = ..., depth: float = ..., gap: float = ..., kink: float = ..., least_width: float = ..., tolerance: float = ...) -> None:
         """The defaults, and what is given."""
@@ -3463,7 +3463,7 @@ class RailFacesProblemDict(TypedDict, total=False):
     tolerance: float
 
 class FoundFaces(s.Struct):
-    """Faces of a rail. All that is pointed to is the handle's and ends with it."""
+    """Faces of a rail. Data behind its pointers belong to the handle and end with it."""
     face_count: int
     """face_count: faces"""
     outline_count: int
@@ -3474,12 +3474,12 @@ class FoundFaces(s.Struct):
     """rail_sections: for config.rail_sections, without check rails"""
     @property
     def notes(self) -> Optional[str]:
-        """notes: what was left out or joined: sentences, each with its end of line"""
+        """notes: pieces that were left out or joined: sentences, each with its end of line"""
     @notes.setter
     def notes(self, value: Optional[s.Path]) -> None: ...
     @property
     def thin(self) -> Optional[str]:
-        """thin: where sections are too far apart, or faces more than a model holds; as notes"""
+        """thin: places where sections are too far apart, or more faces than a model holds; as notes"""
     @thin.setter
     def thin(self, value: Optional[s.Path]) -> None: ...
     def __init__(self, *, face_count: int = ..., outline_count: int = ..., rail_section_count: int = ..., rail_sections: Optional[RailSection] = ..., notes: Optional[s.Path] = ..., thin: Optional[s.Path] = ...) -> None:
@@ -3497,7 +3497,7 @@ class FoundFacesDict(TypedDict, total=False):
     thin: Optional[s.Path]
 
 class FaceOutline(s.Struct):
-    """A face in one of the measured sections. Its arrays are the handle's."""
+    """A face in one of the measured sections. Its arrays belong to the handle and end with it."""
     @property
     def kind(self) -> FaceKind:
         """kind: FaceKind: of its face"""
@@ -3550,7 +3550,7 @@ class FaceOutlineDict(TypedDict, total=False):
     marks: Optional[s.Floats]
 
 class SurfaceBin(s.Struct):
-    """One bin: all zero, it is clean and at ambient temperature."""
+    """One bin. With all members zero it is clean and at ambient temperature."""
     @property
     def sum(self) -> NDArray[Any]:
         """sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer
@@ -3559,7 +3559,7 @@ class SurfaceBin(s.Struct):
     @sum.setter
     def sum(self, value: s.Floats) -> None: ...
     overflow: int
-    """overflow: bit i: sum i, or a contribution to it, passed its range and is worthless"""
+    """overflow: bit i: sum i, or a contribution to it, passed its range and is invalid"""
     def __init__(self, *, sum: s.Floats = ..., overflow: int = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, sum: s.Floats = ..., overflow: int = ...) -> SurfaceBin:  # type: ignore[override]
@@ -3572,13 +3572,13 @@ class SurfaceBinDict(TypedDict, total=False):
 
 class Surface(s.Struct):
     """Running band of a rail along the track, or of a wheel round its tread. Amounts belong to the middles of
-        its bins, straight lines lie between. Beyond the ends of one that is not closed the end's amounts
-        hold, and nothing is changed there.
+        its bins, with straight lines between. Beyond the ends of a band that is not closed the amounts of the
+        end hold. Nothing is changed there.
     """
     count: int
     """count: bins (1 .. 10000000; default 0)"""
     first: float
-    """first [m]: distance at which the first begins (-1e9 .. 1e9; default 0)"""
+    """first [m]: distance at which the first bin begins (-1e9 .. 1e9; default 0)"""
     length: float
     """length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)"""
     width: float
@@ -3604,21 +3604,24 @@ class SurfaceDict(TypedDict, total=False):
     bins: Optional[SurfaceBin]
 
 class Substance(s.Struct):
-    """How one substance acts and goes. All zero: it lies there, and does nothing."""
+    """Laws of one substance: friction, layer, removal. With all members zero it lies there and has no effect.
+    """
     cover: float
     """cover [kg/m^2]: on both bodies together: amount from which it covers the surface; 0: no effect on friction
         and layer (0 or 1e-6 .. 100; default 0)
     """
     weight: float
-    """weight: of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000; default
-        0)
+    """weight: weight of its friction among substances that cover together; goes with cover (0 or 1e-3 .. 1000;
+        default 0)
     """
     friction: float
-    """friction: of a surface that it covers, dry; goes with cover (0 or 1e-3 .. 2; default 0)"""
+    """friction: coefficient of friction of a dry surface that it covers; goes with cover (0 or 1e-3 .. 2;
+        default 0)
+    """
     wet_friction: float
     """wet_friction: the same where water covers, too; goes with cover (0 or 1e-3 .. 2; default 0)"""
     removal: float
-    """removal [m^2/J]: tau: share 1 - exp(-tau W) goes by frictional energy W over the band's area (0 .. 1;
+    """removal [m^2/J]: tau: frictional energy W over the band's area removes the share 1 - exp(-tau W) (0 .. 1;
         default 0)
     """
     kept: float
@@ -3627,7 +3630,8 @@ class Substance(s.Struct):
     """squeeze: share of the amount above kept that one passage presses out of the band (0 .. 0.999; default 0)
     """
     carry: float
-    """carry: share of the way to equal amounts on both bodies that one passage goes (0 .. 1; default 0)"""
+    """carry: rate at which amounts on both bodies become equal, as a share in one passage (0 .. 1; default 0)
+    """
     density: float
     """density [kg/m^3]: of its layer (100 .. 1e5; default 1000)"""
     layer_modulus: float
@@ -3662,8 +3666,7 @@ class SubstanceDict(TypedDict, total=False):
 class SurfaceLaws(s.Struct):
     """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name."""
     water: Substance
-    """water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
-    """
+    """water: it wets the others: wet_friction is that of wet steel; weight, friction, layer are 0"""
     oxide: Substance
     """oxide: oxide and debris"""
     film: Substance
@@ -3673,23 +3676,31 @@ class SurfaceLaws(s.Struct):
     lubricant: Substance
     """lubricant: lubricant"""
     rail_share: float
-    """rail_share: of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default 0.5)
+    """rail_share: share of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default
+        0.5)
     """
     rail_heat_capacity: float
-    """rail_heat_capacity [J/(m^2 K)]: of the rail per area of its band (1e2 .. 1e8; default 35e3)"""
+    """rail_heat_capacity [J/(m^2 K)]: heat capacity of the rail per area of its band (1e2 .. 1e8; default 35e3)
+    """
     wheel_heat_capacity: float
-    """wheel_heat_capacity [J/(m^2 K)]: of the wheel per area of its band (1e2 .. 1e8; default 35e3)"""
+    """wheel_heat_capacity [J/(m^2 K)]: heat capacity of the wheel per area of its band (1e2 .. 1e8; default
+        35e3)
+    """
     cooling_time: float
-    """cooling_time [s]: in which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)"""
+    """cooling_time [s]: time after which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
+    """
     drying_time: float
-    """drying_time [s]: in which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)"""
+    """drying_time [s]: time after which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
+    """
     evaporation_share: float
-    """evaporation_share: of frictional heat that evaporates water where there is plenty (0 .. 1; default 0)
+    """evaporation_share: share of frictional heat that evaporates water where there is plenty (0 .. 1; default
+        0)
     """
     evaporation_amount: float
-    """evaporation_amount [kg/m^2]: water at which half of that share is left (1e-6 .. 10; default 5e-3)"""
+    """evaporation_amount [kg/m^2]: amount of water at which that share is halved (1e-6 .. 10; default 5e-3)
+    """
     latent_heat: float
-    """latent_heat [J/kg]: of evaporation (1e5 .. 1e7; default 2.4e6)"""
+    """latent_heat [J/kg]: latent heat of evaporation (1e5 .. 1e7; default 2.4e6)"""
     ambient: float
     """ambient [degC]: temperature of bodies without heat (-100 .. 200; default 20)"""
     def __init__(self, *, water: Union[Substance, SubstanceDict] = ..., oxide: Union[Substance, SubstanceDict] = ..., film: Union[Substance, SubstanceDict] = ..., sand: Union[Substance, SubstanceDict] = ..., lubricant: Union[Substance, SubstanceDict] = ..., rail_share: float = ..., rail_heat_capacity: float = ..., wheel_heat_capacity: float = ..., cooling_time: float = ..., drying_time: float = ..., evaporation_share: float = ..., evaporation_amount: float = ..., latent_heat: float = ..., ambient: float = ...) -> None:
@@ -3715,7 +3726,7 @@ class SurfaceLawsDict(TypedDict, total=False):
     ambient: float
 
 class SurfacePassage(s.Struct):
-    """A step of a wheel on its rail: which stretches of both passed through the contact, and with which
+    """A step of a wheel on its rail: the stretches of both bodies that passed through the contact, and the
         frictional energy.
     """
     rail_from: float
@@ -3727,9 +3738,9 @@ class SurfacePassage(s.Struct):
         default 0)
     """
     wheel_to: float
-    """wheel_to [m]: the same at the end, equal at a locked wheel (-1e9 .. 1e9; default 0)"""
+    """wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)"""
     energy: float
-    """energy [J]: frictional: Wrench.power times the duration (0 .. 1e9; default 0)"""
+    """energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)"""
     def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> SurfacePassage:  # type: ignore[override]
@@ -3744,18 +3755,18 @@ class SurfacePassageDict(TypedDict, total=False):
     energy: float
 
 class SurfaceExchange(s.Struct):
-    """What a passage moved."""
+    """Amounts and energies that a passage moved."""
     @property
     def carried(self) -> NDArray[Any]:
-        """carried [kg]: by SurfaceQuantity: from rail to wheel, less the way back"""
+        """carried [kg]: by SurfaceQuantity: from rail to wheel, less that from wheel to rail"""
     @carried.setter
     def carried(self, value: s.Floats) -> None: ...
     rail_energy: float
-    """rail_energy [J]: frictional energy that the rail's bins have booked"""
+    """rail_energy [J]: frictional energy booked in the rail's bins"""
     wheel_energy: float
-    """wheel_energy [J]: the same of the wheel's"""
+    """wheel_energy [J]: the same in the wheel's bins"""
     beside_energy: float
-    """beside_energy [J]: the rest: of a rail beyond its ends, of a wheel that is None"""
+    """beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None"""
     def __init__(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> SurfaceExchange:  # type: ignore[override]
@@ -3925,8 +3936,9 @@ class ContactCalls(_l.Handle):
     def wrench_derivatives(self, input: WheelInput, *, wrench: Optional[Wrench] = None, derivatives: Optional[WrenchDerivatives] = None) -> Tuple[Wrench, WrenchDerivatives]:
         """Contact.wrench() with the derivatives of its wrench, for implicit integrators: those of the discrete
             equations, not differences. Over temperature and with config.surface.memory the part of the
-            tractions is a difference. Two to three times the time of the wrench, over temperature four to
-            five times, with memory ten, four where a load is given. Theory manual, section 9.
+            tractions is a difference. The call takes two to three times the time of the wrench, over
+            temperature four to five times. With memory it takes ten times, with a load given four times.
+            Theory manual, section 9.
 
         input: as for Contact.wrench()
         wrench: as for Contact.wrench(), the same bits; None: a new one
@@ -4161,23 +4173,24 @@ def shakedown_limit_point(utilisation: float) -> float:
 def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
     """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
         substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
-        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
-        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
-        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
-        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
-        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
-        trial steps of an integrator; derivatives are those of the wrench as they are.
+        goes from dry to wet by water's theta. The share of bare steel is the product of 1 - theta of all
+        other substances. Covered steel has the mean friction of these, weighted by theta times weight. So one
+        substance alone, dry or wet, changes friction in proportion to its amount. Under frictional energy W
+        friction then recovers as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International
+        69 (2014). Layers lie in series. Friction and layer are continuous in amounts, heat and places. They
+        are inputs of the wrench: hold them over the step and over trial steps of an integrator. Derivatives
+        of the wrench hold at this friction.
 
     rail: the rail
     wheel: the wheel; None: it carries nothing
     laws: constants
-    passage: its rail_from and wheel_from count
-    base: friction of clean, dry bodies; None: the defaults. Laws of speed and temperature stay; a layer of
-        its own lies in series. Without zones
-    out: base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults
-        on failure; None: a new one
+    passage: only rail_from and wheel_from are used
+    base: friction of clean, dry bodies, without zones; None: the defaults. Its laws of speed and temperature
+        are kept. Its layer lies in series with those of the substances
+    out: base with coefficient, layer_... and bulk of the surfaces; base itself is not changed; defaults on
+        failure; None: a new one
 
-    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken);
+    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, where the end's amounts hold);
         Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
     """
 

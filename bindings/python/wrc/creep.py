@@ -13,7 +13,7 @@ from .contact import Contact, use
 
 
 class FittedParameter:
-    """A parameter that was looked for: value, standard deviation, the ends of its 95 % interval, in the unit of the member of
+    """A fitted parameter: value, standard deviation, the ends of its 95 % interval, in the unit of the member of
     wrc.Friction. deviation is infinite where the curve does not determine it; at_limit: it ended at the end of its range."""
 
     __slots__ = ("name", "value", "deviation", "low", "high", "at_limit")
@@ -31,7 +31,7 @@ class FittedParameter:
 
 
 class CreepCurveFit:
-    """What wrc.fit_creep_curve() gives.
+    """Result of wrc.fit_creep_curve().
 
     parameters: wrc.FittedParameter by name
     friction: the law that fits best, a wrc.Friction

@@ -12,7 +12,7 @@ from . import _library as _l
 
 
 def _call(function: Callable[..., int], *arguments: Any) -> int:
-    """Calls a function that says in a sentence why it fails; raises that."""
+    """Calls a function; raises the sentence of a failure."""
     text = c.create_string_buffer(400)
     status = function(*arguments, text, len(text))
     if status < 0 or status == i.Status.FLAG_SUM_OVERFLOW:
@@ -44,19 +44,19 @@ class Band:
         return self
 
     def values(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> NDArray[np.float64]:
-        """What each bin holds of a quantity, or what its books say of it, per area [kg/m^2, heat J/m^2]."""
+        """One column of the books of each bin, by default the amount, per area [kg/m^2, heat J/m^2]."""
         found = np.zeros(len(self._bins))
         _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), found, None)
         return found
 
     def total(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> float:
-        """The same of all bins together [kg, heat J]."""
+        """The same, summed over all bins [kg, heat J]."""
         found = np.zeros(1)
         _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), None, found)
         return float(found[0])
 
     def rest(self, laws: i.SurfaceLaws, duration: float) -> None:
-        """Time goes by [s]: all bins cool and dry."""
+        """Lets all bins cool and dry for a time [s]."""
         _call(i._wrc_surface_rest, self.struct, laws, duration)
 
     def merge(self, other: "Band") -> "Band":
@@ -95,7 +95,7 @@ def surface_friction(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, pas
 
 
 def surface_pass(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage) -> i.SurfaceExchange:
-    """A wheel passes: both bands change. What was moved."""
+    """A wheel passes and changes both bands. Gives the amounts and energies that were moved."""
     found = i.SurfaceExchange._new()
     _call(i._wrc_surface_pass, rail.struct, wheel and wheel.struct, laws, passage, found)
     return found

@@ -74,8 +74,9 @@ void copy_start(const KeptStart& from, KeptStart& to) {
 
 namespace {
 
-/// Has the wheel been put elsewhere on the rail since the committed step? Beyond the way of its velocities,
-/// and as far as an irregularity of the rail takes it along that.
+/// Has the wheel been put elsewhere on the rail since the committed step? Its lateral or vertical move is
+/// then longer than its speeds times the time. The speed along the rail counts, too: irregularities move the
+/// wheel.
 Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
   constexpr double most = 1e-3, most_at_once = 1e-5;  // [m]
   if (!(steps.committed > 0.0)) return {};

@@ -413,12 +413,12 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);
 }
 
-/// The strips a step along the change that an input makes: for differences of tractions.
+/// The strips moved by a step along their change by an input, for differences of tractions.
 class StripsAlongInput {
  protected:
   static constexpr int results = 3, lengths = 0, slips = 3, spins = 5, places = 6;
 
-  /// `numbers`: of those below that the tractions depend on.
+  /// `numbers`: how many of the numbers in from_ the tractions depend on.
   StripsAlongInput(const Differentiation& d, const Number& speed, int numbers)
       : d_(d),
         s_(d.w.loaded),
@@ -456,7 +456,8 @@ class StripsAlongInput {
     return change;
   }
 
-  /// Goes a step along an input, with cold friction into `friction`. Returns the speed that slips are over.
+  /// Moves the strips by a step along an input, and fills `friction` with cold friction. Returns the speed by
+  /// which slips were divided.
   double go(std::size_t input, double step, double* friction) {
     double* const to[] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin, h_.x};
     for (std::int32_t k = 0; k < s_.count; ++k)
@@ -515,7 +516,7 @@ class HeatedDifferences : StripsAlongInput {
     solve(0, 0.0, more_solutions);
     for (int r = 0; r < results; ++r) std::copy_n(found[r], n, base[r]);
 
-    // one step along each input, as large as makes the largest relative change of any number 3e-7
+    // one step along each input, of a size that makes the largest relative change of any number 3e-7
     for (std::size_t input = 0; input < frame_inputs; ++input) {
       const double change = largest_change(input);
       if (!(change > 0.0)) continue;
@@ -562,7 +563,7 @@ class RememberedDifferences : StripsAlongInput {
       for (std::int32_t k = 0; k < n; ++k) results_of[r][k] = values[r][k];
     }
 
-    // one step along each input, as large as makes the largest relative change of any number 3e-8
+    // one step along each input, of a size that makes the largest relative change of any number 3e-8
     for (std::size_t input = 0; input < frame_inputs; ++input) {
       constexpr double least_time = 1e-3;  // [s]
       const double change =
@@ -577,7 +578,8 @@ class RememberedDifferences : StripsAlongInput {
   }
 
  private:
-  /// Solves the step of the strips a step along an input; its tractions go to the list that no step uses.
+  /// Solves the rolling step of strips moved by a step along an input. Its strips go to a list that no other
+  /// step uses.
   void solve(std::size_t input, double step) {
     const double divisor = go(input, step, h_.friction);
     solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,

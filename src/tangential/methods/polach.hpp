@@ -1,5 +1,5 @@
 /// Polach's force law (VSD 33 supplement (1999) 728-739, the code "ADH"; Wear 258 (2005) 992-1000): total
-/// creep forces on an ellipse, as everyone compares with.
+/// creep forces on an ellipse.
 ///
 /// Traction grows along the patch by a gradient eps until it meets the bound. With c = sqrt(a b),
 ///
@@ -13,14 +13,15 @@
 ///
 ///     F_spin = phi (9/16) a mu N K (eps_s (-delta^3/3 + delta^2/2 - 1/6) + (1 - delta^2)^(3/2) / 3).
 ///
-/// The bracket is (2/3) eps_s / (1 + eps_s^2)^2, which loses no digits. Without spin forces start along
-/// Kalker's linear theory times (k_A + k_S) / 2; spin's force is not reduced. The part that sticks is
-/// 1 / (1 + (k_A eps)^2) of each line along x. Friction falls with one sliding speed of the patch.
+/// The bracket is computed as (2/3) eps_s / (1 + eps_s^2)^2, which loses no digits. At small creepages
+/// without spin the forces are Kalker's times (k_A + k_S) / 2. The force of spin is not reduced. The part
+/// that sticks is 1 / (1 + (k_A eps)^2) of each line along x. Friction falls with one sliding speed of the
+/// patch.
 ///
-/// Own: M_z = F_spin s_y / (phi s_c), which tends to Kalker's moment of lateral creepage; he has none.
-/// Without it spin's force against lateral slip would feed power; with it power is F (s_x^2 + s_y^2) / s_c >=
-/// 0. All is cut in one ratio where the force passes mu N, by up to 28 % with reduced factors and spin
-/// against lateral slip. Theory manual, section 5.
+/// Own: M_z = F_spin s_y / (phi s_c), which tends to Kalker's moment of lateral creepage; Polach gives no
+/// moment. Without it F_spin against lateral slip would add power. With it the power is
+/// F (s_x^2 + s_y^2) / s_c >= 0. With reduced factors, and spin against lateral slip, the force would pass
+/// mu N by up to 28 %. Force, moment and power are then multiplied by one ratio. Theory manual, section 5.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +33,8 @@
 
 namespace wrc::tangential {
 
-/// Forces of the equivalent ellipse. Slips are those at the centre of its load, the contact point where psi =
-/// 0, and so is their resultant; of strips, friction's mean over the load counts.
+/// Forces of the equivalent ellipse. Slips are those at the centre of its load, where the forces act; where
+/// psi = 0 that is the contact point. Friction of strips is their mean over the load.
 inline TangentialForces polach(const RollingContact& contact, Fault& fault) {
   const theory::KalkerCoefficients k = contact.linear_theory->ellipse().at(contact.a / contact.b, fault);
   const double centre = pressure_centre({contact.a, contact.b, contact.shape_number});
@@ -57,14 +58,14 @@ inline TangentialForces polach(const RollingContact& contact, Fault& fault) {
   const double sticks = contact.reduction.adhesion * gradient, slides = contact.reduction.slip * gradient;
   const double force = 2.0 * limit / pi * (sticks / (1.0 + sticks * sticks) + arctangent(slides));
 
-  // lateral force of spin times s_c, over phi [N m]; exp(-690) is nothing
+  // lateral force of spin times s_c, over phi [N m]; exp(-690) is negligible
   constexpr double most_slender = 690.0;
   const double K = 1.0 + 6.3 * (1.0 - natural_exp(-std::min(a / b, most_slender)));
   const double spinning = 8.0 / 3.0 * G * b * std::sqrt(a * b) * k.c23 * lateral / (K * limit);
   const double falls = 1.0 + spinning * spinning;
   const double per_spin = 3.0 / 8.0 * a * limit * K * (spinning / falls / falls);
 
-  // both against the slips, not above mu N [N]
+  // both forces against the slips, limited to mu N [N]
   const double x = force * slip.longitudinal / combined;
   const double y = (force * slip.lateral + per_spin * slip.spin) / combined;
   const double size = std::sqrt(x * x + y * y), cut = size > limit ? limit / size : 1.0;
