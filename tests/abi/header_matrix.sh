@@ -56,6 +56,7 @@ FILE* __stream(unsigned);
 #define stderr __stream(2)
 int printf(const char*, ...);
 int fprintf(FILE*, const char*, ...);
+int remove(const char*);
 int snprintf(char*, size_t, const char*, ...);
 int sscanf(const char*, const char*, ...);
 #define EOF (-1)
