@@ -44,11 +44,10 @@ class Train:
         data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=self.load)
         self.data = wrc.WheelInput(start="WARM", wheel={"z": self.axles[0].contact.wrench(data).z})
 
-    def lay(self, **amounts):
-        """Substances along the whole rail [kg/m^2]."""
+    def lay(self, quantity, amount):
+        """A substance along the whole rail [kg/m^2]."""
         band = self.rail.struct
-        for quantity, amount in amounts.items():
-            self.rail.add(quantity, amount, band.first, band.first + band.count * band.length)
+        self.rail.add(quantity, amount, band.first, band.first + band.count * band.length)
 
     def strew(self, axle, rate):
         """Sand before a wheel, over the way of a step [kg/s]."""
@@ -116,7 +115,8 @@ def stop(kmh=20.0, sand=False, cars=2):
     behind = [26.4 * car + place for car in range(cars) for place in (0.0, 2.5, 19.0, 21.5)]
     demand = 1.0  # of braking [m/s^2]
     train = Train(behind, 11.5e3, kmh / 3.6, mass=len(behind) * 11.5e3, inertia=110.0, full=-11.5e3 * demand * RADIUS)
-    train.lay(FILM=0.009, WATER=0.020)
+    train.lay("FILM", 0.009)
+    train.lay("WATER", 0.020)
     sander, since = train.axles[2], 0.0  # it slid [s]
     while train.speed > 0.5:
         for axle in train.axles:
@@ -133,7 +133,8 @@ def traction(seconds=60):
     """Motors turn all axles to a wished slip, which climbs to where they pull most. Wishes, and pulls [N], second by second."""
     train = Train([0.0, 2.6, 9.9, 12.5], 21e3, 8.0, inertia=250.0, full=0.4 * 21e3 * GRAVITY * RADIUS)  # the train holds its speed
     train.dry = wrc.Friction(coefficient=0.4, speed_law="EXPONENTIAL", fall_rate=0.2)  # Polach, wet: more slip cleans more, and slides faster
-    train.lay(FILM=0.006, WATER=0.020)
+    train.lay("FILM", 0.006)
+    train.lay("WATER", 0.020)
     wish, change, wishes, pulls = 0.04, 0.01, [], [0.0]
     for _ in range(seconds):
         pull = 0.0
@@ -152,7 +153,8 @@ def traction(seconds=60):
 def start(sand=False, seconds=60.0):
     """Creep control: a tread that runs 0.3 m/s too fast loses torque. Sanders stand before axles 1 and 4. The slope is 10 per mille."""
     train = Train([0.0, 2.0, 4.0, 12.0, 14.0, 16.0], 22e3, 0.1, mass=6 * 22e3 + 1100e3, inertia=300.0, full=0.33 * 22e3 * GRAVITY * RADIUS)
-    train.lay(OXIDE=0.006, WATER=0.006)
+    train.lay("OXIDE", 0.006)
+    train.lay("WATER", 0.006)
     for _ in range(round(seconds / STEP)):
         for axle in train.axles:
             creep = axle.turning - train.speed
@@ -172,12 +174,13 @@ def curve():
     """A driven wheel on a driven roller, whose band is closed and sprayed with water: slip up to 10 % and down in 8 s, twice."""
     rig = Train([0.0], 11.5e3, 10.0)
     rig.rail = wrc.Band(30, 0.1, closed=True)
-    rig.lay(FILM=0.009, WATER=0.020)
+    rig.lay("FILM", 0.009)
+    rig.lay("WATER", 0.020)
     wheel, = rig.axles
     for step in range(16000):
         wheel.turning = rig.speed * (1.0 - 0.1 * (1.0 - abs(step * STEP % 8.0 / 4.0 - 1.0)))
         if step % 100 == 0:
-            rig.lay(WATER=2e-3)
+            rig.lay("WATER", 2e-3)
         rig.step_axle(wheel)
         rig.place, rig.time = rig.place + rig.speed * STEP, rig.time + STEP
         rig.note()
