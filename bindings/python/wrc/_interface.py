@@ -3542,7 +3542,7 @@ class SurfaceBin(s.Struct):
 
     Members:
       sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer of
-          128 bits, two's complement. wrc_surface_values() converts it
+          128 bits, two's complement. Band.values() converts it
       overflow: bit i: sum i, or a contribution to it, passed its range and is worthless
     """
 
@@ -3653,7 +3653,7 @@ assert c.sizeof(Substance) == 128
 
 
 class SurfaceLaws(s.Struct):
-    """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name.
+    """Constants of the mixing rule and of passages. surface_laws() sets them by a name.
 
     Members:
       water: it hides nothing: wet_friction is that of steel which it covers; weight, friction, layer are 0
@@ -3664,8 +3664,8 @@ class SurfaceLaws(s.Struct):
       rail_share: of the frictional energy that heats the rail; the wheel has the rest (0 .. 1; default 0.5)
       rail_heat_capacity [J/(m^2 K)]: of the rail per area of its band (1e2 .. 1e8; default 35e3)
       wheel_heat_capacity [J/(m^2 K)]: of the wheel per area of its band (1e2 .. 1e8; default 35e3)
-      cooling_time [s]: in which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
-      drying_time [s]: in which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
+      cooling_time [s]: in which Band.rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
+      drying_time [s]: in which Band.rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
       evaporation_share: of frictional heat that evaporates water where there is plenty (0 .. 1; default 0)
       evaporation_amount [kg/m^2]: water at which half of that share is left (1e-6 .. 10; default 5e-3)
       latent_heat [J/kg]: of evaporation (1e5 .. 1e7; default 2.4e6)
@@ -4383,38 +4383,6 @@ def shakedown_limit_point(utilisation: float) -> float:
     return load_factor.value
 
 
-def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
-    """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
-        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
-        goes from dry to wet by its theta. The share of bare steel is the product of the others' 1 - theta.
-        Covered steel has the mean friction of what covers, by theta times weight. So one substance alone, dry
-        or wet, moves friction in proportion to its amount. Friction then recovers as 1 - exp(-tau W):
-        Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014). Layers lie in series. It is
-        continuous in amounts, heat and places. It is an input of the wrench: hold it over the step, and over
-        trial steps of an integrator; derivatives are those of the wrench as they are.
-
-    rail: the rail
-    wheel: the wheel; None: it carries nothing
-    laws: constants
-    passage: its rail_from and wheel_from count
-    base: friction of clean, dry bodies; None: the defaults. Laws of speed and temperature stay; a layer of
-        its own lies in series. Without zones
-    out: base with coefficient, layer_... and bulk as the surfaces have them; base stays what it is; defaults
-        on failure; None: a new one
-
-    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, whose amounts are taken);
-        Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
-    """
-    if out is None:
-        out = Friction._new()
-    _text = c.create_string_buffer(1024)
-    try:
-        _l.check(_wrc_surface_friction(rail, wheel, laws, passage, base, out, _text, len(_text)), _text)
-    except c.ArgumentError as _why:
-        raise _l.misfit(_why, rail=(rail, Surface), wheel=(wheel, Surface), laws=(laws, SurfaceLaws), passage=(passage, SurfacePassage), base=(base, Friction), out=(out, Friction)) from None
-    return out
-
-
 STRUCTS = {
     'wrc_profile': Profile,
     'wrc_material': Material,
@@ -4617,5 +4585,4 @@ __all__ = [
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',
-    'surface_friction',
 ]
