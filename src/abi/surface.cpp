@@ -180,14 +180,14 @@ Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* 
 // ---------------------------------------------------------------------------------------------- named sets
 
 constexpr const char* set_names[] = {
-#define WRC_SET(identifier, name) name,
-    WRC_SURFACE_LAWS_LIST(WRC_SET)
-#undef WRC_SET
+#define WRC_NAME_OF(identifier, name) name,
+    WRC_SURFACE_LAWS_LIST(WRC_NAME_OF)
+#undef WRC_NAME_OF
 };
 constexpr const char* known_sets = "no such set; there are"
-#define WRC_SET(identifier, name) " \"" name "\""
-    WRC_SURFACE_LAWS_LIST(WRC_SET);
-#undef WRC_SET
+#define WRC_NAME_OF(identifier, name) " \"" name "\""
+    WRC_SURFACE_LAWS_LIST(WRC_NAME_OF);
+#undef WRC_NAME_OF
 
 /// docs/theory.md, "Films on rail and wheel", has the sources. Layers: G, yield, hardening, density.
 void set_low_adhesion(wrc_surface_laws& laws, bool layers) {

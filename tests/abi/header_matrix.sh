@@ -38,9 +38,11 @@ extern "C" {
 #endif
 void* memset(void*, int, size_t);
 void* memcpy(void*, const void*, size_t);
+void* memmove(void*, const void*, size_t);
 size_t strlen(const char*);
 size_t strspn(const char*, const char*);
 int strcmp(const char*, const char*);
+int strncmp(const char*, const char*, size_t);
 char* strchr(const char*, int);
 char* strerror(int);
 #ifdef __cplusplus

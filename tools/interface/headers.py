@@ -98,6 +98,7 @@ class Interface:
     numbers: list     # of (name, value): macros that are integers
     statuses: list    # of (name, value, text)
     presets: list     # of (published name, tangential method)
+    resolutions: list # names
     frictions: list   # of (name, source, status)
     enumerations: dict
     structs: dict
@@ -180,7 +181,7 @@ class _Reader:
         self.include = include
 
     def read(self, unit):
-        found = Interface([], [], [], [], {}, {}, {}, {}, {}, set())
+        found = Interface([], [], [], [], [], {}, {}, {}, {}, {}, set())
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
             if file is None or not file.name.startswith(str(self.include / "wrc")):
@@ -217,6 +218,8 @@ class _Reader:
                 found.statuses.append((first, int(value), text.strip('"')))
         elif name == "WRC_PRESET_LIST":
             found.presets = [(row[1].strip('"'), row[2]) for row in self.rows(tokens, 7)]
+        elif name == "WRC_RESOLUTION_LIST":
+            found.resolutions = [row[1].strip('"') for row in self.rows(tokens, 6)]
         elif name == "WRC_FRICTION_LIST":  # the last two are strings, which may hold commas
             found.frictions = [(row[1].strip('"'), *row[12].strip('"').split('","')) for row in self.rows(tokens, 12)]
 

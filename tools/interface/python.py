@@ -19,7 +19,9 @@ BY_HAND = {"wrc_contact_field": "Contact.field", "wrc_contact_stresses": "Contac
            "wrc_section_file_write": "write_sections", "wrc_flash_temperature": "flash_temperature",
            "wrc_whole_life_damage": "whole_life_damage", "wrc_exact_gap": "Contact.exact_gap", "wrc_exact_normal": "exact.normal",
            "wrc_exact_rolling": "exact.rolling", "wrc_exact_transient_step": "exact.Transient.step", "wrc_exact_stress": "exact.stresses",
-           "wrc_exact_largest_stresses": "exact.largest_stresses"}
+           "wrc_exact_largest_stresses": "exact.largest_stresses", "wrc_surface_laws_use": "surface_laws",
+           "wrc_surface_friction": "surface_friction", "wrc_surface_pass": "surface_pass", "wrc_surface_add": "Band.add",
+           "wrc_surface_values": "Band.values", "wrc_surface_rest": "Band.rest", "wrc_surface_merge": "Band.merge"}
 # double* that is one number; any other may be an array, and such calls are left to the raw functions.
 ONE_NUMBER = ("load_factor",)
 CALLBACKS = ("wrc_progress",)  # with a Python type of their own, s.Progress

@@ -28,7 +28,7 @@ class _Types(python.Writer):
         lines = [f'"""{mark}"""', "# fmt: off", HEAD]
         lines += [f"{name[len('WRC_'):]}: int" for name, _ in self.interface.numbers]
         lines += ["STATUS_TEXTS: Dict[int, str]", "STRUCTS: Dict[str, Type[s.Struct]]", "FUNCTIONS: Dict[str, Callable[..., Any]]"]
-        presets = [name for name, _ in self.interface.presets]
+        presets = [name for name, _ in self.interface.presets] + self.interface.resolutions
         lines += ["PRESETS: Tuple[str, ...]", f"PresetName = Literal{presets!r}"]
         lines += ["FRICTIONS: Dict[str, Tuple[str, str]]", f"FrictionName = Literal{[name for name, _, _ in self.interface.frictions]!r}"]
         statuses = [(name[len("WRC_"):], value, text) for name, value, text in self.interface.statuses]

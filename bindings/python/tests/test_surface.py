@@ -1,6 +1,7 @@
-"""Films on rail and wheel: bands, their books, and the example that stops on wet leaves."""
+"""Films on rail and wheel: bands, their books, and the example's stories."""
 import pathlib
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import wrc
 
 EXAMPLE = pathlib.Path(__file__).parents[1] / "examples" / "low_adhesion"
+PRINTED = pathlib.Path(__file__).parents[3] / "tests" / "examples"
 
 
 def passed():
@@ -49,16 +51,55 @@ def test_a_sentence_says_why():
         wrc.Band(3, 1.0, width=0.0).add("WATER", 1e-3, 0.0, 1.0)
 
 
-def test_the_first_axles_clean_for_the_last(monkeypatch, tmp_path):
+@pytest.fixture
+def example(monkeypatch):
     monkeypatch.syspath_prepend(str(EXAMPLE))
     import low_adhesion
 
-    place, time, energy, lines, rail, axles = low_adhesion.stop(14.0)
-    mean = lines[:, 2:].mean(axis=0)
+    return low_adhesion
+
+
+def printed(story):
+    """Numbers that examples_c/low_adhesion.c prints of a story, as its test has them."""
+    return [float(each) for each in re.findall(r"\d+\.?\d*", (PRINTED / f"low_adhesion_{story}.txt").read_text())]
+
+
+def test_the_first_axles_clean_for_the_last(example, tmp_path):
+    bare = example.stop(12.0, cars=1)
+    mean = bare.mean_adhesions()
     assert mean[1] > 1.1 * mean[0] and mean[3] > 1.1 * mean[2] and 0.03 < mean[0] < 0.1  # in each bogie
-    booked = rail.total("HEAT", "PUT_ON") + sum(axle.tread.total("HEAT", "PUT_ON") for axle in axles)
-    assert booked == pytest.approx(0.5 * energy.sum(), rel=1e-12)
-    with_sand = low_adhesion.stop(14.0, sand=True)
-    assert with_sand[0] < place
-    low_adhesion.draw({"without": (place, time, energy, lines, rail, axles)}, tmp_path / "stop.png")
-    assert np.isfinite(lines).all()
+    booked = bare.rail.total("HEAT", "PUT_ON") + sum(axle.tread.total("HEAT", "PUT_ON") for axle in bare.axles)
+    assert booked == pytest.approx(sum(axle.energy for axle in bare.axles), rel=1e-12)
+    example.draw_runs({"without sand": bare}).savefig(tmp_path / "stop.png")
+
+
+def test_sand_helps_a_stop(example):
+    train = example.stop(12.0, sand=True, cars=1)
+    mean = train.mean_adhesions()  # the first bogie, without sand, stops on a way of its own
+    assert train.place < train.axles[2].behind and mean[2] > 1.3 * mean[0] and mean[3] > 1.3 * mean[1]
+
+
+def test_traction_climbs_to_more_adhesion(example, tmp_path):
+    train, wishes, pulls = example.traction(seconds=4)
+    assert 1e-3 * pulls[1] == pytest.approx(printed("traction")[0], abs=0.51)  # the numbers agree with those of C
+    assert wishes == pytest.approx([0.04, 0.05, 0.06, 0.07]) and pulls[1] < pulls[2] < pulls[3]
+    ends = [axle.force / train.load for axle in train.axles]
+    assert ends == sorted(ends) and [train.slip(axle) for axle in train.axles] == pytest.approx([wishes[-1]] * 4, abs=0.01)
+    example.draw_traction(train).savefig(tmp_path / "traction.png")
+
+
+def test_sand_helps_a_start(example, tmp_path):
+    bare, sanded = example.start(seconds=3.2), example.start(sand=True, seconds=3.2)  # for 3 s the train stands on its brakes
+    adhesions = bare.mean_adhesions(), sanded.mean_adhesions()
+    assert sanded.speed > bare.speed > 0.1
+    assert (adhesions[1][::3] > 1.5 * adhesions[0][::3]).all()  # these have the sanders; no other axle has come to the sand
+    assert adhesions[1][[1, 2, 4, 5]] == pytest.approx(adhesions[0][[1, 2, 4, 5]], rel=0.02)
+    example.draw_runs({"without": bare, "with": sanded}).savefig(tmp_path / "start.png")
+
+
+def test_the_curve_comes_back_higher(example, tmp_path):
+    rig = example.curve()
+    found = example.at_half(rig)
+    assert found == pytest.approx(printed("curve")[1:], abs=0.00051)
+    assert (np.diff(found) > 0.0).all()
+    example.draw_curve(rig).savefig(tmp_path / "curve.png")

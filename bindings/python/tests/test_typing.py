@@ -30,6 +30,8 @@ regions: List[wrc.Region] = contact.regions()
 pressure = contact.field("PRESSURE").max()
 out = contact.planar_step(wrc.PlanarInput(load=wrc.PlanarLoad(normal_force=80e3), creepage={"longitudinal": 1e-3}))
 total: float = out.forces.fx + out.damage.power
+wheel = wrc.Model(wheel="S1002", preset="real time").contact()
+data.friction = wrc.surface_friction(wrc.Band(9, 1.0).add("WATER", 0.02, 0.0, 9.0), None, wrc.surface_laws(), wrc.SurfacePassage())
 '''
 WRONG = '''config.normal.methd = "EKP"
 config.normal.method = "EPK"

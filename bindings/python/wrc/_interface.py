@@ -3543,7 +3543,7 @@ class SurfaceBin(s.Struct):
 
     Members:
       sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer of
-          128 bits, two's complement. wrc_surface_values() converts it
+          128 bits, two's complement. Band.values() converts it
       overflow: bit i: sum i, or a contribution to it, passed its range and is invalid
     """
 
@@ -3655,7 +3655,7 @@ assert c.sizeof(Substance) == 128
 
 
 class SurfaceLaws(s.Struct):
-    """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name.
+    """Constants of the mixing rule and of passages. surface_laws() sets them by a name.
 
     Members:
       water: it wets the others: wet_friction is that of wet steel; weight, friction, layer are 0
@@ -3669,8 +3669,8 @@ class SurfaceLaws(s.Struct):
           35e3)
       wheel_heat_capacity [J/(m^2 K)]: heat capacity of the wheel per area of its band (1e2 .. 1e8; default
           35e3)
-      cooling_time [s]: time after which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
-      drying_time [s]: time after which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
+      cooling_time [s]: time after which Band.rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
+      drying_time [s]: time after which Band.rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
       evaporation_share: share of frictional heat that evaporates water where there is plenty (0 .. 1; default
           0)
       evaporation_amount [kg/m^2]: amount of water at which that share is halved (1e-6 .. 10; default 5e-3)
@@ -4390,39 +4390,6 @@ def shakedown_limit_point(utilisation: float) -> float:
     return load_factor.value
 
 
-def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
-    """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
-        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
-        goes from dry to wet by water's theta. The share of bare steel is the product of 1 - theta of all
-        other substances. Covered steel has the mean friction of these, weighted by theta times weight. So one
-        substance alone, dry or wet, changes friction in proportion to its amount. Under frictional energy W
-        friction then recovers as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International
-        69 (2014). Layers lie in series. Friction and layer are continuous in amounts, heat and places. They
-        are inputs of the wrench: hold them over the step and over trial steps of an integrator. Derivatives
-        of the wrench hold at this friction.
-
-    rail: the rail
-    wheel: the wheel; None: it carries nothing
-    laws: constants
-    passage: only rail_from and wheel_from are used
-    base: friction of clean, dry bodies, without zones; None: the defaults. Its laws of speed and temperature
-        are kept. Its layer lies in series with those of the substances
-    out: base with coefficient, layer_... and bulk of the surfaces; base itself is not changed; defaults on
-        failure; None: a new one
-
-    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, where the end's amounts hold);
-        Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
-    """
-    if out is None:
-        out = Friction._new()
-    _text = c.create_string_buffer(1024)
-    try:
-        _l.check(_wrc_surface_friction(rail, wheel, laws, passage, base, out, _text, len(_text)), _text)
-    except c.ArgumentError as _why:
-        raise _l.misfit(_why, rail=(rail, Surface), wheel=(wheel, Surface), laws=(laws, SurfaceLaws), passage=(passage, SurfacePassage), base=(base, Friction), out=(out, Friction)) from None
-    return out
-
-
 STRUCTS = {
     'wrc_profile': Profile,
     'wrc_material': Material,
@@ -4625,5 +4592,4 @@ __all__ = [
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',
-    'surface_friction',
 ]

@@ -25,7 +25,7 @@ STATUS_TEXTS: Dict[int, str]
 STRUCTS: Dict[str, Type[s.Struct]]
 FUNCTIONS: Dict[str, Callable[..., Any]]
 PRESETS: Tuple[str, ...]
-PresetName = Literal['FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC', 'Polach']
+PresetName = Literal['FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC', 'Polach', 'default', 'real time', 'reference']
 FRICTIONS: Dict[str, Tuple[str, str]]
 FrictionName = Literal['Polach dry', 'Polach wet', 'magnetite', 'clay', 'sand', 'MoS2', 'locomotive']
 
@@ -3554,7 +3554,7 @@ class SurfaceBin(s.Struct):
     @property
     def sum(self) -> NDArray[Any]:
         """sum: kg or J of the whole bin, at 8 * SurfaceBook + SurfaceQuantity: low and high half of an integer
-            of 128 bits, two's complement. wrc_surface_values() converts it
+            of 128 bits, two's complement. Band.values() converts it
         """
     @sum.setter
     def sum(self, value: s.Floats) -> None: ...
@@ -3664,7 +3664,7 @@ class SubstanceDict(TypedDict, total=False):
     layer_hardening: float
 
 class SurfaceLaws(s.Struct):
-    """Constants of the mixing rule and of passages. wrc_surface_laws_use() sets them by a name."""
+    """Constants of the mixing rule and of passages. surface_laws() sets them by a name."""
     water: Substance
     """water: it wets the others: wet_friction is that of wet steel; weight, friction, layer are 0"""
     oxide: Substance
@@ -3687,11 +3687,9 @@ class SurfaceLaws(s.Struct):
         35e3)
     """
     cooling_time: float
-    """cooling_time [s]: time after which wrc_surface_rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)
-    """
+    """cooling_time [s]: time after which Band.rest() leaves 1/e of the heat (1e-3 .. 1e9; default 60)"""
     drying_time: float
-    """drying_time [s]: time after which wrc_surface_rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)
-    """
+    """drying_time [s]: time after which Band.rest() leaves 1/e of the water (1e-3 .. 1e9; default 1800)"""
     evaporation_share: float
     """evaporation_share: share of frictional heat that evaporates water where there is plenty (0 .. 1; default
         0)
@@ -4170,29 +4168,6 @@ def shakedown_limit_point(utilisation: float) -> float:
 
     C status: Status.OK; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
     """
-def surface_friction(rail: Surface, laws: SurfaceLaws, passage: SurfacePassage, wheel: Optional[Surface] = None, base: Optional[Friction] = None, *, out: Optional[Friction] = None) -> Friction:
-    """Friction and layer where a wheel is on its rail, for Contact.wrench(), at the beginning of a passage. Each
-        substance covers the share theta = min(1, amount of both bodies / cover). Water wets: each friction
-        goes from dry to wet by water's theta. The share of bare steel is the product of 1 - theta of all
-        other substances. Covered steel has the mean friction of these, weighted by theta times weight. So one
-        substance alone, dry or wet, changes friction in proportion to its amount. Under frictional energy W
-        friction then recovers as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International
-        69 (2014). Layers lie in series. Friction and layer are continuous in amounts, heat and places. They
-        are inputs of the wrench: hold them over the step and over trial steps of an integrator. Derivatives
-        of the wrench hold at this friction.
-
-    rail: the rail
-    wheel: the wheel; None: it carries nothing
-    laws: constants
-    passage: only rail_from and wheel_from are used
-    base: friction of clean, dry bodies, without zones; None: the defaults. Its laws of speed and temperature
-        are kept. Its layer lies in series with those of the substances
-    out: base with coefficient, layer_... and bulk of the surfaces; base itself is not changed; defaults on
-        failure; None: a new one
-
-    C status: Status.OK; Status.FLAG_BEYOND_SECTIONS (beyond an end, where the end's amounts hold);
-        Status.FLAG_SUM_OVERFLOW; Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _UNSUPPORTED (zones).
-    """
 
 __all__ = [
     'Status',
@@ -4316,5 +4291,4 @@ __all__ = [
     'linear_coefficients',
     'shakedown_limit',
     'shakedown_limit_point',
-    'surface_friction',
 ]
