@@ -67,6 +67,19 @@ def test_a_wheelset_that_remembers_stops_rests_and_rolls_off():
     assert off < -0.5 and abs(stands) < 1e-9
 
 
+def test_a_vehicle_that_remembers_rests_on_a_slope_and_its_energies_balance():
+    told = run("memory/vehicle.py", "--short")
+    drifts = []
+    for name in ("memory", "without"):
+        chatters, drift = numbers(rf"{name}: stop 1 .*, (\d+) chatters; .* it drifts (\S+) um", told)
+        failed, most = numbers(rf"{name}: \d+ steps, (\d+) failed; .*, most (\d+);", told)
+        work, heat, left = numbers(rf"{name}: kinetic .* contact (\S+) \(heat (\S+)\), .* left over (\S+) J", told)
+        assert chatters == failed == 0 and most < 30 and abs(left) < 1e-8
+        assert 0.0 < heat < -1.0001 * work  # friction takes no more than the contacts get; they store the rest
+        drifts.append(abs(drift))
+    assert drifts[0] < 0.02 and 0.5 < drifts[1]
+
+
 def test_a_locked_wheel_draws_mindlins_loop():
     told = run("memory/parking_brake.py", "--cells", 20)
     rows = re.findall(r"loss of a loop +\S+ mJ, closed form +\S+ \((\S+) %\), exact cells +\S+ \((\S+) %\); first loading within (\S+) %", told)
