@@ -1,4 +1,6 @@
 /// Published methods, resolutions, friction and layers by name, each with its members.
+#include "abi/presets.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -69,19 +71,12 @@ constexpr const char* known_frictions = "no such friction; there are"
     WRC_FRICTION_LIST(WRC_FRICTION);
 #undef WRC_FRICTION
 
-/// The row of a name; the end of the table where there is none.
-template <typename Row, std::size_t rows>
-const Row* row_of(const Row (&table)[rows], const char* name) {
-  return std::find_if(std::begin(table), std::end(table),
-                      [&](const Row& each) { return std::strcmp(each.name, name) == 0; });
-}
-
 Fault use(wrc_config* config, const char* name) {
   if (config == nullptr) return Fault::null("config");
   RETURN_IF_FAILED(abi::check_size(*config));
   if (name == nullptr) return Fault::null("name");
-  const Preset* const preset = row_of(presets, name);
-  const Resolution* const resolution = row_of(resolutions, name);
+  const Preset* const preset = abi::row_of(presets, name);
+  const Resolution* const resolution = abi::row_of(resolutions, name);
   if (preset == std::end(presets) && resolution == std::end(resolutions))
     return Fault::unsupported("name", known_names);
   wrc_config ours = abi::defaults<wrc_config>();
@@ -107,10 +102,12 @@ Fault use(wrc_config* config, const char* name) {
   return {};
 }
 
-Fault use(wrc_friction* friction, const char* name) {
+}  // namespace
+
+Fault wrc::abi::use_friction(wrc_friction* friction, const char* name) {
   if (friction == nullptr) return Fault::null("friction");
   if (name == nullptr) return Fault::null("name");
-  const NamedFriction* const row = row_of(frictions, name);
+  const NamedFriction* const row = abi::row_of(frictions, name);
   if (row == std::end(frictions)) return Fault::unsupported("name", known_frictions);
   friction->coefficient = row->coefficient;
   friction->speed_law = row->speed_law;
@@ -127,10 +124,8 @@ Fault use(wrc_friction* friction, const char* name) {
   return {};
 }
 
-}  // namespace
-
 extern "C" int32_t wrc_friction_use(wrc_friction* friction, const char* name, char* text, uint64_t size) {
-  return abi::finish(__func__, use(friction, name), text, size);
+  return abi::finish(__func__, abi::use_friction(friction, name), text, size);
 }
 
 extern "C" int32_t wrc_config_use(wrc_config* config, const char* name, char* text, uint64_t size) {

@@ -7,6 +7,7 @@
 #include "abi/fp_environment.hpp"
 #include "abi/friction.hpp"
 #include "abi/message.hpp"
+#include "abi/presets.hpp"
 #include "abi/structs.hpp"
 #include "base/elementary.hpp"
 #include "damage/film.hpp"
@@ -179,8 +180,12 @@ Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* 
 
 // ---------------------------------------------------------------------------------------------- named sets
 
-constexpr const char* set_names[] = {
-#define WRC_NAME_OF(identifier, name) name,
+struct NamedSet {
+  const char* name;
+};
+
+constexpr NamedSet sets[] = {
+#define WRC_NAME_OF(identifier, name) {name},
     WRC_SURFACE_LAWS_LIST(WRC_NAME_OF)
 #undef WRC_NAME_OF
 };
@@ -189,7 +194,7 @@ constexpr const char* known_sets = "no such set; there are"
     WRC_SURFACE_LAWS_LIST(WRC_NAME_OF);
 #undef WRC_NAME_OF
 
-/// docs/theory.md, "Films on rail and wheel", has the sources. Layers: G, yield, hardening, density.
+/// docs/theory.md, "Films on rail and wheel", has the sources. Layers are those of friction by name.
 void set_low_adhesion(wrc_surface_laws& laws, bool layers) {
   const auto substance = [&](double cover, double weight, double dry, double wet) {
     wrc_substance made = defaults<wrc_substance>();
@@ -220,29 +225,29 @@ void set_low_adhesion(wrc_surface_laws& laws, bool layers) {
   laws.sand.density = 1600.0;
   laws.evaporation_share = 0.1;
   if (!layers) return;
-  laws.oxide.layer_modulus = laws.sand.layer_modulus = 176.63e6;
-  laws.oxide.layer_yield = 560e6;
-  laws.sand.layer_yield = 400e6;
-  laws.sand.layer_hardening = -1.95e11;
-  laws.film.layer_modulus = 106.25e6;  // clay
-  laws.film.layer_yield = 200e6;
-  laws.film.layer_hardening = 4.35e11;
-  laws.lubricant.layer_modulus = 20.238e6;  // MoS2
-  laws.lubricant.layer_yield = 20e6;
-  laws.lubricant.layer_hardening = 2.04e10;
+  const auto layer = [](wrc_substance& of, const char* name) {
+    wrc_friction friction = defaults<wrc_friction>();
+    use_friction(&friction, name);
+    of.layer_modulus = friction.layer_modulus;
+    of.layer_yield = friction.layer_yield;
+    of.layer_hardening = friction.layer_hardening;
+  };
+  layer(laws.oxide, "magnetite");
+  layer(laws.film, "clay");
+  layer(laws.sand, "sand");
+  layer(laws.lubricant, "MoS2");
 }
 
 Fault use_set(wrc_surface_laws* laws, const char* name) {
   if (laws == nullptr) return Fault::null("laws");
   RETURN_IF_FAILED(check_size(*laws));
   if (name == nullptr) return Fault::null("name");
-  const auto* const found = std::find_if(std::begin(set_names), std::end(set_names),
-                                         [&](const char* each) { return std::strcmp(each, name) == 0; });
-  if (found == std::end(set_names)) return Fault::unsupported("name", known_sets);
+  const NamedSet* const found = row_of(sets, name);
+  if (found == std::end(sets)) return Fault::unsupported("name", known_sets);
   wrc_surface_laws theirs = defaults<wrc_surface_laws>(), ours = theirs;
   const std::size_t known = std::min<std::size_t>(laws->struct_size, sizeof theirs);
   std::memcpy(&theirs, laws, known);
-  set_low_adhesion(ours, found != std::begin(set_names));
+  set_low_adhesion(ours, found != std::begin(sets));
   // members that no set has, and those of a newer header, stay
   ours.struct_size = theirs.struct_size;
   ours.reserved0 = theirs.reserved0;

@@ -352,8 +352,7 @@ class Rememberer {
     const std::int32_t count = strips_.count;
     double work = 0.0;
     for (std::int32_t j = 0; j < count; ++j)
-      work -= in_.travel * (forces_.fx[j] * strips_.slip_x[j] + forces_.fy[j] * strips_.slip_y[j] +
-                            forces_.mz[j] * strips_.spin[j]);
+      work -= in_.travel * work_by_slips(forces_, strips_.slip_x, strips_.slip_y, strips_.spin, j);
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];

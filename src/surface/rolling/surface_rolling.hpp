@@ -78,6 +78,12 @@ struct SurfaceRollingForces {
   double* mz = nullptr;  ///< [N m]
 };
 
+/// Work of a strip's forces by its slips, per distance that these are over [N].
+inline double work_by_slips(const SurfaceRollingForces& f, const double* slip_x, const double* slip_y,
+                            const double* spin, std::int32_t k) {
+  return f.fx[k] * slip_x[k] + f.fy[k] * slip_y[k] + f.mz[k] * spin[k];
+}
+
 /// Totals over all strips.
 struct SurfaceRollingTotals {
   double power_per_speed = 0.0;    ///< frictional power over the rolling speed [N]

@@ -128,8 +128,8 @@ namespace {
 /// Frictional power of the strips without memory [W], slips over `speed` [m/s].
 void fill_power(const ContactStrips& strips, double speed) {
   for (std::int32_t k = 0; k < strips.count; ++k)
-    strips.power[k] = -speed * (strips.fx[k] * strips.slip_x[k] + strips.fy[k] * strips.slip_y[k] +
-                                strips.mz[k] * strips.spin[k]);
+    strips.power[k] = -speed * work_by_slips({strips.fx, strips.fy, strips.mz}, strips.slip_x, strips.slip_y,
+                                             strips.spin, k);
 }
 
 /// Divides the work that the step dissipates among the strips: by the work of their forces, where that is

@@ -480,6 +480,27 @@ class StripsAlongInput {
     return speed;
   }
 
+  /// Derivatives of the forces that the scratch holds, by one difference along each input. `change_by`:
+  /// largest relative change of any number per unit of an input, which a step makes `relative_step`.
+  /// `solve`: fills the scratch with the forces a step along an input.
+  template <class Change, class Solve>
+  void take_differences(const DualForces& forces, double relative_step, const Change& change_by,
+                        const Solve& solve) {
+    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
+    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
+    double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
+    for (int r = 0; r < results; ++r) std::copy_n(found[r], s_.count, base[r]);
+    for (std::size_t input = 0; input < frame_inputs; ++input) {
+      const double change = change_by(input);
+      if (!(change > 0.0)) continue;
+      const double step = relative_step / change;
+      solve(input, step);
+      for (int r = 0; r < results; ++r)
+        for (std::int32_t k = 0; k < s_.count; ++k)
+          results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
+    }
+  }
+
   const Differentiation& d_;
   const LoadedStrips& s_;
   const DifferencesScratch& h_;
@@ -504,7 +525,6 @@ class HeatedDifferences : StripsAlongInput {
     constexpr int more_solutions = 3;  // from friction found
     Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
     const double* const found[results] = {h_.fx, h_.fy, h_.mz};
-    double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
     // values: as the solution has them, from the start
     const std::int32_t n = s_.count;
     solve(0, 0.0, 0);
@@ -514,18 +534,11 @@ class HeatedDifferences : StripsAlongInput {
     // both sides of a difference iterate equally often, from the same shares
     std::copy_n(h_.rolling.heat_share, n, h_.share);
     solve(0, 0.0, more_solutions);
-    for (int r = 0; r < results; ++r) std::copy_n(found[r], n, base[r]);
 
-    // one step along each input, of a size that makes the largest relative change of any number 3e-7
-    for (std::size_t input = 0; input < frame_inputs; ++input) {
-      const double change = largest_change(input);
-      if (!(change > 0.0)) continue;
-      constexpr double relative_step = 3e-7;
-      const double step = relative_step / change;
-      solve(input, step, more_solutions);
-      for (int r = 0; r < results; ++r)
-        for (std::int32_t k = 0; k < n; ++k) results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
-    }
+    constexpr double relative_step = 3e-7;
+    take_differences(
+        forces, relative_step, [&](std::size_t input) { return largest_change(input); },
+        [&](std::size_t input, double step) { solve(input, step, more_solutions); });
   }
 
  private:
@@ -553,28 +566,19 @@ class RememberedDifferences : StripsAlongInput {
   void differentiate(const DualForces& forces) {
     const ContactStrips& solved = d_.solved.strips;
     Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
     const double* const values[results] = {solved.fx, solved.fy, solved.mz};
-    double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
-    const std::int32_t n = s_.count;
-    solve(0, 0.0);
-    for (int r = 0; r < results; ++r) {
-      std::copy_n(found[r], n, base[r]);
-      for (std::int32_t k = 0; k < n; ++k) results_of[r][k] = values[r][k];
-    }
+    for (int r = 0; r < results; ++r)
+      for (std::int32_t k = 0; k < s_.count; ++k) results_of[r][k] = values[r][k];
 
-    // one step along each input, of a size that makes the largest relative change of any number 3e-8
-    for (std::size_t input = 0; input < frame_inputs; ++input) {
-      constexpr double least_time = 1e-3;  // [s]
-      const double change =
-          larger(largest_change(input), magnitude(time_.d[input]) / larger(time_.value, least_time));
-      if (!(change > 0.0)) continue;
-      constexpr double relative_step = 3e-8;
-      const double step = relative_step / change;
-      solve(input, step);
-      for (int r = 0; r < results; ++r)
-        for (std::int32_t k = 0; k < n; ++k) results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
-    }
+    // the time of the step is among the numbers that an input changes
+    solve(0, 0.0);
+    constexpr double relative_step = 3e-8, least_time = 1e-3;  // [-], [s]
+    take_differences(
+        forces, relative_step,
+        [&](std::size_t input) {
+          return larger(largest_change(input), magnitude(time_.d[input]) / larger(time_.value, least_time));
+        },
+        [&](std::size_t input, double step) { solve(input, step); });
   }
 
  private:
