@@ -35,6 +35,15 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     config.rail_sections = sections.data();
     config.rail_section_size = sizeof sections[0];
   }
+  /// All sections have these points, which stay the caller's.
+  void give_points(const std::vector<double>& y, const std::vector<double>& z) {
+    for (wrc_rail_section& each : sections) {
+      each.profile.kind = WRC_PROFILE_POINTS;
+      each.profile.count = static_cast<uint32_t>(y.size());
+      each.profile.y = y.data();
+      each.profile.z = z.data();
+    }
+  }
   template <class Deviation>
   void give_wheel(int count, Deviation&& of) {
     angles.clear();
@@ -531,12 +540,7 @@ TEST_F(AlongTrack, ProfilesThatCannotBePairedAreNamed) {
   add(0.0);
   add(1.0);
   give();
-  for (wrc_rail_section& each : sections) {
-    each.profile.kind = WRC_PROFILE_POINTS;
-    each.profile.count = static_cast<uint32_t>(y.size());
-    each.profile.y = y.data();
-    each.profile.z = z.data();
-  }
+  give_points(y, z);
   EXPECT_EQ(refused(), WRC_OK) << sentence;
   // marks that make 3 mm of one outline a pair of 36 mm of the other
   const double marks[] = {-0.033, 0.0};
@@ -564,12 +568,7 @@ TEST_F(AlongTrack, ASectionThatFoldsBackOrIsInAnotherUnitIsNamed) {
   }
   for (const double distance : {-0.25, 0.0, 0.5}) add(distance);
   give();
-  for (wrc_rail_section& each : sections) {
-    each.profile.kind = WRC_PROFILE_POINTS;
-    each.profile.count = static_cast<uint32_t>(y.size());
-    each.profile.y = y.data();
-    each.profile.z = z.data();
-  }
+  give_points(y, z);
   EXPECT_EQ(refused(), WRC_OK) << sentence;
   for (const std::vector<double>* wrong : {&folded, &millimetres}) {
     sections[2].profile.y = wrong->data();

@@ -6,38 +6,15 @@
  */
 #include <math.h>
 
-#include "fmi3FunctionTypes.h"
-#include "load.h"
 #include "model.h"
+#include "wheelset_fmu.h"
 
 enum { sets = 2, steps = 300, delay = 100, substances = 5 }; /* 2.5 m behind the first at 25 m/s: 100 steps */
 
 static const double step = 1e-3, speed = 25.0, radius = 0.46;
 
-typedef struct functions {
-  fmi3InstantiateCoSimulationTYPE* instantiate;
-  fmi3EnterInitializationModeTYPE* enter;
-  fmi3ExitInitializationModeTYPE* leave;
-  fmi3SetFloat64TYPE* set;
-  fmi3GetFloat64TYPE* get;
-  fmi3SetInt32TYPE* set_integer;
-  fmi3DoStepTYPE* step;
-  fmi3FreeInstanceTYPE* release;
-} functions;
-
-static void stop(const char* why) {
-  fprintf(stderr, "%s\n", why);
-  exit(3);
-}
-
-static void told(fmi3InstanceEnvironment of, fmi3Status status, fmi3String category, fmi3String sentence) {
-  (void)of, (void)status, (void)category;
-  fprintf(stderr, "%s\n", sentence);
-}
-
 static fmi3Instance start(const functions* fmu) {
-  fmi3Instance set = fmu->instantiate("set", "wrc_wheelset 4", "/nowhere", false, true, false, false, NULL, 0,
-                                      NULL, told, NULL);
+  fmi3Instance set = new_wheelset(fmu);
   const uint32_t numbers[] = {SET_speed, SET_friction}, films = FIRST_INTEGER + SET_films;
   const double values[] = {speed, 0.4};
   const int32_t with_films = 1;
@@ -86,16 +63,7 @@ static void run(const functions* fmu, double film[sets], double force[sets]) {
 
 int main(int count, char** words) {
   if (count < 2) return 2;
-  void* library = load(words[1]);
-  functions fmu;
-  find(library, "fmi3InstantiateCoSimulation", &fmu.instantiate);
-  find(library, "fmi3EnterInitializationMode", &fmu.enter);
-  find(library, "fmi3ExitInitializationMode", &fmu.leave);
-  find(library, "fmi3SetFloat64", &fmu.set);
-  find(library, "fmi3GetFloat64", &fmu.get);
-  find(library, "fmi3SetInt32", &fmu.set_integer);
-  find(library, "fmi3DoStep", &fmu.step);
-  find(library, "fmi3FreeInstance", &fmu.release);
+  const functions fmu = functions_of(load(words[1]));
   double film[sets], force[sets], again_film[sets], again_force[sets];
   run(&fmu, film, force);
   run(&fmu, again_film, again_force);

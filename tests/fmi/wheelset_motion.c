@@ -5,9 +5,8 @@
  */
 #include <math.h>
 
-#include "fmi3FunctionTypes.h"
-#include "load.h"
 #include "model.h"
+#include "wheelset_fmu.h"
 
 enum { places = 4, rates = 5, states = places + rates };
 
@@ -42,11 +41,6 @@ typedef struct reference {
   wrc_wheel_input input;
   double fy[2], power;
 } reference;
-
-static void stop(const char* why) {
-  fprintf(stderr, "%s\n", why);
-  exit(3);
-}
 
 static void give(reference* set, const double u[states]) {
   wrc_wheel_state* wheel = &set->input.wheel;
@@ -117,25 +111,9 @@ static void integrate(reference* set, double u[states]) {
 /* ------------------------------------------------------------------------------------------------------ FMU
  */
 
-typedef struct functions {
-  fmi3InstantiateCoSimulationTYPE* instantiate;
-  fmi3EnterInitializationModeTYPE* enter;
-  fmi3ExitInitializationModeTYPE* leave;
-  fmi3SetFloat64TYPE* set;
-  fmi3GetFloat64TYPE* get;
-  fmi3DoStepTYPE* step;
-  fmi3FreeInstanceTYPE* release;
-} functions;
-
-static void told(fmi3InstanceEnvironment of, fmi3Status status, fmi3String category, fmi3String sentence) {
-  (void)of, (void)status, (void)category;
-  fprintf(stderr, "%s\n", sentence);
-}
-
 static void run_fmu(const functions* fmu, const trial* of, double u[states], double result[3],
                     double start[states]) {
-  fmi3Instance set = fmu->instantiate("set", "wrc_wheelset 4", "/nowhere", false, true, false, false, NULL, 0,
-                                      NULL, told, NULL);
+  fmi3Instance set = new_wheelset(fmu);
   const uint32_t numbers[] = {SET_speed,        SET_load,    SET_mass,      SET_inertia_about_axle,
                               SET_wheel_radius, SET_start_y, SET_start_yaw, SET_right_rail_y_slope};
   const double values[] = {of->speed,  of->load, of->mass, of->axle,
@@ -169,15 +147,7 @@ static int differs(const char* name, double scale, double fmu, double fine, doub
 
 int main(int count, char** words) {
   if (count < 2) return 2;
-  void* library = load(words[1]);
-  functions fmu;
-  find(library, "fmi3InstantiateCoSimulation", &fmu.instantiate);
-  find(library, "fmi3EnterInitializationMode", &fmu.enter);
-  find(library, "fmi3ExitInitializationMode", &fmu.leave);
-  find(library, "fmi3SetFloat64", &fmu.set);
-  find(library, "fmi3GetFloat64", &fmu.get);
-  find(library, "fmi3DoStep", &fmu.step);
-  find(library, "fmi3FreeInstance", &fmu.release);
+  const functions fmu = functions_of(load(words[1]));
   int wrong = 0;
   const int all = (int)(sizeof trials / sizeof *trials), only = count > 2 ? atoi(words[2]) : -1;
   for (int i = 0; i < all; ++i) {
