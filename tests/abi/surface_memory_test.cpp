@@ -142,6 +142,10 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
     friction.zone_coefficients = zone_coefficients;
     friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
   };
+  const auto zones_of_the_wheel = [&] {
+    zones();
+    friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  };
   const auto damped = [&] {
     input.damping = 0.2;
     wheel.velocity[2] = 0.02;
@@ -150,8 +154,8 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
     rail.y_slope = 1e-3;
     rail.y_velocity = 2e-4;
   };
-  const std::function<void()> cases[] = {falling, zones, damped, aslant,
-                                         [&] { friction.slope_reduction = 0.5; }};
+  const std::function<void()> cases[] = {falling, zones,  zones_of_the_wheel,
+                                         damped,  aslant, [&] { friction.slope_reduction = 0.5; }};
   for (const bool roller : {false, true}) {
     config.roller_curvature = roller ? 2.0 : 0.0;
     for (std::size_t k = 0; k < (roller ? 1 : std::size(cases)); ++k) {
@@ -376,6 +380,41 @@ TEST_F(MemoryAlongTrack, WheelsOutOfRoundAreTheSteadyOnesOfShortlyBefore) {
   wheel.y = 4e-3;
   EXPECT_LT(farthest_from_steady(0.0, 0.7, 2, [] {}), 0.03);
   expect_steady();
+}
+
+TEST_F(SurfaceMemory, ZonesOfTheWheelTravelWithIt) {
+  // a wheel that slides everywhere is put aside at rest: its zone of little friction comes with it
+  const double zone_y[] = {-1.0, 0.0, 1e-3, 1.0}, zone_coefficients[] = {0.1, 0.1, 0.4, 0.4};
+  friction.zone_count = 4;
+  friction.zone_y = zone_y;
+  friction.zone_coefficients = zone_coefficients;
+  friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  stand(3e-3);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  double lowest = 1.0, highest = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    rest();
+    wheel.velocity[0] = 0.05;
+    wheel.velocity[1] = -0.05;
+    wheel.y -= 0.05 * 1e-3;
+    const wrc_wrench& now = go(1e-3);
+    wrc_region region = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+    std::vector<double> coefficients(static_cast<std::size_t>(region.strip_count));
+    ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_FRICTION, coefficients.data(),
+                                coefficients.size(), nullptr),
+              WRC_OK);
+    const double mean = std::hypot(region.longitudinal_force, region.lateral_force) / region.normal_force;
+    if (k < 10 || now.region_count > 1) continue;
+    const auto [least, most] = std::minmax_element(coefficients.begin(), coefficients.end());
+    EXPECT_GE(mean, *least * 0.97) << k;
+    EXPECT_LE(mean, *most * 1.001) << k << ": strips are curved, the normal force is a resultant";
+    lowest = std::min(lowest, *least);
+    highest = std::max(highest, *most);
+  }
+  EXPECT_LT(lowest, 0.11);
+  EXPECT_GT(highest, 0.39);
 }
 
 TEST_F(SurfaceMemory, RestsWithoutCreep) {
