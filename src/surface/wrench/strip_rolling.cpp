@@ -107,7 +107,7 @@ RememberingResult solve_remembered_tractions(const WheelProblem& problem, const 
   const RememberingInput in{rolls,
                             scratch.x,
                             scratch.number,
-                            problem.rail.s,
+                            problem.rail,
                             *model.methods.linear_theory,
                             step.divisor * step.time,
                             std::abs(step.rolling_speed) * step.time,

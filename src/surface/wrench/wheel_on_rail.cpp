@@ -74,15 +74,16 @@ void copy_start(const KeptStart& from, KeptStart& to) {
 
 namespace {
 
-/// Has the wheel been put elsewhere on the rail since the committed step? Its lateral or vertical move is
-/// then longer than its speeds times the time. The speed along the rail counts, too: irregularities move the
+/// Has the wheel been put elsewhere on the rail since the committed step? Its move in a direction is then
+/// longer than its speeds times the time. The speed along the rail counts in all: irregularities move the
 /// wheel.
 Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
   constexpr double most = 1e-3, most_at_once = 1e-5;  // [m]
   if (!(steps.committed > 0.0)) return {};
   const double y = in.wheel.position[1] - in.rail.y - steps.from[0];
   const double z = in.load_prescribed ? 0.0 : in.wheel.position[2] - in.rail.z - steps.from[1];
-  const double moved = larger(magnitude(y), magnitude(z));
+  const double along = in.distance - steps.from[2];
+  const double moved = larger(larger(magnitude(y), magnitude(z)), magnitude(along));
   if (!(in.time > 0.0) && moved > most_at_once)
     return Fault::range("input.time_step", {in.time, "s"},
                         "the wheel has moved since wrc_contact_commit: give the time since then");
@@ -122,7 +123,7 @@ bool commit_solution(SurfaceState& state) {
   memory_of(state).turn_over();
   steps.pending = 0.0;
   steps.committed = 1.0;
-  std::copy_n(steps.to, 2, steps.from);
+  std::copy_n(steps.to, 3, steps.from);
   return true;
 }
 
@@ -180,6 +181,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
     state.steps.pending = 1.0;
     state.steps.to[0] = in.wheel.position[1] - in.rail.y;
     state.steps.to[1] = out.height - in.rail.z;
+    state.steps.to[2] = in.distance;
     keep_worst(fault, jump);
   }
 

@@ -105,12 +105,12 @@ struct KeptStart {
   double depth[most_overlapping_strips] = {};
 };
 
-/// Steps of a contact that remembers: places of the wheel from the rail, y and z [m], as committed and as in
-/// the last solution.
+/// Steps of a contact that remembers: places of the wheel from the rail, y and z, and along a rail that
+/// varies [m], as committed and as in the last solution.
 struct RememberedSteps {
   double committed = 0.0;  ///< 1: a step has been committed
   double pending = 0.0;    ///< 1: the last solution may be committed
-  double from[2] = {}, to[2] = {};
+  double from[3] = {}, to[3] = {};
 };
 
 /// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes. Behind

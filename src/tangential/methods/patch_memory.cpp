@@ -21,6 +21,7 @@ constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
 constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
 constexpr double least = 1e-290;       // keeps divisions finite
+constexpr double everywhere = 1e3;     // [m], farther than anything
 
 /// Fitted factors and lengths (patch_memory.hpp); u2 is the square of (a - b) / (a + b).
 namespace fitted {
@@ -80,19 +81,30 @@ double left_of_step(const double* share, std::int32_t k) {
   return left;
 }
 
+/// From 0 to 1 over the middle half of a way.
+double beyond_half(double at, double way) {
+  const double within = std::clamp(2.0 * at / way - 0.5, 0.0, 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
+/// The nearest strips on either side of a place on a plane. Between two strips of a patch shares are those of
+/// a straight line; two widths beside a patch there is none.
 Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
-  // the nearest on either side; beyond the last one that alone
   Neighbours n;
   for (std::int64_t k = 0; k < count; ++k) {
     const PastStrip*& side = past[k].y <= y ? n.first : n.second;
     if (side == nullptr || std::abs(past[k].y - y) < std::abs(side->y - y)) side = &past[k];
   }
-  if (n.first && n.second) {
-    n.share = (y - n.first->y) / (n.second->y - n.first->y);
-  } else if (n.second) {
-    n.first = n.second;
-    n.second = nullptr;
-  }
+  const double gap = n.first && n.second ? n.second->y - n.first->y : everywhere;
+  const auto share_of = [&](const PastStrip* strip) {
+    if (strip == nullptr) return 0.0;
+    double width = everywhere;
+    if (strip != past) width = std::abs(strip->y - strip[-1].y);
+    if (strip != past + count - 1) width = std::min(width, std::abs(strip->y - strip[1].y));
+    return std::max(0.0, 1.0 - std::abs(strip->y - y) / std::min(gap, 2.0 * width));
+  };
+  n.of_first = share_of(n.first);
+  n.of_second = share_of(n.second);
   return n;
 }
 
@@ -165,19 +177,21 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, F
   yield_[1] = fitted::yield_y * std::max(0.0, rest.y - 1.0 / (per_y * area));
   yield_[2] = fitted::twist(u2) / (G * a_ * b_ * std::sqrt(a_ * b_));
   arm_ = fitted::arm(u2);
-  take_past();
   const double share = 1.0 - 0.5 * (1.0 / (per_x * area * rest.x) + 1.0 / (per_y * area * rest.y));
   set_bounds(
       std::clamp(fitted::exponent + fitted::exponent_by_yield * (share - fitted::middle_yield), 0.4, 2.0));
+  if (strips_.number)
+    take_past_of_rail();
+  else
+    take_past_of_plane();
 }
 
-void PatchStep::take_past() {
+void PatchStep::take_past_of_rail() {
+  // strips by their numbers, as far as they belong to the patch; moments to the patch's centre
   const patch::Strips& region = contact_.region;
   const double sign = contact_.memory.direction;
-  const PastStrip* const past = strips_.past;
-  // A rail's strips by their numbers, as far as they belong to the patch; moments to the patch's centre.
-  for (std::int32_t j = 0; strips_.number && j < region.count; ++j) {
-    const PastStrip* const strip = past_of_number(past, strips_.past_count, strips_.number[j]);
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    const PastStrip* const strip = past_of_number(strips_.past, strips_.past_count, strips_.number[j]);
     if (strip == nullptr) continue;
     const double fx = strips_.inside[j] * sign * strip->force[0], fy = strips_.inside[j] * strip->force[1];
     before_[0] += fx;
@@ -185,34 +199,49 @@ void PatchStep::take_past() {
     before_[2] += strips_.inside[j] * sign * strip->force[2] +
                   arm_ * ((sign * strip->centre - centre_x_) * fy - (region.y[j] - centre_y_) * fx);
   }
-  if (strips_.number) {
-    const LeftStrips& left = strips_.left;
-    before_[0] += left.fx;
-    before_[1] += left.fy;
-    before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
-    return;
-  }
-  // On a plane forces, energy and difference to strip FASTSIM of the strips remembered within the patch's
-  // width.
-  double low = 0.0, high = 0.0;
+  const LeftStrips& left = strips_.left;
+  before_[0] += left.fx;
+  before_[1] += left.fy;
+  before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
+}
+
+void PatchStep::take_past_of_plane() {
+  // the patch's borders on the plane
+  const patch::Strips& region = contact_.region;
+  const RollingMemory& memory = contact_.memory;
+  const double sign = memory.direction, centre = memory.y(centre_y_);
+  double low = everywhere, high = -everywhere;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    const double y = key(j), half = 0.5 * region.width[j];
-    low = j == 0 ? y - half : std::min(low, y - half);
-    high = j == 0 ? y + half : std::max(high, y + half);
+    const double half = 0.5 * region.width[j];
+    low = std::min(low, key(j) - half);
+    high = std::max(high, key(j) + half);
   }
+  // forces, energy and difference to strip FASTSIM of the strips remembered, half way to other patches;
+  // beside the patch less, as a half-space is displaced and turned by a force at a distance
   for (std::int64_t k = 0; k < strips_.past_count; ++k) {
-    if (past[k].y < low || past[k].y > high) continue;
-    for (int i = 0; i < 3; ++i) {
-      before_[i] += (i == 1 ? 1.0 : sign) * past[k].force[i];
-      added_[i] += (i == 1 ? 1.0 : sign) * past[k].added[i];
+    const PastStrip& strip = strips_.past[k];
+    const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
+    double weight = 1.0, near = 1.0;
+    if (strip.y > high || strip.y < low) {
+      const double other = strip.y > high ? memory.above : memory.below;
+      weight = 1.0 - beyond_half(std::abs(strip.y - border), std::abs(other - border));
+      near = std::min(1.0, std::abs(border - centre) / off);
     }
-    energy_ += past[k].energy;
+    weight *= near;
+    const double fx = weight * sign * strip.force[0], fy = weight * strip.force[1];
+    const double y = (strip.y - memory.origin) / memory.slope;
+    before_[0] += fx;
+    before_[1] += fy;
+    before_[2] += weight * sign * strip.force[2] +
+                  arm_ * near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx);
+    for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
+    energy_ += weight * strip.energy;
   }
 }
 
 Neighbours PatchStep::past_of(std::int32_t j) const {
   if (!strips_.number) return neighbours(strips_.past, strips_.past_count, key(j));
-  return {past_of_number(strips_.past, strips_.past_count, strips_.number[j]), nullptr, 0.0};
+  return {past_of_number(strips_.past, strips_.past_count, strips_.number[j]), nullptr};
 }
 
 double PatchStep::strip_form(std::int32_t j) const {
@@ -267,15 +296,16 @@ void PatchStep::place_strips(double done) {
     RememberingStrip& strip = strips_.scratch[j];
     const Neighbours before = past_of(j);
     double centre = contact_.region.centre[j], half = contact_.region.half_length[j];
-    if (before.first != nullptr) {
-      const PastStrip& second = before.second ? *before.second : *before.first;
-      const double old_centre =
-          sign * (before.first->centre + before.share * (second.centre - before.first->centre));
-      const double old_half =
-          before.first->half_length + before.share * (second.half_length - before.first->half_length);
-      centre = old_centre + done * (centre - old_centre);
-      half = old_half + done * (half - old_half);
-    }
+    double move = 0.0, growth = 0.0;
+    const auto add = [&](const PastStrip* past, double share) {
+      if (past == nullptr) return;
+      move += share * (centre - sign * past->centre);
+      growth += share * (half - past->half_length);
+    };
+    add(before.first, before.of_first);
+    add(before.second, before.of_second);
+    centre -= (1.0 - done) * move;
+    half -= (1.0 - done) * growth;
     strip.centre = centre;
     strip.half_length = half;
     strip.area = contact_.region.width[j] * half * (2.0 / cells);
@@ -302,15 +332,14 @@ void PatchStep::bring(double h, bool first) {
     RememberingStrip& to = strips_.scratch[j];
     std::fill_n(to.px, cells, 0.0);
     std::fill_n(to.py, cells, 0.0);
-    // the strips it comes from, turned to the way of rolling, and their shares
-    Neighbours from{&strips_.written[j], nullptr, 0.0};
+    // the strips it comes from, turned to the way of rolling; the rest of its cells enters one by one
+    Neighbours from{&strips_.written[j], nullptr};
     if (first) from = past_of(j);
-    if (from.first == nullptr) {  // cells enter one by one
-      for (std::int32_t i = 0; i < cells; ++i)
-        to.share[i] = h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0;
-      continue;
-    }
-    std::fill_n(to.share, cells, 0.0);
+    if (from.first == nullptr) from.of_first = 0.0;
+    const double enters = 1.0 - from.of_first - from.of_second;
+    std::fill_n(to.share, cells, std::max(0.0, enters));
+    for (std::int32_t i = 0; i < cells && enters > 0.0 && h > 0.0; ++i)
+      to.share[i] *= std::min(1.0, to.half_length * (1.0 - places.at[i]) / h);
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
       PastStrip mirrored;
@@ -319,7 +348,7 @@ void PatchStep::bring(double h, bool first) {
       const PastStrip& past = as_it_is ? *one : mirrored;
       contact_.grid->kernels->tangential.memory_bring(
           {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
-           one == from.second ? from.share : 1.0 - from.share},
+           one == from.second ? from.of_second : from.of_first},
           to);
     }
   }
