@@ -69,7 +69,8 @@ struct Line {
 enum : std::size_t { flagged, failed, leaps, jump, jump_at, height_jump, height_jump_at, numbers_of_line };
 
 /// A jump of the force is its second difference over the normal force; so a force that grows evenly is none.
-std::vector<double> follow(Line& line) {
+/// `list`: prints the reason of each place with a status of its own.
+std::vector<double> follow(Line& line, bool list) {
   std::vector<double> sums(numbers_of_line, 0.0);
   Vector force[2] = {};
   double z[2] = {};
@@ -77,6 +78,8 @@ std::vector<double> follow(Line& line) {
   for (std::size_t place = 0; place < line.places(); ++place) {
     const double at = line.distance(place);
     const int32_t status = line.solve_at(at);
+    if (list && status != WRC_OK)
+      std::printf("     at %.3f mm: %s\n", 1e3 * at, line.made.solver->reason(status).c_str());
     sums[flagged] += status > 0 ? 1.0 : 0.0;
     sums[failed] +=
         status < 0 || status == WRC_FLAG_NO_CONTACT || status == WRC_FLAG_ITERATION_CAP ? 1.0 : 0.0;
@@ -179,7 +182,7 @@ Report compare_runs(const Csv& file, const Options& options) {
         return text;
       };
       const std::string key = name("every", options.step);
-      add_line(options, row, key, line, kept.of(key, [&] { return follow(line); }), errors);
+      add_line(options, row, key, line, kept.of(key, [&] { return follow(line, options.list); }), errors);
       for (double at = line.begin; options.exact_every > 0.0 && at <= line.end; at += options.exact_every) {
         const std::string place = name("exact at", at);
         const auto both = kept.of(place, [&] { return against_exact(line, at, options.cell); });
