@@ -257,7 +257,8 @@ void fit_parabola(const Number& largest, const Number& ahead, const Number& behi
   o.curvature = curvature;
 }
 
-/// A strip of which the surface ends under the contact. Its overlap at t into the surface is d0 - s t - k/2 t^2.
+/// A strip of which the surface ends under the contact. Its overlap at t into the surface is d0 - s t - k/2
+/// t^2.
 template <class Number>
 struct OverlapAtEnd {
   Number depth, slope, curvature;  ///< d0 [m], s [-], k [1/m]
@@ -267,8 +268,8 @@ struct OverlapAtEnd {
 /// contact of a length a from a sharp end on has the pressure E*/2 root((a - t) / t) (s + k (a/2 + t)). That
 /// gives the centre and the load of
 ///     t_c = a/4 (s + k a) / (s + 3/4 k a),      curvature 4 s / a + 3 k at the half length a/2,
-/// which the whole contact has for s = -k a/2. `share`: that of half_contact(), which finds a from the overlap
-/// d0 - s a/4 at t_c.
+/// which the whole contact has for s = -k a/2. `share`: that of half_contact(), which finds a from the
+/// overlap d0 - s a/4 at t_c.
 template <class Number>
 struct CutStrip {
   Number middle, curvature;  ///< t_c [m], [1/m]
@@ -285,8 +286,9 @@ CutStrip<Number> cut_strip(const OverlapAtEnd<Number>& o) {
 }
 
 /// Cuts a strip's parabola off at the end of its surface, `room` from the parabola's top; `way`: 1 ahead, -1
-/// behind. `steep`: by which the overlap falls from there into the surface where it is largest at the end [-];
-/// the parabola then is that of the mirror image, through the overlap at `half` [m]. `least`: curvature [1/m].
+/// behind. `steep`: by which the overlap falls from there into the surface where it is largest at the end
+/// [-]; the parabola then is that of the mirror image, through the overlap at `half` [m]. `least`: curvature
+/// [1/m].
 template <class Number>
 void cut_at_end(double way, const Number& room, const Number& steep, const Number& half, const Number& least,
                 StripOverlap<Number>& o) {
@@ -299,7 +301,8 @@ void cut_at_end(double way, const Number& room, const Number& steep, const Numbe
   o.centre += way * (room - t);
   o.depth = at_end.depth - t * (at_end.slope + 0.5 * curvature * t);
   o.curvature = strip.curvature;
-  o.grade = o.grade + way * (at_end.slope + curvature * t);  // the wheel's lean: it rolls over an end that rests
+  o.grade =
+      o.grade + way * (at_end.slope + curvature * t);  // the wheel's lean: it rolls over an end that rests
 }
 
 /// The end of a ray with its derivatives: two steps of Newton's method from the plain one.
@@ -389,26 +392,33 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   return over.profile_y;
 }
 
-/// A place to begin at, and the overlap there.
+/// A place to begin at, and the overlap there [m].
 struct FirstLook {
-  double x, depth;       ///< [m]
-  double farther = 0.0;  ///< where there may be contact farther than farthest_along; 0: nowhere [m]
+  double x, depth;
 };
 
-/// As far ahead a flange is above the rail [m].
-inline constexpr double flange_above = 160e-3;
+/// Farther from the wheel than this the parabola below the axle is no guide: by 20 mm a flange has risen by
+/// less than half a millimetre [m].
+inline constexpr double near_axle = 20e-3;
 
-/// Is there contact farther along the track than farthest_along? `end`: of a ray of the strip below the
-/// wheel.
-inline bool touches_farther(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
-                            const RelativePose& pose, std::int32_t strip, const StripOverlap<double>& o,
-                            const FirstLook& look, const RayEnd<double>& end) {
-  const std::int32_t face = face_of(rail, strip);
-  const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
-  StripOverX<double> s{rail, wheel, pose, strip, placed.distance, placed.blend[face], o.ny, o.nz};
-  LargestOverlap found{look.farther, end};
-  find_largest(s, larger(extent.begin, -flange_above), smaller(extent.end, flange_above), found);
-  return magnitude(found.x) > farthest_along && found.end.depth > 0.0;
+/// The best of places 10 mm apart along the track, by rays from place to place from below the axle to `from`
+/// and on from there as long as the overlap grows, else back. `end`: of the ray below the axle.
+inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
+                                  RayEnd<double> end) {
+  const double way = from < 0.0 ? -place_apart : place_apart;
+  for (double x = near_axle; x < magnitude(from); x += near_axle) depth_at(strip, from < 0.0 ? -x : x, end);
+  LargestOverlap found{from, end};
+  depth_at(strip, from, found.end);
+  const double begin = from;
+  for (const double step : {way, -way}) {
+    end = found.end;
+    for (double x = from + step; x >= low && x <= high; x += step) {
+      if (!(depth_at(strip, x, end) > found.end.depth)) break;
+      found = {x, end};
+    }
+    if (found.x != begin) break;
+  }
+  return found;
 }
 
 /// The place where the overlap is largest of those along the track, or between these, by the strip's
@@ -434,23 +444,15 @@ inline FirstLook look_along(const PlacedRail& placed, const VaryingRail& rail, s
     depth[k] = depth_at_place(place);
     if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
   }
+  // a face may end nearer to the wheel than those are
+  for (const PlaceWeights& end : placed.end[face]) {
+    if (!(magnitude(end.x) < farthest_along)) continue;
+    const double here = depth_at_place(end);
+    if (best < 0 || here > depth[best]) return {end.x, here};
+  }
   if (best < 0) return {middle, depth_at_place(place_at(rail, rail.face[face], placed.distance, middle))};
   const double at = placed.place[face][best].x;
-  if (best == 0 || best + 1 == track_places) {
-    // and on, as long as the overlap grows
-    const double step = best == 0 ? -place_apart : place_apart;
-    const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
-    FirstLook look{at, depth[best]};
-    double x = at, farther = depth[best];
-    while (magnitude(x + step) < flange_above && extent.holds(x + step)) {
-      const double next = depth_at_place(place_at(rail, rail.face[face], placed.distance, x + step));
-      if (!(next > farther)) break;
-      farther = next;
-      x += step;
-    }
-    if (x != at && farther > 0.0) look.farther = x;
-    return look;
-  }
+  if (best == 0 || best + 1 == track_places) return {at, depth[best]};
   // top of the parabola through the three
   const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
                bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];

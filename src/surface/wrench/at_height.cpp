@@ -61,13 +61,13 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
             "mm for input.wheel.y, or another gauge?");
 }
 
-/// Flags contact farther along the track than is looked, found or seen to be there.
+/// Flags contact at the farthest place along the track that is looked at.
 Fault beyond_search(const Overlaps& o) {
-  bool beyond = o.beyond;
+  bool beyond = false;
   for (std::int32_t i = 0; i < o.count; ++i) beyond = beyond || magnitude(o.centre[i]) >= farthest_along;
   if (!beyond) return {};
   return Fault::patch_at_edge("place of contact along the track",
-                              "a surface that moves aside nears the wheel's flange more than 60 mm ahead or "
+                              "a surface that moves aside nears the wheel's flange more than 160 mm ahead or "
                               "behind, where contact is not looked for");
 }
 
