@@ -405,18 +405,17 @@ inline constexpr double near_axle = 20e-3;
 /// and on from there as long as the overlap grows, else back. `end`: of the ray below the axle.
 inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
                                   RayEnd<double> end) {
-  const double way = from < 0.0 ? -place_apart : place_apart;
-  for (double x = near_axle; x < magnitude(from); x += near_axle) depth_at(strip, from < 0.0 ? -x : x, end);
+  const double way = from < 0.0 ? -1.0 : 1.0;
+  for (double x = near_axle; x < magnitude(from); x += near_axle) depth_at(strip, way * x, end);
   LargestOverlap found{from, end};
   depth_at(strip, from, found.end);
-  const double begin = from;
-  for (const double step : {way, -way}) {
+  for (const double step : {way * place_apart, -way * place_apart}) {
     end = found.end;
     for (double x = from + step; x >= low && x <= high; x += step) {
       if (!(depth_at(strip, x, end) > found.end.depth)) break;
       found = {x, end};
     }
-    if (found.x != begin) break;
+    if (found.x != from) break;
   }
   return found;
 }
