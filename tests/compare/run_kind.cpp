@@ -15,7 +15,7 @@
 namespace compare {
 namespace {
 
-constexpr double from = -60e-3, to = 460e-3;  // of a run, within the sections [m]
+constexpr double from = -60e-3, to = 460e-3;  // where a run begins and ends, within the sections [m]
 constexpr int beside = 6;                     // lateral places to both sides, 1 mm apart
 constexpr double leap = 0.05;                 // change of the force from one step to the next, of N [-]
 

@@ -369,7 +369,7 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
     depth_at(plain, found.x + way * value_of(half), there);
     side[k] = carried(s, s.start(x + way * half), there).depth;
   }
-  const Number moved = value_of(distance) - distance;  // of the ends, as the wheel sees them
+  const Number moved = value_of(distance) - distance;  // the ends, as the wheel sees them
   const Number to_end[2] = {high + moved - x, x - low - moved};
   const Number room_ahead = smaller(to_end[0] / half, Number(1.0)),
                room_behind = smaller(to_end[1] / half, Number(1.0));
