@@ -363,7 +363,7 @@ typedef struct wrc_config_track {
  * nose. Its sections are blended point by point of equal share of their length. The blend is twice continuously differentiable in
  * the distance. Marks divide that length: points of equal mark belong together. A surface is there from its first section to its last;
  * where the whole rail begins or ends its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its
- * edge, up to 3 mm high. Height and force are continuous there, but up to 60 % too stiff: WRC_FLAG_PATCH_AT_EDGE. A hollow that is
+ * edge, up to 14 mm high. Height and force are continuous there, the peak pressure is not solved: WRC_FLAG_PATCH_AT_EDGE. A hollow that is
  * curved more than the wheel is met on one of its sides: force and place leap where that changes. Theory manual, section 9. */
 typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
@@ -965,7 +965,7 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * @return WRC_OK, or the gravest flag:
  *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
- *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 60 mm ahead or
+ *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead or
  *    behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for.
  *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(); not with config.surface.memory.
  *  - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities take it.
