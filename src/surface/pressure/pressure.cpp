@@ -153,6 +153,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   const PressureProblem problem{
       model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
   PressureResult result;
+  if (from == StartFrom::solution) extrapolate_start(rail, o, start);
   bool started = load_strips(rail, o, start, from, w);
   if (o.count == 0) {
     result.converged = true;

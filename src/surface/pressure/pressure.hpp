@@ -48,6 +48,13 @@ struct PressureModel {
   double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
 };
 
+/// Changes up to a solution from an earlier one, by its strips: 0 of those that were not in contact in both.
+struct SolutionChange {
+  const double* length_squared = nullptr;  ///< of L [m^2]
+  const double* shift = nullptr;           ///< [m]
+  const double* depth = nullptr;           ///< [m]
+};
+
 /// A solution over the strips that overlapped, from which a later solve may start: `count` of them by
 /// increasing number.
 struct PressureStart {
@@ -56,6 +63,7 @@ struct PressureStart {
   double* shift = nullptr;           ///< c less the overlap's centre [m]
   double* depth = nullptr;           ///< overlap it was found at [m]
   std::int32_t count = 0;
+  SolutionChange change{};  ///< that led to it, until a solve has gone on along it; NULL: not known
 };
 
 /// Where a solve starts.
