@@ -93,12 +93,11 @@ PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) 
 }
 
 /// Iterations over the strips in contact that a solve may take: many may overlap where few are in contact.
-double most_in_contact(const PressureOptions& options) { return 2.0 * options.max_iterations; }
+double most_in_contact(const PressureOptions& options) { return 1.9 * options.max_iterations; }
 
 /// Is too little work left for another attempt, which takes several iterations?
 bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
-  const double several = 8.0 * w.active.count * w.active.count,
-               most = larger(w.active.count, fewest_budgeted);
+  const double several = 8.0 * w.active.count * w.active.count, most = budgeted_in_contact(w.active.count);
   return w.work + several > smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
 }
 
