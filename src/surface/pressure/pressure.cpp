@@ -28,7 +28,7 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
   StripSet& s = w.fine;
   bool started = false;
   s.count = o.count;
-  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
+  for (std::int32_t i = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
     s.place[i] = rail.s[j];
     s.width[i] = rail.width[j];
@@ -39,14 +39,14 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
     s.nz[i] = o.nz[i];
     // Candidates that were not in contact then have L = 0 and may enter.
     s.L[i] = s.shift[i] = w.depth_before[i] = 0.0;
-    if (from == StartFrom::overlaps) continue;
-    while (b < start.count && start.strip[b] < j) ++b;
-    if (b == start.count || start.strip[b] != j) continue;
+  }
+  if (from == StartFrom::overlaps) return false;
+  for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
     s.L[i] = start.length_squared[b];
     s.shift[i] = start.shift[b];
     w.depth_before[i] = start.depth[b];
     started = started || s.L[i] > 0.0;
-  }
+  });
   return started;
 }
 

@@ -86,15 +86,11 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   // The share of the change: growth of the overlaps since, projected on their growth in it, weighted by
   // areas.
   double along = 0.0, squared = 0.0;
-  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
-    const std::int32_t j = o.strip[i];
-    while (b < start.count && start.strip[b] < j) ++b;
-    if (b == start.count) break;
-    if (start.strip[b] != j) continue;
-    const double weight = rail.width[j] * start.length_squared[b] * change.depth[b];
+  for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
+    const double weight = rail.width[o.strip[i]] * start.length_squared[b] * change.depth[b];
     along += weight * (o.depth[i] - start.depth[b]);
     squared += weight * change.depth[b];
-  }
+  });
   if (!(squared > 0.0)) return;
   const double share = smaller(larger(along / squared, -farthest_extrapolated), farthest_extrapolated);
   for (std::int32_t b = 0; b < start.count; ++b) {

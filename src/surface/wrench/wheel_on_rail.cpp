@@ -74,15 +74,14 @@ void copy_start(const KeptStart& from, KeptStart& to) {
 void take_change(const KeptStart& before, const KeptStart& now, KeptChange& change) {
   const auto count = static_cast<std::int32_t>(now.count);
   const auto earlier = static_cast<std::int32_t>(before.set * before.count);
-  for (std::int32_t i = 0, b = 0; i < count; ++i) {
-    change.length_squared[i] = change.shift[i] = change.depth[i] = 0.0;
-    while (b < earlier && before.strip[b] < now.strip[i]) ++b;
-    if (b == earlier || before.strip[b] != now.strip[i]) continue;
-    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) continue;
+  for (double* const each : {change.length_squared, change.shift, change.depth})
+    std::fill_n(each, count, 0.0);
+  for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
+    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) return;
     change.length_squared[i] = now.length_squared[i] - before.length_squared[b];
     change.shift[i] = now.shift[i] - before.shift[b];
     change.depth[i] = now.depth[i] - before.depth[b];
-  }
+  });
 }
 
 }  // namespace
