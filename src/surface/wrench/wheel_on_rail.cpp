@@ -70,6 +70,20 @@ void copy_start(const KeptStart& from, KeptStart& to) {
   std::copy_n(from.depth, count, to.depth);
 }
 
+/// The change from one solution to a later one: of strips that are in contact in both.
+void take_change(const KeptStart& before, const KeptStart& now, KeptChange& change) {
+  const auto count = static_cast<std::int32_t>(now.count);
+  const auto earlier = static_cast<std::int32_t>(before.set * before.count);
+  for (double* const each : {change.length_squared, change.shift, change.depth})
+    std::fill_n(each, count, 0.0);
+  for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
+    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) return;
+    change.length_squared[i] = now.length_squared[i] - before.length_squared[b];
+    change.shift[i] = now.shift[i] - before.shift[b];
+    change.depth[i] = now.depth[i] - before.depth[b];
+  });
+}
+
 }  // namespace
 
 namespace {
@@ -100,7 +114,10 @@ Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
 
 }  // namespace
 
-void mark_solution(SurfaceState& state) { copy_start(state.last, state.mark); }
+void mark_solution(SurfaceState& state) {
+  take_change(state.mark, state.last, state.change);
+  copy_start(state.last, state.mark);
+}
 
 std::int64_t surface_state_bytes(std::int32_t remembered) {
   const std::int64_t memory =
@@ -157,9 +174,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   if (from == SolutionStart::mark) copy_start(state.mark, last);
   const bool warm = from != SolutionStart::anew && last.set > 0.0;
   HeightStart start{
-      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count)},
+      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count), {}},
       warm ? StartFrom::solution : StartFrom::overlaps,
       warm && last.stiffness > 0.0 ? last.stiffness : 1.0};
+  if (from == SolutionStart::mark)
+    start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;

@@ -105,6 +105,13 @@ struct KeptStart {
   double depth[most_overlapping_strips] = {};
 };
 
+/// A change of solutions (SolutionChange), by the strips of the later one.
+struct KeptChange {
+  double length_squared[most_overlapping_strips] = {};
+  double shift[most_overlapping_strips] = {};
+  double depth[most_overlapping_strips] = {};
+};
+
 /// Steps of a contact that remembers: places of the wheel from the rail, y and z, and along a rail that
 /// varies [m], as committed and as in the last solution.
 struct RememberedSteps {
@@ -117,6 +124,7 @@ struct RememberedSteps {
 /// it, of a model that remembers, the tractions (tangential::Memory).
 struct SurfaceState {
   KeptStart last, mark;
+  KeptChange change;  ///< from the solution marked before to the marked one
   StripResults kept;
   RememberedSteps steps;
 };
