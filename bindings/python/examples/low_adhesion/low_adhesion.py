@@ -4,9 +4,10 @@
     python low_adhesion.py traction                         a locomotive of four axles looks for the slip with most adhesion
     python low_adhesion.py start                            a freight locomotive of six axles starts 1100 t on damp oxide, without and with sand
     python low_adhesion.py curve                            creep curve on a roller rig, slip up and down twice
+    python low_adhesion.py lubricator                       grease at a gauge corner, which wheels carry along the rail and onto its tread
 
 --picture FILE draws it. Steps are 1 ms. Left and right are alike: one wheel of each axle is computed, on one rail. Brakes, sanders and
-controls are simple stand-ins. examples_c/low_adhesion.c is the same in C.
+controls are simple stand-ins. examples_c/low_adhesion.c has the first four in C.
 """
 import argparse
 
@@ -187,6 +188,34 @@ def curve():
     return rig
 
 
+def lubricator(axles=32, grease=0.02):
+    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. Every other axle runs with
+    its flange, the rest 1 to 5 mm from there. Bands have rows of 5 mm across. Gives the rail, and the frictional power of each
+    axle's outer wheel along it [W]."""
+    model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}, preset="real time")
+    contact, speed, way, laws = model.contact(), 20.0, 0.05, wrc.surface_laws("low adhesion")
+    rail = wrc.Band(40, 1.0, width=5e-3, rows=14, row_first=-37e-3)
+    data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=60e3, wheel={"velocity": (speed, 0.0, 0.0), "pitch_rate": -speed / RADIUS * 0.997})
+    dry, passage, powers = wrc.Friction(coefficient=0.4), wrc.SurfacePassage(), []
+    for axle in range(axles):
+        if axle % 8 == 0:
+            for row in range(2):  # y from -37 to -27 mm
+                rail.row(row).add("LUBRICANT", grease, 4.0, 7.0)
+        tread = wrc.Band(24, 2 * np.pi * RADIUS / 24, width=5e-3, closed=True, rows=16, row_first=-47e-3)
+        data.wheel.y = 6.5e-3 if axle % 2 == 0 else 5.5e-3 - 1e-3 * (axle // 2 % 5)
+        data.wheel.yaw = 3e-3 if axle % 2 == 0 else 0.0
+        powers.append([])
+        for at in np.arange(1.0, 39.0, way):
+            passage.rail_from = passage.wheel_from = at
+            passage.rail_to = passage.wheel_to = at + way
+            wrc.surface_friction(rail, tread, laws, passage, dry, out=data.friction)
+            wrench = contact.wrench(data)
+            passage.energy = wrench.power * way / speed
+            wrc.surface_pass(rail, tread, laws, passage, contact)
+            powers[-1].append(wrench.power)
+    return rail, np.array(powers)
+
+
 def at_half(rig):
     """Adhesion at half of the largest slip, on each branch of the curve."""
     return -rig.table()[3][2000::4000, 0]
@@ -232,6 +261,35 @@ def draw_curve(rig):
     return figure
 
 
+def draw_lubricator(run):
+    rail, powers = run
+    figure = wrc.plot.figure(figsize=(10, 4))
+    left, right = figure.subplots(1, 2)
+    band = rail.struct
+    edges = 1e3 * (band.row_first + band.width * np.arange(band.rows + 1))
+    grams = 1e3 * rail.values("LUBRICANT")
+    shown = left.pcolormesh(np.arange(band.count + 1), edges, np.maximum(grams, 1e-4), norm="log", cmap="viridis")
+    figure.colorbar(shown, ax=left, label="lubricant [g/m2]")
+    left.set(xlabel="distance [m]; lubricator from 4 to 7 m", ylabel="y on the rail [mm]; gauge corner below")
+    for first, label in ((0, "axles at the flange"), (1, "axles beside it")):
+        mean = powers[first::2].mean(axis=1)
+        right.plot(np.arange(first, len(powers), 2) + 1, 1e-3 * mean, "o-", label=label)
+    right.set(xlabel="axle", ylabel="frictional power, mean over the way [kW]", ylim=(0, None))
+    right.legend()
+    return figure
+
+
+def print_lubricator(run):
+    rail, powers = run
+    grams = 1e3 * rail.values("LUBRICANT")
+    middles = 1e3 * (rail.struct.row_first + rail.struct.width * (np.arange(rail.struct.rows) + 0.5))
+    print("lubricant [g/m2] at y [mm]   " + " ".join(f"{y:8.1f}" for y in middles))
+    for place in (5, 10, 20, 35):
+        print(f"  {place:2d} to {place + 1:2d} m                " + " ".join(f"{each:8.4f}" for each in grams[:, place]))
+    print("frictional power of the first and the last axle at the flange [kW]: {:.1f}, {:.1f}; beside it: {:.1f}, {:.1f}".format(
+        *(1e-3 * powers[axle].mean() for axle in (0, -2, 1, -1))))
+
+
 def print_runs(runs):
     for label, train in runs.items():
         print(f"{label}: {train.place:.0f} m, {train.time:.1f} s, {3.6 * train.speed:.1f} km/h at the end")
@@ -242,7 +300,7 @@ def print_runs(runs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     stories = parser.add_subparsers(dest="story", required=True)
-    for name in ("stop", "traction", "start", "curve"):
+    for name in ("stop", "traction", "start", "curve", "lubricator"):
         story = stories.add_parser(name)
         story.add_argument("--picture", help="file")
         if name == "stop":
@@ -257,12 +315,15 @@ def main():
     elif told.story == "curve":
         shown = curve()
         print("adhesion at 5 % slip: up {:.3f}, down {:.3f}, up again {:.3f}, down again {:.3f}".format(*at_half(shown)))
+    elif told.story == "lubricator":
+        shown = lubricator()
+        print_lubricator(shown)
     else:
         shown = {label: stop(told.speed, sand, told.cars) if told.story == "stop" else start(sand)
                  for label, sand in (("without sand", False), ("with sand", True))}
         print_runs(shown)
     if told.picture:
-        {"traction": draw_traction, "curve": draw_curve}.get(told.story, draw_runs)(shown).savefig(told.picture)
+        {"traction": draw_traction, "curve": draw_curve, "lubricator": draw_lubricator}.get(told.story, draw_runs)(shown).savefig(told.picture)
 
 
 if __name__ == "__main__":
