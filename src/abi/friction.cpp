@@ -122,6 +122,7 @@ Fault read_films(const wrc_friction& checked, const char* of, const contact::Tan
                  tangential::FilmRows& films) {
   films = {};
   if (checked.film_numbers == 0) return {};
+  if (checked.film_rows == nullptr) return Fault::null({of, "film_rows"});
   // the head, then the cells of as many rows as it says
   static_assert(offsetof(tangential::FilmRows, cells) == tangential::film_head_numbers * sizeof(double));
   if (checked.film_numbers > tangential::film_head_numbers)
@@ -138,8 +139,9 @@ Fault read_films(const wrc_friction& checked, const char* of, const contact::Tan
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(rail * wheel); ++k) {
     const tangential::FilmCell& cell = films.cells[k];
     const auto within = [](double value, double largest) { return value >= 0.0 && value <= largest; };
-    if (within(cell.share, 1.0) && within(cell.addition, 2.0) && within(cell.flexibility, 1.0) &&
-        within(cell.softness, 1.0))
+    if (within(cell.share, 1.0) && within(cell.addition, 2.0) &&
+        (films.layered == 0.0 || (within(cell.flexibility, 1.0) && within(cell.softness, 1.0) &&
+                                  within(std::abs(cell.hardening), 1e15))))
       continue;
     return Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
   }

@@ -153,80 +153,62 @@ Fault check_quantity(std::int32_t quantity) {
   return Fault::unsupported("quantity", {quantity, ""}, enumerations::wrc_surface_quantity.names);
 }
 
+double flexibility_of(const wrc_friction& friction) {
+  return friction.layer_modulus > 0.0 ? friction.layer_thickness / friction.layer_modulus : 0.0;
+}
+
+double softness_of(const wrc_friction& friction) {
+  return friction.layer_yield > 0.0 ? 1.0 / friction.layer_yield : 0.0;
+}
+
 /// Layer of the base and of films in series, within the ranges of friction.
 void put_layer(const damage::FilmFriction& mixed, wrc_friction& friction) {
   constexpr double hardest = 1e11, softest = 1e3, thickest = 0.01;
-  if (!mixed.layered) return;
-  const double base = friction.layer_modulus > 0.0 ? friction.layer_thickness / friction.layer_modulus : 0.0;
-  const double flexibility = base + mixed.flexibility;
+  const double flexibility = flexibility_of(friction) + mixed.flexibility;
   // the modulus is that of the whole thickness and the whole flexibility [Pa]
   friction.layer_thickness = std::min(friction.layer_thickness + mixed.thickness, thickest);
   friction.layer_modulus =
       flexibility > 0.0 ? std::clamp(friction.layer_thickness / flexibility, 1e3, 1e12) : 0.0;
   if (!(flexibility > 0.0)) friction.layer_thickness = 0.0;
   // one over the traction at which the layers yield; 0 without films: the layer does not yield
-  const double softness = mixed.softness + (friction.layer_yield > 0.0 ? 1.0 / friction.layer_yield : 0.0);
+  const double softness = mixed.softness + softness_of(friction);
   friction.layer_yield = softness * hardest > 1.0 ? std::max(1.0 / softness, softest) : hardest;
   friction.layer_hardening += mixed.hardening;
   if (flexibility > 0.0)  // wrc_contact_wrench() refuses -0.5 and less: tractions would jump
     friction.layer_hardening = std::max(friction.layer_hardening, -0.49 / flexibility);
 }
 
-/// Where the rows of rail and wheel meet: friction and the base's layer with theirs, as a strip has them.
-tangential::FilmCell cell_of(const damage::FilmFriction& mixed, const wrc_friction& base) {
-  wrc_friction layered = base;
-  put_layer(mixed, layered);
-  return {.share = mixed.share,
-          .addition = std::min(mixed.addition, 2.0),
-          .flexibility = layered.layer_modulus > 0.0 ? layered.layer_thickness / layered.layer_modulus : 0.0,
-          .softness = layered.layer_yield > 0.0 ? 1.0 / layered.layer_yield : 0.0,
-          .hardening = layered.layer_hardening};
-}
-
-/// Fills the caller's numbers of films in rows, and their temperatures with those of the hottest rows.
-Fault fill_rows(const Meeting& meeting, const damage::FilmAt* rail, const damage::FilmAt* wheel,
+/// Fills the caller's numbers of films in rows, the base's layer in series with theirs.
+Fault fill_rows(const Meeting& meeting, const damage::FilmsAt& rail, const damage::FilmsAt& wheel,
                 wrc_friction& found) {
-  const std::uint32_t needed =
-      static_cast<std::uint32_t>(tangential::film_numbers(meeting.rail.rows, meeting.wheel.rows));
+  const auto needed = static_cast<std::uint32_t>(tangential::film_numbers(rail.rows, wheel.rows));
   if (meeting.film_numbers < needed)
     return Fault::range("passage.film_numbers", {meeting.film_numbers, "", 1.0 * needed, 1288.0},
                         "rows across need WRC_FILM_NUMBERS(rail.rows, wheel.rows) numbers at film_rows");
-  tangential::FilmRows head{.rail = damage::rows_across(meeting.rail),
-                            .wheel = damage::rows_across(meeting.wheel)};
-  auto* const cells =
-      reinterpret_cast<tangential::FilmCell*>(meeting.film_rows + tangential::film_head_numbers);
-  for (std::int32_t r = 0; r < meeting.rail.rows; ++r)
-    for (std::int32_t w = 0; w < meeting.wheel.rows; ++w) {
-      const damage::FilmFriction mixed = mix(meeting.laws, rail[r], wheel[w], 0.0);
-      cells[r * meeting.wheel.rows + w] = cell_of(mixed, found);
-      if (mixed.layered) head.layered = 1.0;
-    }
+  const bool layered = damage::layered(meeting.laws);
+  const tangential::FilmRows head{.rail = damage::rows_across(meeting.rail),
+                                  .wheel = damage::rows_across(meeting.wheel),
+                                  .layered = layered ? 1.0 : 0.0};
   std::memcpy(meeting.film_rows, &head, tangential::film_head_numbers * sizeof(double));
+  const double wet_steel = meeting.laws.of[damage::water].wet_friction;
+  const double flexibility = flexibility_of(found), softness = softness_of(found);
+  auto* cell = reinterpret_cast<tangential::FilmCell*>(meeting.film_rows + tangential::film_head_numbers);
+  for (std::int32_t r = 0; r < rail.rows; ++r) {
+    damage::FilmFriction mixed[tangential::most_film_rows];
+    mix(meeting.laws, rail, r, wheel, mixed);
+    for (std::int32_t w = 0; w < wheel.rows; ++w, ++cell) {
+      const damage::FilmFriction& of = mixed[w];
+      *cell = {of.share(), std::min(of.addition(wet_steel), 2.0), flexibility + of.flexibility,
+               softness + of.softness, found.layer_hardening + of.hardening};
+    }
+  }
   found.film_rows = meeting.film_rows;
   found.film_numbers = needed;
-  if (head.layered > 0.0)
-    found.layer_thickness = found.layer_modulus = found.layer_yield = found.layer_hardening = 0.0;
+  if (layered) found.layer_thickness = found.layer_modulus = found.layer_yield = found.layer_hardening = 0.0;
   return {};
 }
 
-/// Films of all rows at the place of a body.
-struct FilmsAcross {
-  damage::FilmAt row[tangential::most_film_rows];
-  bool beside = false, in_range = true;
-  double hottest = 0.0;  ///< [degC]
-
-  FilmsAcross(const Meeting& meeting, const damage::Band& band, int body) {
-    for (std::int32_t k = 0; k < band.rows; ++k) {
-      if (band.bins != nullptr) row[k] = film_at(band.row(k), meeting.passage.from[body]);
-      beside = beside || row[k].beside;
-      in_range = in_range && row[k].in_range;
-      const double warm = temperature(meeting.laws, row[k], body);
-      hottest = k == 0 ? warm : std::max(hottest, warm);
-    }
-  }
-};
-
-Fault find_friction(const Meeting& meeting, const wrc_friction* base, wrc_friction& found) {
+Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* base, wrc_friction& found) {
   RETURN_IF_FAILED(read_or_defaults(base, "base", found));
   if (found.film_numbers > 0)
     return Fault::unsupported({"base", "film_numbers"}, {found.film_numbers, ""},
@@ -236,17 +218,22 @@ Fault find_friction(const Meeting& meeting, const wrc_friction* base, wrc_fricti
                               "zones stay below films that are told as rows: give passage.film_rows");
   tangential::Layer whole_or_absent;
   RETURN_IF_FAILED(read_layer(found, "base", whole_or_absent));
-  const FilmsAcross rail(meeting, meeting.rail, 0), wheel(meeting, meeting.wheel, 1);
+  const damage::FilmsAt rail = films_at(meeting.rail, meeting.passage.from[0]);
+  const damage::FilmsAt wheel =
+      has_wheel ? films_at(meeting.wheel, meeting.passage.from[1]) : damage::FilmsAt{};
   if (meeting.in_rows() || meeting.film_numbers > 0) {
-    RETURN_IF_FAILED(fill_rows(meeting, rail.row, wheel.row, found));
+    RETURN_IF_FAILED(fill_rows(meeting, rail, wheel, found));
   } else {
-    const damage::FilmFriction mixed = mix(meeting.laws, rail.row[0], wheel.row[0], found.coefficient);
+    damage::FilmFriction mixed;
+    mix(meeting.laws, rail, 0, wheel, &mixed);
+    const double coefficient =
+        mixed.coefficient(found.coefficient, meeting.laws.of[damage::water].wet_friction);
     constexpr double least = 1e-4;  // friction is 0 or at least that
-    found.coefficient = mixed.coefficient > 0.0 ? std::max(mixed.coefficient, least) : 0.0;
-    put_layer(mixed, found);
+    found.coefficient = coefficient > 0.0 ? std::max(coefficient, least) : 0.0;
+    if (damage::layered(meeting.laws)) put_layer(mixed, found);
   }
-  found.bulk.rail = rail.hottest;
-  found.bulk.wheel = wheel.hottest;
+  found.bulk.rail = temperature(meeting.laws, rail, 0);
+  found.bulk.wheel = temperature(meeting.laws, wheel, 1);
   return flags_of(rail.beside || wheel.beside, rail.in_range && wheel.in_range);
 }
 
@@ -438,7 +425,7 @@ int32_t wrc_surface_friction(const wrc_surface* rail, const wrc_surface* wheel, 
   wrc_friction found = abi::defaults<wrc_friction>();
   Fault fault =
       friction == nullptr ? Fault::null("friction") : abi::read_meeting(rail, wheel, laws, passage, meeting);
-  if (!fault.failed()) fault = abi::find_friction(meeting, base, found);
+  if (!fault.failed()) fault = abi::find_friction(meeting, wheel != nullptr, base, found);
   if (friction != nullptr) *friction = fault.failed() ? abi::defaults<wrc_friction>() : found;
   return abi::finish(__func__, fault, text, size);
 }

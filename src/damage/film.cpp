@@ -358,60 +358,94 @@ bool merge(const Band& into, const Band& from) {
   return in_range;
 }
 
-FilmAt film_at(const Band& band, double place) {
-  FilmAt at;
+FilmsAt films_at(const Band& band, double place) {
+  FilmsAt at;
+  at.rows = band.rows;
   const Way way(band, place, place);
   const Neighbours of = way.at(0.0, 0.0);
   at.beside = way.beside();
-  for (int i = 0; i < 2; ++i) {
-    const FilmBin& bin = band.bin(of.bin[i]);
-    at.in_range = at.in_range && bin.overflow == 0;
-    for (std::int32_t q = 0; q < quantities; ++q) at.per_area[q] += of.part[i] * stored(bin, q) / band.area();
-  }
+  for (std::int32_t row = 0; row < band.rows; ++row)
+    for (std::int32_t q = 0; q < quantities; ++q) at.per_area[q][row] = 0.0;
+  for (int i = 0; i < 2; ++i)
+    for (std::int32_t row = 0; row < band.rows; ++row) {
+      const FilmBin& bin = band.bin(row * band.count + of.bin[i]);
+      at.in_range = at.in_range && bin.overflow == 0;
+      for (std::int32_t q = 0; q < quantities; ++q)
+        if (!nothing(bin.sum[amount][q])) {
+          at.per_area[q][row] += of.part[i] * stored(bin, q) / band.area();
+          at.lies[q] = true;
+        }
+    }
   return at;
 }
 
-FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, double clean) {
-  FilmFriction mixed;
-  const auto between = [&](std::int32_t q) { return rail.per_area[q] + wheel.per_area[q]; };
-  const auto covered = [&](std::int32_t q) {
-    return laws.of[q].cover > 0.0 ? std::min(1.0, between(q) / laws.of[q].cover) : 0.0;
-  };
-  // Water wets bare steel and the substances on it.
-  const double wet = covered(water);
-  const auto wetted = [&](double dry, std::int32_t q) { return dry + (laws.of[q].wet_friction - dry) * wet; };
-  // Means over the substances that cover: friction, softness and hardening, each substance by its share times
-  // its weight.
-  double bare = 1.0, weights = 0.0, friction = 0.0, softness = 0.0, hardening = 0.0;
-  for (std::int32_t q = water + 1; q < substances; ++q) {
-    const Substance& law = laws.of[q];
-    const double share = covered(q), weight = share * law.weight;
-    bare *= 1.0 - share;
-    weights += weight;
-    friction += weight * wetted(law.friction, q);
-    if (law.yield > 0.0) softness += weight / law.yield;
-    hardening += weight * law.hardening;
-    // Layers in series.
-    mixed.layered = mixed.layered || law.modulus > 0.0 || law.yield > 0.0;
-    if (!(law.modulus > 0.0)) continue;
-    const double thickness = between(q) / law.density;
-    mixed.thickness += thickness;
-    mixed.flexibility += thickness / law.modulus;
-  }
-  mixed.coefficient = wetted(clean, water);
-  mixed.share = bare * (1.0 - wet);
-  mixed.addition = bare * wet * laws.of[water].wet_friction;
-  if (!(weights > 0.0)) return mixed;
-  const double film = (1.0 - bare) / weights;
-  mixed.coefficient = bare * mixed.coefficient + film * friction;
-  mixed.addition += film * friction;
-  mixed.softness = film * softness;
-  mixed.hardening = film * hardening;
-  return mixed;
+bool layered(const FilmLaws& laws) {
+  bool any = false;
+  for (std::int32_t q = water + 1; q < substances; ++q)
+    any = any || laws.of[q].modulus > 0.0 || laws.of[q].yield > 0.0;
+  return any;
 }
 
-double temperature(const FilmLaws& laws, const FilmAt& at, int body) {
-  return std::min(laws.ambient + at.per_area[heat] / laws.capacity[body], 2000.0);
+void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
+         FilmFriction* mixed) {
+  // one number for each row of the wheel; loops over them are vectors
+  const std::int32_t across = wheel.rows;
+  double wet[most_rows] = {}, bare[most_rows], weights[most_rows] = {}, friction[most_rows] = {},
+         softness[most_rows] = {}, hardening[most_rows] = {}, thickness[most_rows] = {},
+         flexibility[most_rows] = {};
+  const auto each = [&](const auto& work) {
+    for (std::int32_t w = 0; w < across; ++w) work(w);
+  };
+  const auto lies = [&](std::int32_t q) { return rail.lies[q] || wheel.lies[q]; };
+  const auto between = [&](std::int32_t q, std::int32_t w) {
+    return rail.per_area[q][row] + wheel.per_area[q][w];
+  };
+  const auto covered = [&](std::int32_t q, std::int32_t w) {
+    return std::min(1.0, between(q, w) / laws.of[q].cover);
+  };
+  // Water wets bare steel and the substances on it.
+  if (lies(water) && laws.of[water].cover > 0.0) each([&](std::int32_t w) { wet[w] = covered(water, w); });
+  each([&](std::int32_t w) { bare[w] = 1.0; });
+  // Means over the substances that cover: friction, softness and hardening, each substance by its share times
+  // its weight. Layers in series.
+  for (std::int32_t q = water + 1; q < substances; ++q) {
+    const Substance& law = laws.of[q];
+    if (!lies(q) || !(law.cover > 0.0)) continue;
+    each([&](std::int32_t w) {
+      const double share = covered(q, w), weight = share * law.weight;
+      bare[w] *= 1.0 - share;
+      weights[w] += weight;
+      friction[w] += weight * (law.friction + (law.wet_friction - law.friction) * wet[w]);
+    });
+    if (law.yield > 0.0)
+      each([&](std::int32_t w) {
+        const double weight = covered(q, w) * law.weight;
+        softness[w] += weight / law.yield;
+        hardening[w] += weight * law.hardening;
+      });
+    if (!(law.modulus > 0.0)) continue;
+    each([&](std::int32_t w) {
+      const double thick = between(q, w) / law.density;
+      thickness[w] += thick;
+      flexibility[w] += thick / law.modulus;
+    });
+  }
+  for (std::int32_t w = 0; w < across; ++w) {
+    const double film = weights[w] > 0.0 ? (1.0 - bare[w]) / weights[w] : 0.0;
+    mixed[w] = {bare[w],
+                wet[w],
+                film * friction[w],
+                thickness[w],
+                flexibility[w],
+                film * softness[w],
+                film * hardening[w]};
+  }
+}
+
+double temperature(const FilmLaws& laws, const FilmsAt& at, int body) {
+  double most = 0.0;
+  for (std::int32_t row = 0; row < at.rows; ++row) most = std::max(most, at.per_area[heat][row]);
+  return std::min(laws.ambient + most / laws.capacity[body], 2000.0);
 }
 
 }  // namespace wrc::damage

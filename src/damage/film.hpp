@@ -117,28 +117,45 @@ bool rest(const Band& band, const FilmLaws& laws, double duration);
 /// Adds bins of the same band. False: a sum passed its range.
 bool merge(const Band& into, const Band& from);
 
-/// Amounts at a place of a band.
-struct FilmAt {
-  double per_area[quantities] = {};  ///< [kg/m^2], heat [J/m^2]
+/// Amounts at a place of a band, row by row.
+struct FilmsAt {
+  std::int32_t rows = 1;
+  double per_area[quantities][tangential::most_film_rows];  ///< [kg/m^2], heat [J/m^2]
+  bool lies[quantities] = {};                               ///< on some row
   bool beside = false, in_range = true;
-};
-FilmAt film_at(const Band& band, double place);
 
-/// Friction and layer between two bodies.
+  FilmsAt() {
+    for (auto& amounts : per_area) amounts[0] = 0.0;
+  }
+};
+FilmsAt films_at(const Band& band, double place);
+
+/// Friction and layer between a row of the rail and one of the wheel.
 struct FilmFriction {
-  double coefficient = 0.0;  ///< share * clean + addition, rounded its own way
-  double share = 1.0, addition = 0.0;
-  bool layered = false;      ///< some substance makes a layer: there is one even where nothing lies
+  double bare = 1.0;         ///< share of steel that no substance but water covers
+  double wet = 0.0;          ///< share that water covers
+  double friction = 0.0;     ///< the substances' part
   double thickness = 0.0;    ///< [m]
   double flexibility = 0.0;  ///< thickness over shear modulus [m/Pa]
   double softness = 0.0;     ///< 1 / traction at which it yields; 0: it does not [1/Pa]
   double hardening = 0.0;    ///< [Pa/m]
+
+  /// Friction on that of clean, dry steel; and the same as a share of it and an addition.
+  double coefficient(double clean, double wet_steel) const {
+    return bare * (clean + (wet_steel - clean) * wet) + friction;
+  }
+  double share() const { return bare * (1.0 - wet); }
+  double addition(double wet_steel) const { return bare * wet * wet_steel + friction; }
 };
 
-/// The mixing rule. `clean`: friction of bare, dry steel.
-FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, double clean);
+/// Does some substance make a layer? Then there is one even where nothing lies.
+bool layered(const FilmLaws& laws);
 
-/// Temperature of a surface [degC].
-double temperature(const FilmLaws& laws, const FilmAt& at, int body);
+/// The mixing rule, between a row of the rail and each row of the wheel.
+void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
+         FilmFriction* mixed);
+
+/// Temperature of a surface, that of its hottest row [degC].
+double temperature(const FilmLaws& laws, const FilmsAt& at, int body);
 
 }  // namespace wrc::damage

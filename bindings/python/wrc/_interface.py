@@ -1262,7 +1262,7 @@ class Friction(s.Struct):
       slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
       film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills them;
-          of Contact.wrench() (-1e30 .. 1e30; required)
+          of Contact.wrench() (-1e30 .. 1e30; default None)
       film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)
     """
 

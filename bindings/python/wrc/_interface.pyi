@@ -1213,7 +1213,7 @@ class Friction(s.Struct):
     @property
     def film_rows(self) -> Optional[NDArray[np.float64]]:
         """film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills
-            them; of Contact.wrench() (-1e30 .. 1e30; required)
+            them; of Contact.wrench() (-1e30 .. 1e30; default None)
         """
     @film_rows.setter
     def film_rows(self, value: Optional[s.Floats]) -> None: ...

@@ -26,7 +26,13 @@ double integral_to(double t, std::int32_t k, std::int32_t count) {
 RowShares row_shares(const RowsAcross& rows, double y, double half, double half_by_y) {
   RowShares shares;
   const std::int32_t count = static_cast<std::int32_t>(rows.count);
-  if (count == 1) return shares;
+  if (count == 1) {
+    shares.first = 0;
+    shares.count = 1;
+    shares.share[0] = 1.0;
+    shares.by_y[0] = 0.0;
+    return shares;
+  }
   const auto row = [&](double t) {
     return static_cast<std::int32_t>(std::clamp(std::floor(t), 0.0, count - 1.0));
   };
@@ -47,9 +53,11 @@ RowShares row_shares(const RowsAcross& rows, double y, double half, double half_
 FilmOfStrip film_of_strip(const FilmRows& films, const RowShares& rail, const RowShares& wheel) {
   FilmOfStrip film;
   const std::int32_t across = static_cast<std::int32_t>(films.wheel.count);
-  const auto add = [](double factor, const FilmCell& cell, FilmCell& sum) {
+  const bool layered = films.layered > 0.0;
+  const auto add = [&](double factor, const FilmCell& cell, FilmCell& sum) {
     sum.share += factor * cell.share;
     sum.addition += factor * cell.addition;
+    if (!layered) return;
     sum.flexibility += factor * cell.flexibility;
     sum.softness += factor * cell.softness;
     sum.hardening += factor * cell.hardening;

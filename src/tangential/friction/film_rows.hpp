@@ -46,8 +46,8 @@ constexpr std::int32_t film_numbers(std::int32_t rail_rows, std::int32_t wheel_r
 
 /// Shares of rows in the mean over a stretch, and their derivatives by its middle.
 struct RowShares {
-  std::int32_t first = 0, count = 1;
-  double share[most_film_rows] = {1.0}, by_y[most_film_rows] = {};
+  std::int32_t first, count;
+  double share[most_film_rows], by_y[most_film_rows];  ///< of `count` rows from the first on
 };
 
 /// The stretch is `half` to either side of y; half_by_y: d half / dy.

@@ -188,32 +188,31 @@ def curve():
     return rig
 
 
-def lubricator(axles=32, grease=0.02):
-    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. Every other axle runs with
-    its flange, the rest 1 to 5 mm from there. Bands have rows of 5 mm across. Gives the rail, and the frictional power of each
-    axle's outer wheel along it [W]."""
+def lubricator(axles=32, grease=0.05):
+    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. Axles run along the flange
+    there, and swing away from it by up to 8 mm and back. Bands have rows across. Gives the rail, and along its way each axle's
+    displacement [m] and frictional power of its outer wheel [W]."""
     model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}, preset="real time")
-    contact, speed, way, laws = model.contact(), 20.0, 0.05, wrc.surface_laws("low adhesion")
-    rail = wrc.Band(40, 1.0, width=5e-3, rows=14, row_first=-37e-3)
+    contact, speed, way, laws = model.contact(), 20.0, 0.1, wrc.surface_laws("low adhesion")
+    laws.lubricant.carry = 1.0  # a grease that wheels pick up well
+    rail = wrc.Band(40, 1.0, width=6e-3, rows=10, row_first=-37e-3)
     data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=60e3, wheel={"velocity": (speed, 0.0, 0.0), "pitch_rate": -speed / RADIUS * 0.997})
-    dry, passage, powers = wrc.Friction(coefficient=0.4), wrc.SurfacePassage(), []
+    dry, passage = wrc.Friction(coefficient=0.4), wrc.SurfacePassage()
+    places = np.arange(1.0, 39.0, way)
+    shifts, powers = np.zeros((2, axles, len(places)))
     for axle in range(axles):
         if axle % 8 == 0:
-            for row in range(2):  # y from -37 to -27 mm
-                rail.row(row).add("LUBRICANT", grease, 4.0, 7.0)
-        tread = wrc.Band(24, 2 * np.pi * RADIUS / 24, width=5e-3, closed=True, rows=16, row_first=-47e-3)
-        data.wheel.y = 6.5e-3 if axle % 2 == 0 else 5.5e-3 - 1e-3 * (axle // 2 % 5)
-        data.wheel.yaw = 3e-3 if axle % 2 == 0 else 0.0
-        powers.append([])
-        for at in np.arange(1.0, 39.0, way):
+            rail.row(0).add("LUBRICANT", grease, 4.0, 7.0)  # y from -37 to -31 mm
+        tread = wrc.Band(24, 2 * np.pi * RADIUS / 24, width=6e-3, closed=True, rows=10, row_first=-43e-3)
+        for k, at in enumerate(places):
+            shifts[axle, k] = data.wheel.y = 6.8e-3 - (1.0 + axle % 8) * 0.5e-3 * (1.0 - np.cos(2 * np.pi * max(0.0, at - 7.0) / 16.0))
             passage.rail_from = passage.wheel_from = at
             passage.rail_to = passage.wheel_to = at + way
             wrc.surface_friction(rail, tread, laws, passage, dry, out=data.friction)
-            wrench = contact.wrench(data)
-            passage.energy = wrench.power * way / speed
+            powers[axle, k] = contact.wrench(data).power
+            passage.energy = powers[axle, k] * way / speed
             wrc.surface_pass(rail, tread, laws, passage, contact)
-            powers[-1].append(wrench.power)
-    return rail, np.array(powers)
+    return rail, places, shifts, powers
 
 
 def at_half(rig):
@@ -262,32 +261,30 @@ def draw_curve(rig):
 
 
 def draw_lubricator(run):
-    rail, powers = run
+    rail, places, shifts, powers = run
+    band = rail.struct
     figure = wrc.plot.figure(figsize=(10, 4))
     left, right = figure.subplots(1, 2)
-    band = rail.struct
     edges = 1e3 * (band.row_first + band.width * np.arange(band.rows + 1))
     grams = 1e3 * rail.values("LUBRICANT")
     shown = left.pcolormesh(np.arange(band.count + 1), edges, np.maximum(grams, 1e-4), norm="log", cmap="viridis")
     figure.colorbar(shown, ax=left, label="lubricant [g/m2]")
     left.set(xlabel="distance [m]; lubricator from 4 to 7 m", ylabel="y on the rail [mm]; gauge corner below")
-    for first, label in ((0, "axles at the flange"), (1, "axles beside it")):
-        mean = powers[first::2].mean(axis=1)
-        right.plot(np.arange(first, len(powers), 2) + 1, 1e-3 * mean, "o-", label=label)
-    right.set(xlabel="axle", ylabel="frictional power, mean over the way [kW]", ylim=(0, None))
+    for axle in (0, len(powers) - 8, len(powers) - 1):
+        right.plot(places, 1e-3 * powers[axle], label=f"axle {axle + 1}, up to {1e3 * np.ptp(shifts[axle]):.0f} mm from the flange")
+    right.set(xlabel="distance [m]", ylabel="frictional power [kW]", ylim=(0, None))
     right.legend()
     return figure
 
 
 def print_lubricator(run):
-    rail, powers = run
+    rail, _, _, powers = run
     grams = 1e3 * rail.values("LUBRICANT")
     middles = 1e3 * (rail.struct.row_first + rail.struct.width * (np.arange(rail.struct.rows) + 0.5))
-    print("lubricant [g/m2] at y [mm]   " + " ".join(f"{y:8.1f}" for y in middles))
-    for place in (5, 10, 20, 35):
-        print(f"  {place:2d} to {place + 1:2d} m                " + " ".join(f"{each:8.4f}" for each in grams[:, place]))
-    print("frictional power of the first and the last axle at the flange [kW]: {:.1f}, {:.1f}; beside it: {:.1f}, {:.1f}".format(
-        *(1e-3 * powers[axle].mean() for axle in (0, -2, 1, -1))))
+    print("lubricant [g/m2] at y [mm]" + "".join(f"{y:10.0f}" for y in middles))
+    for place in (5, 10, 15, 35):
+        print(f"  {place:2d} to {place + 1:2d} m             " + "".join(f"{each:10.3g}" for each in grams[:, place]))
+    print("mean frictional power of axles 1, 9 and the last [kW]: " + ", ".join(f"{1e-3 * powers[axle].mean():.2f}" for axle in (0, 8, -1)))
 
 
 def print_runs(runs):
