@@ -299,7 +299,7 @@ class Fitter {
   /// grown by sigma^2 times the square of the factor.
   double end_of(const Profile& profile, int k, double side) {
     constexpr int most = 12, most_steps = 20;
-    constexpr double near = 0.01;  // of the factor
+    constexpr double near = 1e-3;  // relative to the factor
     const double limit = side < 0.0 ? low_[at(k)] : high_[at(k)];
     const double range = side * (limit - profile.best[at(k)]);
     double reach = profile.factor * profile.deviation;

@@ -26,6 +26,7 @@ double integral_to(double t, std::int32_t k, std::int32_t count) {
 RowShares row_shares(const RowsAcross& rows, double y, double half, double half_by_y) {
   RowShares shares;
   const std::int32_t count = static_cast<std::int32_t>(rows.count);
+  // one row has it all
   if (count == 1) {
     shares.first = 0;
     shares.count = 1;
@@ -33,6 +34,7 @@ RowShares row_shares(const RowsAcross& rows, double y, double half, double half_
     shares.by_y[0] = 0.0;
     return shares;
   }
+  // rows whose straight lines reach into the stretch, in widths from the middle of the first
   const auto row = [&](double t) {
     return static_cast<std::int32_t>(std::clamp(std::floor(t), 0.0, count - 1.0));
   };
@@ -62,6 +64,7 @@ FilmOfStrip film_of_strip(const FilmRows& films, const RowShares& rail, const Ro
     sum.softness += factor * cell.softness;
     sum.hardening += factor * cell.hardening;
   };
+  // each pair of rows by the product of their shares
   for (std::int32_t r = 0; r < rail.count; ++r) {
     const FilmCell* const row = films.cells + (rail.first + r) * across + wheel.first;
     for (std::int32_t w = 0; w < wheel.count; ++w) {
@@ -75,6 +78,7 @@ FilmOfStrip film_of_strip(const FilmRows& films, const RowShares& rail, const Ro
 void layer_of_strip(const FilmOfStrip& film, Layer& layer, Layer& by_wheel_y) {
   constexpr double hardest = 1e11;  // [Pa]: yields nowhere
   const FilmCell &mean = film.mean, &slope = film.by_wheel_y;
+  // means of F, of 1 / tau_0 and of k
   layer = {mean.flexibility, hardest, mean.hardening};
   by_wheel_y = {slope.flexibility, 0.0, slope.hardening};
   if (mean.softness * hardest > 1.0) {

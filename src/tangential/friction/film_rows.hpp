@@ -18,7 +18,7 @@ inline constexpr std::int32_t most_film_rows = 16;
 struct FilmCell {
   double share = 0.0;        ///< a [-]
   double addition = 0.0;     ///< b [-]
-  double flexibility = 0.0;  ///< of the layer [m/Pa]
+  double flexibility = 0.0;  ///< F, the layer's [m/Pa]
   double softness = 0.0;     ///< 1 / traction at which it yields [1/Pa]
   double hardening = 0.0;    ///< [Pa/m]
 };
@@ -27,8 +27,8 @@ inline constexpr std::int32_t cell_numbers = sizeof(FilmCell) / sizeof(double);
 /// Rows of a body by its profile's y.
 struct RowsAcross {
   double count = 1.0;
-  double middle = 0.0;  ///< of the first [m]
-  double width = 1.0;   ///< of each [m]
+  double middle = 0.0;  ///< that of the first [m]
+  double width = 1.0;   ///< each row's [m]
 };
 
 struct FilmRows {
@@ -47,7 +47,7 @@ constexpr std::int32_t film_numbers(std::int32_t rail_rows, std::int32_t wheel_r
 /// Shares of rows in the mean over a stretch, and their derivatives by its middle.
 struct RowShares {
   std::int32_t first, count;
-  double share[most_film_rows], by_y[most_film_rows];  ///< of `count` rows from the first on
+  double share[most_film_rows], by_y[most_film_rows];  ///< row by row, from the first on
 };
 
 /// The stretch is `half` to either side of y; half_by_y: d half / dy.
