@@ -24,6 +24,7 @@ ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 CREEP_PARAMETERS = 10
 SURFACE_QUANTITIES = 6
+MOST_FILM_ROWS = 16
 SURFACE_BOOKS = 6
 
 
@@ -1260,6 +1261,9 @@ class Friction(s.Struct):
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
       slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
+      film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills them;
+          of Contact.wrench() (-1e30 .. 1e30; default None)
+      film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)
     """
 
     _c_name_ = 'wrc_friction'
@@ -1287,6 +1291,8 @@ class Friction(s.Struct):
     layer_hardening: float
     adhesion_reduction: float
     slip_reduction: float
+    film_rows: Optional[np.ndarray] = s.Pointer('film_rows', 'film_numbers')  # type: ignore[assignment]
+    film_numbers: int = s.Count('film_numbers')  # type: ignore[assignment]
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
     _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02, 'adhesion_reduction': 1.0, 'slip_reduction': 1.0}
     _fields_ = [
@@ -1313,7 +1319,10 @@ class Friction(s.Struct):
         ('layer_hardening', c.c_double),
         ('adhesion_reduction', c.c_double),
         ('slip_reduction', c.c_double),
-        ('_reserved', c.c_double * 6),
+        ('_film_rows', c.POINTER(c.c_double)),
+        ('_film_numbers', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_reserved', c.c_double * 4),
     ]
 assert c.sizeof(Friction) == 240
 
@@ -3568,10 +3577,12 @@ class Surface(s.Struct):
       count: bins (1 .. 10000000; default 0)
       first [m]: distance at which the first bin begins (-1e9 .. 1e9; default 0)
       length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)
-      width [m]: of the running band (1e-3 .. 0.5; default 0.02)
+      width [m]: of the running band, or in y of each row (1e-3 .. 0.5; default 0.02)
       closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1;
           default 0)
-      bins: count of the caller, zeroed before the first use
+      bins: count of each row of the caller, one row behind the other, zeroed before the first use
+      rows: rows across; 0 or 1: one band that has the whole contact, wherever it is (0 .. 16; default 0)
+      row_first [m]: profile's y at which the first of several rows begins (-1 .. 1; default 0)
     """
 
     _c_name_ = 'wrc_surface'
@@ -3582,7 +3593,9 @@ class Surface(s.Struct):
     width: float
     closed: int
     bins: Optional[SurfaceBin] = s.Reference('bins', size='bin_size')  # type: ignore[assignment]
-    _units_ = {'first': 'm', 'length': 'm', 'width': 'm'}
+    rows: int
+    row_first: float
+    _units_ = {'first': 'm', 'length': 'm', 'width': 'm', 'row_first': 'm'}
     _defaults_ = {'width': 0.02}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -3593,8 +3606,11 @@ class Surface(s.Struct):
         ('closed', c.c_uint32),
         ('_bin_size', c.c_uint32),
         ('_bins', c.POINTER(SurfaceBin)),
+        ('rows', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('row_first', c.c_double),
     ]
-assert c.sizeof(Surface) == 48
+assert c.sizeof(Surface) == 64
 
 
 class Substance(s.Struct):
@@ -3728,6 +3744,9 @@ class SurfacePassage(s.Struct):
           default 0)
       wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)
       energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)
+      film_rows: memory of the caller for films in rows; None: none, for one row (default None)
+      film_numbers: numbers of film_rows (0 or 13 .. 1288; default 0)
+      contact: whose last wrench passes, for surface_pass() with rows; None: one row (default None)
     """
 
     _c_name_ = 'wrc_surface_passage'
@@ -3737,6 +3756,9 @@ class SurfacePassage(s.Struct):
     wheel_from: float
     wheel_to: float
     energy: float
+    film_rows: Optional[np.ndarray] = s.Pointer('film_rows')  # type: ignore[assignment]
+    film_numbers: int
+    contact: Any
     _units_ = {'rail_from': 'm', 'rail_to': 'm', 'wheel_from': 'm', 'wheel_to': 'm', 'energy': 'J'}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -3746,8 +3768,12 @@ class SurfacePassage(s.Struct):
         ('wheel_from', c.c_double),
         ('wheel_to', c.c_double),
         ('energy', c.c_double),
+        ('_film_rows', c.POINTER(c.c_double)),
+        ('film_numbers', c.c_uint32),
+        ('_reserved1', c.c_uint32),
+        ('contact', c.c_void_p),
     ]
-assert c.sizeof(SurfacePassage) == 48
+assert c.sizeof(SurfacePassage) == 72
 
 
 class SurfaceExchange(s.Struct):
@@ -3757,7 +3783,7 @@ class SurfaceExchange(s.Struct):
       carried [kg]: by SurfaceQuantity: from rail to wheel, less that from wheel to rail
       rail_energy [J]: frictional energy booked in the rail's bins
       wheel_energy [J]: the same in the wheel's bins
-      beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None
+      beside_energy [J]: the rest: beyond a rail's ends, of a wheel that is None, of a wrench without work
     """
 
     _c_name_ = 'wrc_surface_exchange'
@@ -4588,6 +4614,7 @@ __all__ = [
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
     'SURFACE_QUANTITIES',
+    'MOST_FILM_ROWS',
     'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',

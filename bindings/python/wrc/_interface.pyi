@@ -20,6 +20,7 @@ ALL_REGIONS: int
 DAMAGE_SUMS: int
 CREEP_PARAMETERS: int
 SURFACE_QUANTITIES: int
+MOST_FILM_ROWS: int
 SURFACE_BOOKS: int
 STATUS_TEXTS: Dict[int, str]
 STRUCTS: Dict[str, Type[s.Struct]]
@@ -1209,9 +1210,19 @@ class Friction(s.Struct):
     """slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
         TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
-    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> None:
+    @property
+    def film_rows(self) -> Optional[NDArray[np.float64]]:
+        """film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills
+            them; of Contact.wrench() (-1e30 .. 1e30; default None)
+        """
+    @film_rows.setter
+    def film_rows(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def film_numbers(self) -> int:
+        """film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)"""
+    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> Friction:  # type: ignore[override]
+    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> Friction:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FrictionDict(TypedDict, total=False):
@@ -1238,6 +1249,7 @@ class FrictionDict(TypedDict, total=False):
     layer_hardening: float
     adhesion_reduction: float
     slip_reduction: float
+    film_rows: Optional[s.Floats]
 
 class WheelState(s.Struct):
     """Where a wheel or wheelset is and how it moves, against the ground."""
@@ -3582,16 +3594,20 @@ class Surface(s.Struct):
     length: float
     """length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)"""
     width: float
-    """width [m]: of the running band (1e-3 .. 0.5; default 0.02)"""
+    """width [m]: of the running band, or in y of each row (1e-3 .. 0.5; default 0.02)"""
     closed: int
     """closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1; default
         0)
     """
     bins: Optional[SurfaceBin]
-    """bins: count of the caller, zeroed before the first use"""
-    def __init__(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> None:
+    """bins: count of each row of the caller, one row behind the other, zeroed before the first use"""
+    rows: int
+    """rows: rows across; 0 or 1: one band that has the whole contact, wherever it is (0 .. 16; default 0)"""
+    row_first: float
+    """row_first [m]: profile's y at which the first of several rows begins (-1 .. 1; default 0)"""
+    def __init__(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ..., rows: int = ..., row_first: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> Surface:  # type: ignore[override]
+    def set(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ..., rows: int = ..., row_first: float = ...) -> Surface:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class SurfaceDict(TypedDict, total=False):
@@ -3602,6 +3618,8 @@ class SurfaceDict(TypedDict, total=False):
     width: float
     closed: int
     bins: Optional[SurfaceBin]
+    rows: int
+    row_first: float
 
 class Substance(s.Struct):
     """Laws of one substance: friction, layer, removal. With all members zero it lies there and has no effect.
@@ -3739,9 +3757,18 @@ class SurfacePassage(s.Struct):
     """wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)"""
     energy: float
     """energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)"""
-    def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> None:
+    @property
+    def film_rows(self) -> Optional[NDArray[np.float64]]:
+        """film_rows: memory of the caller for films in rows; None: none, for one row (default None)"""
+    @film_rows.setter
+    def film_rows(self, value: Optional[s.Floats]) -> None: ...
+    film_numbers: int
+    """film_numbers: numbers of film_rows (0 or 13 .. 1288; default 0)"""
+    contact: Any
+    """contact: whose last wrench passes, for surface_pass() with rows; None: one row (default None)"""
+    def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ..., contact: Any = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> SurfacePassage:  # type: ignore[override]
+    def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ..., contact: Any = ...) -> SurfacePassage:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class SurfacePassageDict(TypedDict, total=False):
@@ -3751,6 +3778,9 @@ class SurfacePassageDict(TypedDict, total=False):
     wheel_from: float
     wheel_to: float
     energy: float
+    film_rows: Optional[s.Floats]
+    film_numbers: int
+    contact: Any
 
 class SurfaceExchange(s.Struct):
     """Amounts and energies that a passage moved."""
@@ -3764,7 +3794,8 @@ class SurfaceExchange(s.Struct):
     wheel_energy: float
     """wheel_energy [J]: the same in the wheel's bins"""
     beside_energy: float
-    """beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None"""
+    """beside_energy [J]: the rest: beyond a rail's ends, of a wheel that is None, of a wrench without work
+    """
     def __init__(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> SurfaceExchange:  # type: ignore[override]
@@ -4287,6 +4318,7 @@ __all__ = [
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
     'SURFACE_QUANTITIES',
+    'MOST_FILM_ROWS',
     'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',

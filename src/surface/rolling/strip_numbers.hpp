@@ -278,10 +278,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const auto& held = at.get(a.mean[Mean::friction]);
     Number limit2 = held * held + least_limit2;
     // a layer takes F / (F + L) of the slip, L = 8 l / (3 G C11): contact saturates later by as much
-    if (shared.flexibility > 0.0) {
-      const Number later = 1.0 + (0.375 * shared.shear_modulus * shared.flexibility) * at.get(a.c11) / l;
+    const double modulus = 0.375 * shared.shear_modulus;
+    const auto saturate_later = [&](const auto& of_layer) {
+      const Number later = 1.0 + of_layer * at.get(a.c11) / l;
       limit2 = limit2 * (later * later);
-    }
+    };
+    if (in.flexibility != nullptr)
+      saturate_later(modulus * at.get(in.flexibility));
+    else if (shared.flexibility > 0.0)
+      saturate_later(modulus * shared.flexibility);
     const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],

@@ -55,8 +55,9 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
     case SurfaceRollingMethod::fastrip:
       return roll_by_fastrip(in, a, fields, forces);
   }
-  if (in.layer.present())
-    return roll_layered(in, false, fields, forces, [&](std::int32_t j) { return layered_strip(in, a, j); });
+  if (in.layered())
+    return roll_layered(in, false, fields, forces,
+                        [&](std::int32_t j) { return layered_strip(in, a, layer_of(in, j), j); });
   return roll_by_strip_fastsim(in, a, fields, forces);
 }
 

@@ -17,6 +17,8 @@ Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const Cont
   const std::int32_t count = strips.count;
   auto rolls = rolling_input<double>(model, in, strips);
   rolls.peak = strips.solved_peak;
+  rolls.yield = strips.yield;
+  rolls.hardening = strips.hardening;
   rolls.method = methods.strips;
   rolls.parabolic = methods.parabolic;
 

@@ -23,6 +23,7 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   head.by_region = rolls_by_region(problem.model, in) ? 1.0 : 0.0;
   head.slope_reduction = in.slope_reduction;
   head.layer = in.layer;
+  head.layer_of_strips = in.layer_of_strips ? 1.0 : 0.0;
   const Overlaps& o = s.overlaps;
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
@@ -237,6 +238,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
     WheelOnRail in;
     in.slope_reduction = results.slope_reduction;
     in.layer = results.layer;
+    in.layer_of_strips = results.layer_of_strips > 0.0;
     solve_tractions(model, in, strips, backwards, scratch, f,
                     {scratch.other_fx, scratch.other_fy, scratch.other_mz});
     if (backwards) {

@@ -37,7 +37,7 @@ struct LoadedStrips {
   Number friction_factor = 1.0;  ///< on the friction of all
   std::int32_t* pressed;         ///< number among the strips in contact
   double *place, *width;         ///< [m]
-  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
+  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *flexibility;
   Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
 };
 
@@ -49,6 +49,7 @@ struct DualForces {
 /// Plain numbers of differences, under friction over temperature and with memory.
 struct DifferencesScratch {
   double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *x, *friction, *fx, *fy, *mz;
+  double *flexibility, *yield, *hardening;
   double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
   RollingScratch rolling;               ///< friction over temperature
@@ -84,7 +85,7 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   s.pressed = arena.take<std::int32_t>(most);
   arena.each(most, s.place, s.width);
   arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
-             s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
+             s.friction, s.flexibility, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   // Tractions by the chain rule, or by differences: under friction over temperature, and with memory, whose
   // step has the scratch of the solution's.
   Arena differences = arena;
@@ -93,7 +94,8 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   w.slopes = arena.take(most * 3 * simd::strip_inputs);
   DifferencesScratch& h = w.differences;
   differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
-                   h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
+                   h.flexibility, h.yield, h.hardening, h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy,
+                   h.base_mz);
   h.remembering = differences;
   WorkSizes rolling = sizes;
   if (!sizes.methods.remembers) rolling.strips = most;
@@ -278,8 +280,11 @@ void differentiate_friction(const Differentiation& d, const Number& speed) {
     s.friction[k] =
         s.friction_factor *
         (at_rest.value * sliding.chain(falls, tangential::speed_factor_slope(law, sliding.value)));
-    if (d.problem.in.zones_on_wheel)
-      s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
+    s.flexibility[k] = at_rest.layer.flexibility;
+    if (!moves_with_wheel(d.problem.in)) continue;
+    s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
+    s.flexibility[k] =
+        y_on_wheel(d.w, k).chain(at_rest.layer.flexibility, at_rest.layer_by_wheel_y.flexibility);
   }
 }
 
@@ -358,6 +363,16 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   }
 }
 
+/// The layer of the k-th strip that carries load.
+tangential::LayerOf<Number> differentiate_layer(const Differentiation& d, std::int32_t k) {
+  const FrictionAtRest of = friction_at_rest(d.problem, d.solved.overlaps, d.solved.strips.candidate[k]);
+  const auto moved = [&](double value, double slope) {
+    return moves_with_wheel(d.problem.in) ? y_on_wheel(d.w, k).chain(value, slope) : Number(value);
+  };
+  return {d.w.loaded.flexibility[k], moved(of.layer.yield, of.layer_by_wheel_y.yield),
+          moved(of.layer.hardening, of.layer_by_wheel_y.hardening)};
+}
+
 /// The same with a layer: the march with derivatives by its own numbers, times the derivatives of these.
 void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf<Number>& rolls,
                            const DualForces& forces) {
@@ -365,7 +380,9 @@ void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf
   using OfStrip = Dual<numbers>;
   const tangential::MarchGrid& grid = *d.problem.model.grid;
   for (std::int32_t k = 0; k < rolls.count; ++k) {
-    const tangential::LayeredStripAt<Number> strip = layered_strip(rolls, d.w.rolling, k);
+    const tangential::LayeredStripAt<Number> strip =
+        d.problem.in.layer_of_strips ? layered_strip(rolls, d.w.rolling, differentiate_layer(d, k), k)
+                                     : layered_strip(rolls, d.w.rolling, rolls.layer, k);
     tangential::LayeredStrip<OfStrip> varied;
     for (std::size_t i = 0; i < numbers; ++i) varied.of[i] = OfStrip::input(strip.numbers.of[i].value, i);
     const tangential::LayeredSum<OfStrip> sum = march_strip(varied, grid.elliptic, grid);
@@ -404,7 +421,7 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
   strip_numbers::linear_theory<Each>(rolls, shared, a);
   strip_numbers::fill_arrays<Each>(rolls, shared, a);
 
-  if (d.problem.in.layer.present()) {
+  if (rolls.layered()) {
     differentiate_layered(d, rolls, forces);
   } else {
     differentiate_strips(d, forces);
@@ -436,6 +453,9 @@ class StripsAlongInput {
     strips_.spin = h_.spin;
     strips_.x = h_.x;
     strips_.friction = h_.friction;
+    strips_.flexibility = h_.flexibility;
+    strips_.yield = h_.yield;
+    strips_.hardening = h_.hardening;
     for (int a = 0; a < numbers; ++a)
       for (std::int32_t k = 0; k < s_.count; ++k) size_[a] = larger(size_[a], magnitude(from_[a][k].value));
     // slips and spin share a size, so that a slip of zero has one
@@ -472,9 +492,12 @@ class StripsAlongInput {
       friction[k] = in.friction * factor;
       if (in.law == nullptr) continue;
       const FrictionAtRest cold = friction_at_rest(d_.problem, d_.solved.overlaps, strips_.candidate[k]);
-      double mu = cold.value;
-      if (in.zones_on_wheel)
-        mu = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(d_.w, k).d[input], 0.0);
+      const double way = moves_with_wheel(in) ? step * y_on_wheel(d_.w, k).d[input] : 0.0;
+      const double mu = larger(cold.value + way * cold.by_wheel_y, 0.0);
+      const tangential::Layer &layer = cold.layer, &slope = cold.layer_by_wheel_y;
+      strips_.flexibility[k] = layer.flexibility + way * slope.flexibility;
+      strips_.yield[k] = layer.yield + way * slope.yield;
+      strips_.hardening[k] = layer.hardening + way * slope.hardening;
       friction[k] = mu * (strip_speed_factor(*in.law, strips_, k, speed) * factor);
     }
     return speed;
