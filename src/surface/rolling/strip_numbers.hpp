@@ -8,6 +8,7 @@
 #include "base/elementary.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
+#include "tangential/methods/slip_across.hpp"
 
 namespace wrc::surface::strip_numbers {
 
@@ -316,6 +317,11 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     at.put(a.slip_x, at.get(in.slip_x) + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
+    // Spread of the slip across the contact, of fields, which have no derivatives.
+    const auto size = value_of(fitted.per_size), t = value_of(across);
+    const tangential::SlipAcross<std::decay_t<decltype(t)>> factor(
+        value_of(u), value_of(x) * size, value_of(e) * size, value_of(s) * size);
+    at.put(a.across, Number(factor.at(t)));
   });
 }
 
