@@ -18,10 +18,10 @@
 
 namespace wrc::tangential {
 
-/// Fitted to the power of the strips of ellipses in exact rolling (tools/calibration/slip_across.py), a/b 0.35
-/// to 2.8.
-inline constexpr double slip_across_constants[] = {0.421,  -2.375, 0.461, 0.990, 0.849, 1.334, 0.845,
-                                                   1.431,  -2.226, 0.497, 0.329, 0.190, 0.363};
+/// Fitted to the power of the strips of ellipses in exact rolling (tools/calibration/slip_across.py), a/b
+/// 0.35 to 2.8.
+inline constexpr double slip_across_constants[] = {0.421, -2.375, 0.461, 0.990, 0.849, 1.334, 0.845,
+                                                   1.431, -2.226, 0.497, 0.329, 0.190, 0.363};
 
 /// The factor at t.
 template <class Number>
@@ -43,8 +43,7 @@ struct SlipAcross {
     // creepages and spin by their shares in S; nothing where nothing slips
     const Number sticks = (1.0 - S) / larger(S, Number(1e-30));
     const Number creepages = xx * (c[2] + c[3] * held) + ee * (c[4] + c[5] * held);
-    even = sticks * ((1.0 + c[0] * S2 + c[1] * (S2 * S2)) * creepages +
-                     ss * (c[6] + c[7] * held + c[8] * S));
+    even = sticks * ((1.0 + c[0] * S2 + c[1] * (S2 * S2)) * creepages + ss * (c[6] + c[7] * held + c[8] * S));
     odd = sticks * (x * (e * (c[9] + c[10] * S) + s * (c[11] + c[12] * held)));
   }
 

@@ -27,14 +27,14 @@ constexpr double largest_slenderness = 0.6;  // the calibration was fitted up to
 /// The model for a patch, its load and the creepages; T carries derivatives or not.
 template <class T>
 struct Model {
-  T gx_constant, gx_by_y;  ///< growth along x of adhesion tractions: gx_constant - gx_by_y y [Pa/m]
-  T gy_constant, gy_by_x;  ///< along y: gy_constant + gy_by_x x [Pa/m]
-  T l11, l22;              ///< flexibilities of creepages in the stick zone [m/Pa]
-  double t11, t22;         ///< flexibilities of linear theory, for the turning of slip [m/Pa]
-  T turning;               ///< factor on them
-  T torsion;               ///< lateral elastic slip of a patch that spins [-]
-  double elastic;          ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
-  double B;                ///< bound of the march [Pa/m^2]
+  T gx_constant, gx_by_y;          ///< growth along x of adhesion tractions: gx_constant - gx_by_y y [Pa/m]
+  T gy_constant, gy_by_x;          ///< along y: gy_constant + gy_by_x x [Pa/m]
+  T l11, l22;                      ///< flexibilities of creepages in the stick zone [m/Pa]
+  double t11, t22;                 ///< flexibilities of linear theory, for the turning of slip [m/Pa]
+  T turning;                       ///< factor on them
+  T torsion;                       ///< lateral elastic slip of a patch that spins [-]
+  double elastic;                  ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
+  double B;                        ///< bound of the march [Pa/m^2]
   double across_even, across_odd;  ///< m, n of slip_across.hpp
   double middle, per_width;        ///< y of the middle [m], one over half the width [1/m], for these
 };

@@ -460,7 +460,8 @@ inline SlipShape slip_shape(const Task& task, const Group& g) {
   return shape;
 }
 
-/// Sets the inverses 2 / (v + u_s - u), times the factor across, of the pair of cells in which `cell` lies: one divide makes both.
+/// Sets the inverses 2 / (v + u_s - u), times the factor across, of the pair of cells in which `cell` lies:
+/// one divide makes both.
 inline void enter_pair(const Cell& cell, SlipShape& shape) {
   // v + (u_s - u) with v = t and u_s - u = t - (2 - u_s), at the middles of both cells
   const std::int32_t even = cell.index - (cell.index & 1);
@@ -474,7 +475,8 @@ inline void enter_pair(const Cell& cell, SlipShape& shape) {
 
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
 /// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times the form of Carter's
-/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the place across.
+/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the place
+/// across.
 inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
   const Pack zero = 0.0;
   const Pack along = g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y;

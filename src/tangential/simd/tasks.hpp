@@ -94,13 +94,13 @@ struct StripFastsimTask : StripFastsimMarch {
   const double* shares;  ///< by which friction differs from strip to strip; nullptr: it does not
   double nu_x, nu_y, phi, friction;
   Coefficient gx_constant, gx_by_y, gy_constant, gy_by_x;
-  double l11, l22;      ///< flexibilities of the stick zone [m/Pa]
-  double t11, t22;      ///< flexibilities for the turning of slip [m/Pa]
-  Coefficient turning;  ///< factor on them
-  Coefficient torsion;  ///< lateral elastic slip of a patch that spins [-]
-  double B, elastic;    ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
+  double l11, l22;                 ///< flexibilities of the stick zone [m/Pa]
+  double t11, t22;                 ///< flexibilities for the turning of slip [m/Pa]
+  Coefficient turning;             ///< factor on them
+  Coefficient torsion;             ///< lateral elastic slip of a patch that spins [-]
+  double B, elastic;               ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
   double across_even, across_odd;  ///< m, n of methods/slip_across.hpp, for fields
-  double middle, per_width;  ///< y of the patch's middle [m], one over half its width [1/m], for these
+  double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m], for these
 };
 
 /// Strip FASTSIM where every strip has numbers of its own, about its own middle
