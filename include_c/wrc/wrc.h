@@ -323,8 +323,8 @@ typedef struct wrc_profile {
 } wrc_profile;
 
 /** Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2 and
- * nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in real time. Then
- * WRC_FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section 4. */
+ * nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction, wrc_contact_wrench() takes the leading part
+ * (WRC_TANGENTIAL_STRIP_FASTSIM without memory), else none. Then WRC_FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4. */
 typedef struct wrc_material {
   double shear_modulus; /**< G, 1e8..1e12 Pa [82e9] */
   double poisson;       /**< nu, 0..0.5 [0.28] */

@@ -42,7 +42,7 @@ class Status(s.Choice):
     FLAG_BEYOND_GAP = 8, 'beyond what the gap or the profiles carry: continued with the last stiffness'
     FLAG_CLIMBING = 9, 'friction on a steep face lets no height carry the load, or several'
     FLAG_BEYOND_SECTIONS = 10, 'the rail has no section that far along the track: the nearest is used'
-    FLAG_DISSIMILAR_MATERIALS = 11, "different materials: Kalker's K, which couples pressure and traction, is left out"
+    FLAG_DISSIMILAR_MATERIALS = 11, "different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4"
     FLAG_SUM_OVERFLOW = 12, 'a sum of bins passed its range: what they hold is worthless'
     FLAG_FORCE_JUMPS = 13, 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes'
     FLAG_ROTATION_TRANSPOSED = 14, 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?'
@@ -81,7 +81,8 @@ class Flags(enum.IntFlag):
     BEYOND_GAP: beyond what the gap or the profiles carry: continued with the last stiffness
     CLIMBING: friction on a steep face lets no height carry the load, or several
     BEYOND_SECTIONS: the rail has no section that far along the track: the nearest is used
-    DISSIMILAR_MATERIALS: different materials: Kalker's K, which couples pressure and traction, is left out
+    DISSIMILAR_MATERIALS: different materials: of Kalker's K only the leading part is taken, or none: theory
+        manual, section 4
     SUM_OVERFLOW: a sum of bins passed its range: what they hold is worthless
     FORCE_JUMPS: a planar normal method on a patch of several lowest points: forces jump where the lowest
         changes
@@ -713,9 +714,9 @@ assert c.sizeof(Profile) == 80
 
 class Material(s.Struct):
     """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
-        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in
-        real time. Then Status.FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section
-        4.
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction,
+        Contact.wrench() takes the leading part (TangentialMethod.STRIP_FASTSIM without memory), else none.
+        Then Status.FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4.
 
     Members:
       shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)

@@ -54,7 +54,8 @@ class Status(s.Choice):
     FLAG_BEYOND_SECTIONS = 10
     """the rail has no section that far along the track: the nearest is used"""
     FLAG_DISSIMILAR_MATERIALS = 11
-    """different materials: Kalker's K, which couples pressure and traction, is left out"""
+    """different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4
+    """
     FLAG_SUM_OVERFLOW = 12
     """a sum of bins passed its range: what they hold is worthless"""
     FLAG_FORCE_JUMPS = 13
@@ -115,7 +116,8 @@ class Flags(enum.IntFlag):
     BEYOND_SECTIONS = 1024
     """the rail has no section that far along the track: the nearest is used"""
     DISSIMILAR_MATERIALS = 2048
-    """different materials: Kalker's K, which couples pressure and traction, is left out"""
+    """different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4
+    """
     SUM_OVERFLOW = 4096
     """a sum of bins passed its range: what they hold is worthless"""
     FORCE_JUMPS = 8192
@@ -611,9 +613,9 @@ class ProfileDict(TypedDict, total=False):
 
 class Material(s.Struct):
     """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
-        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in
-        real time. Then Status.FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section
-        4.
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction,
+        Contact.wrench() takes the leading part (TangentialMethod.STRIP_FASTSIM without memory), else none.
+        Then Status.FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4.
     """
     shear_modulus: float
     """shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)"""

@@ -46,7 +46,7 @@ struct RollingArraysOf : RollingMeans {
   Number* own;              ///< local part of the longitudinal slip times gain [-]
   /// Members of SurfaceStripsTask of the same names (tangential/simd/tasks.hpp).
   Number *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
-      *edge_y;
+      *edge_y, *across;
 };
 using RollingArrays = RollingArraysOf<double>;
 
@@ -56,7 +56,7 @@ RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
   RollingArraysOf<Number> a{};
   for (Number*& mean : a.mean) mean = arena.take<Number>(strips);
   arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.bound, a.growth_x, a.growth_y,
-             a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x, a.turn_y, a.edge_x, a.edge_y);
+             a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x, a.turn_y, a.edge_x, a.edge_y, a.across);
   return a;
 }
 

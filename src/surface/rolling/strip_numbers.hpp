@@ -8,6 +8,7 @@
 #include "base/elementary.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
+#include "tangential/methods/slip_across.hpp"
 
 namespace wrc::surface::strip_numbers {
 
@@ -44,14 +45,20 @@ struct OneStrip {
 struct Shared {
   double shear_modulus, normal_shear_modulus, poisson;
   double flexibility;  ///< F of a layer [m/Pa]
+  double coupling;     ///< K over G, of unlike bodies [1/Pa]
   const StripCoefficientNodes* coefficients;
   const SurfaceCalibration* calibration;
 };
 
 template <class Number>
 Shared shared(const SurfaceRollingInputOf<Number>& in) {
-  return {in.shear_modulus,     in.normal_shear_modulus,   in.coefficients->poisson(),
-          in.layer.flexibility, &in.coefficients->nodes(), in.calibration};
+  return {in.shear_modulus,
+          in.normal_shear_modulus,
+          in.coefficients->poisson(),
+          in.layer.flexibility,
+          in.coupling / in.normal_shear_modulus,
+          &in.coefficients->nodes(),
+          in.calibration};
 }
 
 /// Loads of the strips, coupling of neighbours and pivots of the means' equations
@@ -140,6 +147,23 @@ Number held_slenderness(const Number& u) {
   return smaller(larger(u, Number(-largest_slenderness)), Number(largest_slenderness));
 }
 
+/// Longitudinal slip by which unlike bodies that are pressed together roll as like ones do, 0.53 K (1 - u) /
+/// G times the pressure's mean: in place of growth_x, until that is known (theory.md, dissimilar materials).
+template <class At, class Element>
+void pressed_slip(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
+                  const RollingArraysOf<Element>& a) {
+  using Number = typename At::Number;
+  if (shared.coupling == 0.0) return;
+  At::each(in.count, [&](const At& at) {
+    at.put(a.mean[Mean::longitudinal], 0.53 * shared.coupling * at.get(in.peak) * at.get(a.load));
+  });
+  take_means<At, Mean::longitudinal, Mean::longitudinal + 1>(in.count, a);
+  At::each(in.count, [&](const At& at) {
+    const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
+    at.put(a.growth_x, (1.0 - u) * at.get(a.mean[Mean::longitudinal]));
+  });
+}
+
 /// Coefficients of linear theory, forces of each strip by it, and the means over neighbours.
 template <class At, class Element>
 void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
@@ -171,6 +195,7 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     at.put(a.mean[Mean::location], at.get(in.place) * N);
   });
   take_means<At, Mean::slip, Mean::longitudinal>(in.count, a);
+  pressed_slip<At>(in, shared, a);
   // With W and u known: the local part g (w_x - W) of slip along x, the force of both parts
   // x N = (2/pi) G C11 (W + g (w_x - W)) l h [N], and squared distances from the mean place [m^2].
   At::each(in.count, [&](const At& at) {
@@ -178,7 +203,9 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
     const Number own = gain(u, poisson) * (at.get(in.slip_x) - shared_slip);
     at.put(a.own, own);
-    at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * (shared_slip + own) * area_of(at, N));
+    Number both = shared_slip + own;
+    if (shared.coupling != 0.0) both = both + at.get(a.growth_x);
+    at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * both * area_of(at, N));
     const Number from_middle = at.get(in.place) - at.get(a.mean[Mean::location]);
     at.put(a.mean[Mean::variance], from_middle * from_middle * N);
   });
@@ -303,7 +330,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number none = 0.0, stiff = inverse_or_none(soft);
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
-    at.put(a.growth_x, stiff * c11 * (at.get(a.mean[Mean::slip]) / by_x + at.get(a.own) / by_spin_x));
+    // Unlike bodies: the slip by pressure counts less in the stick zone as that shrinks towards the leading
+    // edge, and turns the traction of what slips with its mean over the load.
+    Number common = at.get(a.mean[Mean::slip]), pressed = none;
+    if (shared.coupling != 0.0) {
+      pressed = at.get(a.growth_x);
+      const Number S = (x * x + e * e + s * s) * (fitted.per_size * fitted.per_size);
+      common = common + (1.0 - S * S) * pressed;
+    }
+    at.put(a.growth_x, stiff * c11 * (common / by_x + at.get(a.own) / by_spin_x));
     at.put(a.growth_y, stiff * c22 * slip_y / by_y);
     at.put(a.curvature, 16.0 / (3.0 * pi) * stiff * at.get(a.c23) * at.get(in.spin) * l / by_spin_y);
     at.put(a.elastic, tangential::creepage_area * (soft_x - soft_y));
@@ -318,9 +353,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number across = (at.get(in.place) - at.get(a.mean[Mean::location])) /
                           root(5.0 * larger(at.get(a.mean[Mean::variance]), Number(least_variance)));
     const Number elastic = at.get(a.mean[Mean::edge]) * fitted.per_size;
-    at.put(a.slip_x, at.get(in.slip_x) + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
+    at.put(a.slip_x, at.get(in.slip_x) + 1.3 * pressed +
+                         elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
+    // Spread of the slip across the contact, of fields, which have no derivatives.
+    const auto size = value_of(fitted.per_size), t = value_of(across);
+    const tangential::SlipAcross<std::decay_t<decltype(t)>> factor(value_of(u), value_of(x) * size,
+                                                                   value_of(e) * size, value_of(s) * size);
+    at.put(a.across, Number(factor.at(t)));
   });
 }
 

@@ -61,6 +61,7 @@ struct SurfaceRollingInputOf {
   const Number* friction = nullptr;     ///< coefficient of every strip [-], >= 0
   double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
+  double coupling = 0.0;                ///< Kalker's K of unlike bodies [-]
   tangential::Layer layer{};            ///< between the bodies
   const Number* flexibility = nullptr;  ///< films in rows have layers: F of every strip in place of `layer`,
   const double* yield = nullptr;        ///< and its tau_0

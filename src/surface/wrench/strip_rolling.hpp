@@ -24,6 +24,7 @@ SurfaceRollingInputOf<Number> rolling_input(const SurfaceModel& model, const Whe
   rolls.friction = strips.friction;
   rolls.normal_shear_modulus = model.material.shear_modulus;
   rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
+  rolls.coupling = model.coupling;
   rolls.layer = in.layer;
   if (in.layer_of_strips) rolls.flexibility = strips.flexibility;
   rolls.coefficients = &model.coefficients;
