@@ -107,9 +107,10 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     predict_lengths(before, last, height, solver.solution, solver.start);
     before.keep(last, solver.solution);
 
-    // a secant leaves about this of the last two; and the one after that should be as good
-    const double expected = 0.2 * miss * miss_before;
-    tolerance = larger(smaller(0.2 * miss * expected, coarse), exact);
+    // a secant leaves about this of the last two; and the one after that should be as good, where this load
+    // is known as well: to a fifth of its residual
+    const double expected = 0.2 * miss * miss_before, known = 0.2 * solver.out.residual;
+    tolerance = larger(smaller(larger(0.2 * miss * expected, known), coarse), exact);
     if (expected < met) tolerance = exact;
     miss_before = miss;
   }
