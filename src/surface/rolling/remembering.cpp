@@ -28,7 +28,7 @@ struct Scratch {
   patch::Strips region;                    ///< part
   tangential::RememberingStrip *shared, *of_part, *scratch;  ///< all strips; part: of those, PatchStrips
   PastStrip *written, *steady;                               ///< part; all strips in steady rolling
-  const PastStrip **past, **past_of_part;                    ///< of all strips; PatchStrips
+  const PastStrip **past, **past_of_part;                    ///< those of all strips; PatchStrips
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {

@@ -272,6 +272,7 @@ void PatchStep::set_bounds(double exponent) {
     strip.growth_x = growth_x_;
     strip.growth_y = growth_y_;
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
+    // those of shared strips are made already
     if (strips_.shared) continue;
     strip.bound[0] = contact_.friction.share(j) * strip_form(j);
     whole += strip.bound[0] * sum * strip.area;
@@ -339,6 +340,7 @@ void PatchStep::bring(double h, bool first) {
     if (from.first == nullptr) from.of_first = 0.0;
     const double enters = std::max(0.0, 1.0 - from.of_first - from.of_second);
     bool adds = enters > 0.0 || from.of_first == 0.0;
+    // cells that nothing is brought to begin without tractions
     if (adds) {
       std::fill_n(to.px, cells, 0.0);
       std::fill_n(to.py, cells, 0.0);
