@@ -28,6 +28,7 @@ struct Scratch {
   patch::Strips region;                    ///< part
   tangential::RememberingStrip *shared, *of_part, *scratch;  ///< all strips; part: of those, PatchStrips
   PastStrip *written, *steady;                               ///< part; all strips in steady rolling
+  const PastStrip **past, **past_of_part;                    ///< those of all strips; PatchStrips
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -40,6 +41,7 @@ Scratch cut(Arena& arena, std::int32_t most) {
   s.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   arena.each(most, s.shared, s.of_part, s.scratch);
   arena.each(most, s.written, s.steady);
+  arena.each(most, s.past, s.past_of_part);
   return s;
 }
 
@@ -97,7 +99,11 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
+    // both lists by increasing numbers
+    const PastStrip *past = in_.past, *const past_end = in_.past + in_.past_count;
     for (std::int32_t j = 0; j < count; ++j) {
+      while (past != past_end && past->y < in_.number[j]) ++past;
+      scratch_.past[j] = past != past_end && past->y == in_.number[j] ? past : nullptr;
       PastStrip& strip = written()[j];
       strip = {};
       strip.y = in_.number[j];
@@ -171,6 +177,7 @@ class Rememberer {
       region.peak[k] = strips_.peak[j];
       scratch_.shares[k] = strips_.friction[j] / m.friction;
       scratch_.number[k] = in_.number[j];
+      scratch_.past_of_part[k] = scratch_.past[j];
       scratch_.inside[k] = inside(j);
       if (shared) scratch_.of_part[k] = shared[j];
       region.count = k + 1;
@@ -182,6 +189,7 @@ class Rememberer {
             scratch_.written,
             scratch_.scratch,
             scratch_.number,
+            scratch_.past_of_part,
             scratch_.inside,
             shared ? scratch_.of_part : nullptr,
             shared ? left_beside(part) : tangential::LeftStrips{},
@@ -298,7 +306,7 @@ class Rememberer {
       const double of_cells[3] = {strip.force[0], strip.force[1], moment_of(j, strip.force)};
       const auto& steady = scratch_.steady[j].force;
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
-      const PastStrip* const past = tangential::past_of_number(in_.past, in_.past_count, strip.y);
+      const PastStrip* const past = scratch_.past[j];
       // a strip about to leave keeps no more of it than its friction
       const double kept =
           past ? std::sqrt(past->added[0] * past->added[0] + past->added[1] * past->added[1]) : 0.0;
@@ -363,17 +371,19 @@ class Rememberer {
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
-      for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
-      for (std::int32_t i = 0; i < memory_cells; ++i) {
-        strip.px[i] *= energy.scale;
-        strip.py[i] *= energy.scale;
+      if (energy.scale < 1.0) {
+        for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
+        for (std::int32_t i = 0; i < memory_cells; ++i) {
+          strip.px[i] *= energy.scale;
+          strip.py[i] *= energy.scale;
+        }
+        for (double& f : strip.force) f *= energy.scale;
       }
-      for (double& f : strip.force) f *= energy.scale;
       strip.added[0] = forces_.fx[j] - strip.force[0];
       strip.added[1] = forces_.fy[j] - strip.force[1];
       strip.added[2] = forces_.mz[j] - moment_of(j, strip.force);
       strip.energy = energy.left / count;
-      strip = tangential::turned(strip, in_.direction);
+      if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
     return energy.dissipated;
   }

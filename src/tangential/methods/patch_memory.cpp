@@ -191,7 +191,7 @@ void PatchStep::take_past_of_rail() {
   const patch::Strips& region = contact_.region;
   const double sign = contact_.memory.direction;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    const PastStrip* const strip = past_of_number(strips_.past, strips_.past_count, strips_.number[j]);
+    const PastStrip* const strip = strips_.past_of[j];
     if (strip == nullptr) continue;
     const double fx = strips_.inside[j] * sign * strip->force[0], fy = strips_.inside[j] * strip->force[1];
     before_[0] += fx;
@@ -241,7 +241,7 @@ void PatchStep::take_past_of_plane() {
 
 Neighbours PatchStep::past_of(std::int32_t j) const {
   if (!strips_.number) return neighbours(strips_.past, strips_.past_count, key(j));
-  return {past_of_number(strips_.past, strips_.past_count, strips_.number[j]), nullptr};
+  return {strips_.past_of[j], nullptr};
 }
 
 double PatchStep::strip_form(std::int32_t j) const {
@@ -271,17 +271,21 @@ void PatchStep::set_bounds(double exponent) {
     strip.reach = arm_ * r.half_length[j];
     strip.growth_x = growth_x_;
     strip.growth_y = growth_y_;
-    strip.bound[0] = contact_.friction.share(j) * strip_form(j);
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
+    // those of shared strips are made already
+    if (strips_.shared) continue;
+    strip.bound[0] = contact_.friction.share(j) * strip_form(j);
     whole += strip.bound[0] * sum * strip.area;
   }
   // bounds at the cells [Pa]; strips shared among patches take the blended bounds and growths
   const double per = limit_ / std::max(whole, least);
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
-    const double middle = per * strip.bound[0];
-    for (std::int32_t i = 0; i < cells; ++i) strip.bound[i] = middle * form[i];
-    if (strips_.shared == nullptr) continue;
+    if (strips_.shared == nullptr) {
+      const double middle = per * strip.bound[0];
+      for (std::int32_t i = 0; i < cells; ++i) strip.bound[i] = middle * form[i];
+      continue;
+    }
     const RememberingStrip& shared = strips_.shared[j];
     strip.growth_x = shared.growth_x;
     strip.growth_y = shared.growth_y;
@@ -330,16 +334,19 @@ void PatchStep::set_own(double travel) {
 void PatchStep::bring(double h, bool first) {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& to = strips_.scratch[j];
-    std::fill_n(to.px, cells, 0.0);
-    std::fill_n(to.py, cells, 0.0);
     // the strips it comes from, turned to the way of rolling; the rest of its cells enters one by one
     Neighbours from{&strips_.written[j], nullptr};
     if (first) from = past_of(j);
     if (from.first == nullptr) from.of_first = 0.0;
-    const double enters = 1.0 - from.of_first - from.of_second;
-    std::fill_n(to.share, cells, std::max(0.0, enters));
-    for (std::int32_t i = 0; i < cells && enters > 0.0 && h > 0.0; ++i)
-      to.share[i] *= std::min(1.0, to.half_length * (1.0 - places.at[i]) / h);
+    const double enters = std::max(0.0, 1.0 - from.of_first - from.of_second);
+    bool adds = enters > 0.0 || from.of_first == 0.0;
+    // cells that nothing is brought to begin without tractions
+    if (adds) {
+      std::fill_n(to.px, cells, 0.0);
+      std::fill_n(to.py, cells, 0.0);
+      for (std::int32_t i = 0; i < cells; ++i)
+        to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
+    }
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
       PastStrip mirrored;
@@ -348,8 +355,9 @@ void PatchStep::bring(double h, bool first) {
       const PastStrip& past = as_it_is ? *one : mirrored;
       contact_.grid->kernels->tangential.memory_bring(
           {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
-           one == from.second ? from.of_second : from.of_first},
+           one == from.second ? from.of_second : from.of_first, adds},
           to);
+      adds = true;
     }
   }
 }
@@ -543,12 +551,5 @@ EnergyLeft count_energy(double before, double work, double stored) {
 }
 
 const double* memory_places() { return places.at; }
-
-const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number) {
-  const PastStrip* const end = past + count;
-  const PastStrip* const at = std::lower_bound(
-      past, end, number, [](const PastStrip& strip, double sought) { return strip.y < sought; });
-  return at != end && at->y == number ? at : nullptr;
-}
 
 }  // namespace wrc::tangential

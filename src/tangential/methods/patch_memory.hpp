@@ -85,8 +85,9 @@ struct PatchStrips {
   PastStrip* written = nullptr;         ///< as many as the patch has
   RememberingStrip* scratch = nullptr;  ///< as many
   const double* number =
-      nullptr;  ///< numbers of a rail's strips, by which their past is found; nullptr: by the place
-  const double* inside = nullptr;  ///< share of each strip's width within the patch; with `number`
+      nullptr;  ///< numbers of a rail's strips; nullptr: a plane's, whose past is found by the place
+  const PastStrip* const* past_of = nullptr;  ///< the past of each strip, or nullptr; with `number`
+  const double* inside = nullptr;             ///< share of each strip's width within the patch; with `number`
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
   /// are the same in all patches they are of. nullptr: those of the patch.
   const RememberingStrip* shared = nullptr;
@@ -198,8 +199,5 @@ EnergyLeft count_energy(double before, double work, double stored);
 
 /// A past strip as the bodies roll now: backwards it is the mirror image.
 PastStrip turned(const PastStrip& strip, double direction);
-
-/// The remembered strip of this number; nullptr: there is none.
-const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number);
 
 }  // namespace wrc::tangential

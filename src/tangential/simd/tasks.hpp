@@ -162,6 +162,7 @@ struct MemoryBringTask {
   const double *place, *px, *py;
   double old_lead, half_length;  ///< [m]
   double h, weight;
+  bool adds;  ///< to the cells as they are; else they begin with it
 };
 
 /// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, `stride` from strip to
