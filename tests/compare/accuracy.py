@@ -60,6 +60,7 @@ CASES = [
     ("track", "track.csv", None,
      {"force": (5, 0.027, 0.036), "peak_pressure": (5, 0.018, 0.059), "vertical_at_height": (5, 0.012, 0.015), "peak_at_height": (5, 0.017, 0.056),
       "failed": (5, 0, 0)}),
+    ("run", "track.csv", None, {"flagged": (26, 0, 0), "failed": (26, 0, 0), "jump": (26, 0.02, 0.12)}),
 ]
 
 

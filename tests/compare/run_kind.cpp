@@ -16,6 +16,7 @@ namespace compare {
 namespace {
 
 constexpr double from = -60e-3, to = 460e-3;  // where a run begins and ends, within the sections [m]
+constexpr double inside = 5e-3;               // from the ends of the sections [m]
 constexpr int beside = 6;                     // lateral places to both sides, 1 mm apart
 constexpr double leap = 0.05;                 // change of the force from one step to the next, of N [-]
 
@@ -170,8 +171,8 @@ Report compare_runs(const Csv& file, const Options& options) {
     if (!options.wanted(rows.number) || !rails.insert(file.text(rows.first, "sections")).second) continue;
     const CaseBodies::Made& made = bodies.of(rows.first);
     for (int k = -beside; k <= beside; ++k) {
-      Line line{made, case_of(file, rows.first, {}), std::max(from, made.begin), std::min(to, made.end),
-                options.step};
+      Line line{made, case_of(file, rows.first, {}), std::max(from, made.begin + inside),
+                std::min(to, made.end - inside), options.step};
       line.wheel.input.wheel.y += 1e-3 * k;
       const std::size_t row = report.rows++;
       char text[160];

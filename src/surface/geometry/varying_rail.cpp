@@ -401,12 +401,20 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
   constexpr double steepest_far = 0.2;
   const RailFace& face = rail.face[f];
   const std::int32_t end = face.first + face.strips;
+  constexpr double last = (places_to_a_side - 0.5) * place_apart;  // [m]
+  // the flange's root is hollow: far from the axle overlaps grow as a gauge corner slides along it
+  constexpr double hollow = 13e-3, corner = 0.9,
+                   most_hollow = 2e-3;  // radius [m]; vertical part of normals; [m]
   const auto gain_at = [&](std::int32_t j, const PlaceWeights& place) {
-    // rise of the strip along its normal, less that of the wheel
-    const double off = larger(magnitude(place.x) - askew, 0.0);
-    const double rise = placed.tz[j] * (place_of(rail, place, j, 0) - placed.y[j]) -
-                        placed.ty[j] * (place_of(rail, place, j, 1) - placed.z[j]);
-    return rise - 0.5 * larger(placed.ty[j], 0.0) * off * off / wheel_radius;
+    // rise of the strip along its normal, less that of the wheel; the way along its tangent
+    const double off = larger(magnitude(place.x) - askew, 0.0), raised = 0.5 * off * off / wheel_radius;
+    const double y = place_of(rail, place, j, 0) - placed.y[j], z = place_of(rail, place, j, 1) - placed.z[j];
+    const double ty = placed.ty[j], tz = placed.tz[j];
+    const double along = ty * y + tz * (z + raised);
+    const double deeper = ty > steepest_far && ty < corner && magnitude(place.x) > last
+                              ? smaller(0.5 * along * along / hollow, most_hollow)
+                              : 0.0;
+    return tz * y - ty * z - larger(ty, 0.0) * raised + deeper;
   };
   // a face that is not below the axle counts from its nearer end on
   const double low = placed.low[f], high = placed.high[f];
@@ -424,7 +432,6 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
     for (const PlaceWeights& place : placed.end[f])
       if (magnitude(place.x) < farthest_along) count(place);
     // and on from the last place, as long as it grows
-    constexpr double last = (places_to_a_side - 0.5) * place_apart;
     const double step = at < 0.0 ? -apart : apart;
     if (magnitude(at) < last || placed.ty[j] < steepest_far) return most;
     for (double x = at + step; x > low && x < high; x += step) {
