@@ -129,6 +129,13 @@ class Rememberer {
     return strips_.friction[j] * (0.5 * pi) * strips_.peak[j] * strips_.half_length[j] * strips_.width[j];
   }
 
+  /// The most that the cells of a strip bear, whose bounds have another form than its pressure [N].
+  double borne_by_cells(std::int32_t j) const {
+    double sum = 0.0;
+    for (const double bound : scratch_.shared[j].bound) sum += bound;
+    return sum * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
+  }
+
   /// Share of a strip's width within the part taken last.
   double inside(std::int32_t j) const { return parts_.width_inside(j) / strips_.width[j]; }
 
@@ -149,9 +156,11 @@ class Rememberer {
       while (j < strips_.count && in_.number[j] < strip.y) ++j;
       double lost = 1.0;
       if (j < strips_.count && in_.number[j] == strip.y) {
+        // what is not within the part goes as far as it exceeds the bounds of its cells
+        lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
+        if (!(lost > 0.0)) continue;
         const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
-        lost = 1.0 - std::min(1.0, limit_of(j) / std::max(had, least_force));
-        if (j >= part.first && j < part.end) lost *= 1.0 - inside(j);
+        lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
       }
       const double y = in_.rail.s[static_cast<std::int32_t>(strip.y)] - part.means.place;
       const double near = y * y > square ? std::sqrt(square / (y * y)) : 1.0;
