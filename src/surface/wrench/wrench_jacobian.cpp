@@ -52,7 +52,8 @@ struct DifferencesScratch {
   double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
   RollingScratch rolling;               ///< friction over temperature
-  Arena remembering;                    ///< scratch of steps that remember
+  tangential::PastStrip* written;       ///< strips of steps that remember
+  Arena remembering;                    ///< scratch of these steps
 };
 
 struct Scratch {
@@ -85,8 +86,7 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   arena.each(most, s.place, s.width);
   arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
              s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
-  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory, whose
-  // step has the scratch of the solution's.
+  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory.
   Arena differences = arena;
   w.rolling = cut_rolling_arrays<Number>(arena, most);
   w.values = arena.take(most * kernel_numbers);
@@ -94,11 +94,15 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   DifferencesScratch& h = w.differences;
   differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
                    h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
-  h.remembering = differences;
   WorkSizes rolling = sizes;
-  if (!sizes.methods.remembers) rolling.strips = most;
-  h.rolling = cut_rolling(differences, rolling);
-  if (sizes.methods.remembers) count_remembering(differences, sizes.strips);
+  rolling.strips = most;
+  if (sizes.methods.remembers) {
+    h.written = differences.take<tangential::PastStrip>(most);
+    h.remembering = differences;
+    count_remembered_tractions(differences, rolling);
+  } else {
+    h.rolling = cut_rolling(differences, rolling);
+  }
 
   // whichever of them is largest
   const std::int64_t behind = std::max(pressures.bytes(), differences.bytes()) - arena.bytes();
@@ -588,7 +592,7 @@ class RememberedDifferences : StripsAlongInput {
     const double divisor = go(input, step, h_.friction);
     solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,
                                {rolling_speed_.value + step * rolling_speed_.d[input], divisor,
-                                time_.value + step * time_.d[input], d_.problem.memory->list(2)},
+                                time_.value + step * time_.d[input], h_.written},
                                h_.remembering, {h_.fx, h_.fy, h_.mz});
   }
 
