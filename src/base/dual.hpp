@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "base/number.hpp"
 
@@ -41,6 +42,10 @@ void add(double factor, const double* a, double* sum) {
 
 template <std::size_t n>
 struct Dual {
+  static constexpr std::size_t inputs = n;
+  template <std::size_t m>
+  using Few = Dual<m>;
+
   double value = 0.0;
   std::array<double, n> d{};
 
@@ -54,11 +59,16 @@ struct Dual {
     return x;
   }
 
+  double derivative(std::size_t k) const { return d[k]; }
+
   /// f(x) from its value and f'(x).
   Dual chain(double f, double slope) const {
     return made(
         f, [slope](auto x) { return slope * x; }, *this);
   }
+
+  /// Adds to the derivatives `factor` times those of x.
+  void add_derivatives(double factor, const Dual& x) { pairwise::add<n>(factor, x.d.data(), d.data()); }
 
   friend Dual operator+(const Dual& a, const Dual& b) {
     return made(
@@ -97,6 +107,12 @@ struct Dual {
     return r;
   }
 };
+
+/// Numbers with derivatives by more than so many inputs.
+template <std::size_t n, class Number, class = void>
+inline constexpr bool has_more_inputs = false;
+template <std::size_t n, class Number>
+inline constexpr bool has_more_inputs<n, Number, std::enable_if_t<(Number::inputs > n)>> = true;
 
 /// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero
 /// has derivative zero here, as its argument is then clipped or not used.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "base/dual.hpp"
 #include "normal/simd/tasks.hpp"
 #include "surface/geometry/outline.hpp"
 
@@ -128,6 +129,17 @@ struct StripNumbersTask {
   const surface::strip_numbers::Shared* shared;
   const surface::RollingArraysOf<double>* arrays;
   bool for_strip_fastsim;  ///< its arrays, too
+};
+
+/// The same for strip FASTSIM, of numbers that carry derivatives by as many inputs as a wrench has in the
+/// rail's axes (surface/wrench/wrench_jacobian.hpp).
+struct StripNumbersSlopesTask {
+  static constexpr std::size_t inputs = 13;
+  using Number = Dual<inputs>;
+
+  const surface::SurfaceRollingInputOf<Number>* in;
+  const surface::strip_numbers::Shared* shared;
+  const surface::RollingArraysOf<Number>* arrays;
 };
 
 }  // namespace wrc::simd

@@ -10,6 +10,7 @@
 #include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/strip_numbers.hpp"
+#include "surface/simd/tasks.hpp"
 #include "surface/wrench/strip_friction.hpp"
 #include "surface/wrench/strip_mechanics.hpp"
 #include "surface/wrench/strip_rolling.hpp"
@@ -19,6 +20,7 @@ namespace wrc::surface {
 namespace {
 
 using Number = RailFrameDual;
+static_assert(frame_inputs == simd::StripNumbersSlopesTask::inputs);
 
 Number frame_number(const PlaceDual& a) {
   Number n = a.value;
@@ -402,11 +404,8 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
 
   // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
   const RollingArraysOf<Number>& a = d.w.rolling;
-  using Each = strip_numbers::OneStrip<Number>;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
-  strip_numbers::link<Each>(rolls, a);
-  strip_numbers::linear_theory<Each>(rolls, shared, a);
-  strip_numbers::fill_arrays<Each>(rolls, shared, a);
+  model.grid->kernels->surface.strip_numbers_slopes({&rolls, &shared, &a});
 
   if (d.problem.in.layer.present()) {
     differentiate_layered(d, rolls, forces);
