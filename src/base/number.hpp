@@ -6,7 +6,8 @@
 
 namespace wrc {
 
-WRC_IN_LOOP double root(double a) { return __builtin_sqrt(a); }  // the instruction: with every set the same bits
+// the instruction: with every set the same bits
+WRC_IN_LOOP double root(double a) { return __builtin_sqrt(a); }
 WRC_IN_LOOP double magnitude(double a) { return a < 0.0 ? -a : a; }
 WRC_IN_LOOP double larger(double a, double b) { return a > b ? a : b; }
 WRC_IN_LOOP double smaller(double a, double b) { return a < b ? a : b; }

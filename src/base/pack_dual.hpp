@@ -19,6 +19,14 @@ struct PackDual {
   double single[rest > 0 ? rest : 1];  ///< the derivatives behind those in vectors
 
   PackDual() = default;
+  // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
+  PackDual(const PackDual& x) { *this = x; }
+  PackDual& operator=(const PackDual& x) {
+    value = x.value;
+    for (std::size_t k = 0; k < vectors; ++k) wide[k] = x.wide[k];
+    for (std::size_t k = 0; k < rest; ++k) single[k] = x.single[k];
+    return *this;
+  }
   PackDual(double constant) : value(constant) {  // NOLINT: constants mix freely
     for (std::size_t k = 0; k < vectors; ++k) wide[k] = in_all_columns(0.0);
     for (std::size_t k = 0; k < rest; ++k) single[k] = 0.0;

@@ -109,7 +109,10 @@ struct TangentialKernels {
 struct SurfaceKernels {
   /// Fills the arrays from loads and means on.
   void (*strip_numbers)(const StripNumbersTask& task);
-  void (*strip_numbers_slopes)(const StripNumbersSlopesTask& task);
+  /// The same with derivatives, for strip FASTSIM: up to the means over neighbours; then, of any of the
+  /// strips, the numbers that march.
+  void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
+  void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, without the effect of a source on itself. `skewed`: not all centres are the same.
   void (*influence)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,

@@ -50,13 +50,14 @@ struct RollingArraysOf : RollingMeans {
 };
 using RollingArrays = RollingArraysOf<double>;
 
-/// Cuts the arrays of `strips` strips, or counts them.
+/// Cuts the arrays of `strips` strips, of which `at_a_time` march, or counts them.
 template <class Number>
-RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
+RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips, std::int32_t at_a_time) {
   RollingArraysOf<Number> a{};
   for (Number*& mean : a.mean) mean = arena.take<Number>(strips);
-  arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.bound, a.growth_x, a.growth_y,
-             a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x, a.turn_y, a.edge_x, a.edge_y);
+  arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own);
+  arena.each(at_a_time, a.bound, a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x,
+             a.turn_y, a.edge_x, a.edge_y);
   return a;
 }
 
@@ -64,7 +65,7 @@ RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
 template <class Number>
 std::int64_t rolling_doubles(std::int32_t strips) {
   Arena arena;
-  cut_rolling_arrays<Number>(arena, strips);
+  cut_rolling_arrays<Number>(arena, strips, strips);
   return arena.doubles();
 }
 

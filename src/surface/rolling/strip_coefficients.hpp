@@ -103,8 +103,7 @@ StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, 
     const auto &first = table.node[i], &second = table.node[i + 1];
     Number product[quantities];
     for (int k = 0; k < quantities; ++k)
-      product[k] =
-          between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
+      product[k] = between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
     return coefficients_of(product, m);
   }
 }

@@ -219,9 +219,9 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   // derivatives by these five first, then by all inputs, which are more
   if constexpr (has_more_inputs<5, Number>) {
     using Five = typename Number::template Few<5>;
-    const Fitted<Five> few = fit(calibration, Five::input(u.value, 0), Five::input(x.value, 1),
-                                 Five::input(e.value, 2), Five::input(s.value, 3),
-                                 Five::input(limit2.value, 4));
+    const Fitted<Five> few =
+        fit(calibration, Five::input(u.value, 0), Five::input(x.value, 1), Five::input(e.value, 2),
+            Five::input(s.value, 3), Five::input(limit2.value, 4));
     const auto by_inputs = [&](const Five& a) {
       Number all(a.value);
       const Number* const of[] = {&u, &x, &e, &s, &limit2};

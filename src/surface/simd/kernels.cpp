@@ -15,7 +15,8 @@ namespace wrc::simd::WRC_SET {
 extern const SurfaceKernels surface_kernels;
 constexpr SurfaceKernels surface_kernels = {
     .strip_numbers = strip_numbers_kernel,
-    .strip_numbers_slopes = strip_numbers_slopes_kernel,
+    .strip_means_slopes = strip_means_slopes_kernel,
+    .strip_arrays_slopes = strip_arrays_slopes_kernel,
     .influence = surface_influence,
     .own_influence = surface_own_influence,
     .edges = surface_edges,

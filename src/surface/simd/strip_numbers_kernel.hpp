@@ -79,10 +79,14 @@ inline void strip_numbers_kernel(const StripNumbersTask& task) {
   if (task.for_strip_fastsim) surface::strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
 }
 
-/// SurfaceKernels::strip_numbers_slopes.
-inline void strip_numbers_slopes_kernel(const StripNumbersSlopesTask& task) {
+/// SurfaceKernels::strip_means_slopes.
+inline void strip_means_slopes_kernel(const StripNumbersSlopesTask& task) {
   surface::strip_numbers::link<DualStrip>(*task.in, *task.arrays);
   surface::strip_numbers::linear_theory<DualStrip>(*task.in, *task.shared, *task.arrays);
+}
+
+/// SurfaceKernels::strip_arrays_slopes.
+inline void strip_arrays_slopes_kernel(const StripNumbersSlopesTask& task) {
   surface::strip_numbers::fill_arrays<DualStrip>(*task.in, *task.shared, *task.arrays);
 }
 

@@ -131,7 +131,7 @@ struct StripNumbersTask {
   bool for_strip_fastsim;  ///< its arrays, too
 };
 
-/// The same for strip FASTSIM, of numbers that carry derivatives by as many inputs as a wrench has in the
+/// The same of numbers that carry derivatives by as many inputs as a wrench has in the
 /// rail's axes (surface/wrench/wrench_jacobian.hpp).
 struct StripNumbersSlopesTask {
   static constexpr std::size_t inputs = 13;

@@ -105,7 +105,8 @@ std::int64_t surface_state_bytes(std::int32_t remembered) {
   // the strips that are remembered, and those of the last solution
   std::size_t memory = 0;
   if (remembered > 0)
-    memory = sizeof(tangential::Memory) + 2 * static_cast<std::size_t>(remembered) * sizeof(tangential::PastStrip);
+    memory =
+        sizeof(tangential::Memory) + 2 * static_cast<std::size_t>(remembered) * sizeof(tangential::PastStrip);
   return static_cast<std::int64_t>(sizeof(SurfaceState) + memory);
 }
 

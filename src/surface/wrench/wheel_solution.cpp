@@ -65,8 +65,8 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   if (sizes.methods.remembers) count_remembered_tractions(remembered, sizes);
   if (sizes.methods.differentiable()) count_wrench_jacobian(jacobian, sizes);
   const auto behind = [&](const Arena& stage) { return stage.bytes() - results.bytes(); };
-  return {results.bytes(), behind(overlaps), behind(pressure),
-          std::max(behind(rolling), behind(remembered)), behind(jacobian)};
+  return {results.bytes(), behind(overlaps), behind(pressure), std::max(behind(rolling), behind(remembered)),
+          behind(jacobian)};
 }
 
 }  // namespace wrc::surface

@@ -68,6 +68,7 @@ struct Scratch {
   DifferencesScratch differences;  ///< its memory is that of the three above
 };
 
+constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< that march
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
@@ -90,9 +91,9 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
              s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
   // Tractions by the chain rule, or by differences: under friction over temperature, and with memory.
   Arena differences = arena;
-  w.rolling = cut_rolling_arrays<Number>(arena, most);
-  w.values = arena.take(most * kernel_numbers);
-  w.slopes = arena.take(most * 3 * simd::strip_inputs);
+  w.rolling = cut_rolling_arrays<Number>(arena, most, strips_at_a_time);
+  w.values = arena.take(strips_at_a_time * kernel_numbers);
+  w.slopes = arena.take(strips_at_a_time * 3 * simd::strip_inputs);
   DifferencesScratch& h = w.differences;
   differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
                    h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
@@ -306,12 +307,10 @@ struct KernelArrays {
   }
 };
 
-/// Tractions of the strips by the chain rule: the kernel's Jacobian by its nine inputs times their
+/// Tractions of some strips by the chain rule: the kernel's Jacobian by its nine inputs times their
 /// derivatives.
-void differentiate_strips(const Differentiation& d, const DualForces& forces) {
-  const SurfaceModel& model = d.problem.model;
-  const LoadedStrips& s = d.w.loaded;
-  const RollingArraysOf<Number>& a = d.w.rolling;
+void differentiate_strips(const Differentiation& d, const SurfaceRollingInputOf<Number>& s,
+                          const RollingArraysOf<Number>& a, const DualForces& forces) {
   const std::int32_t n = s.count;
   // The kernel's inputs, by SurfaceStripInput: but for the spin, which it multiplies by the half length.
   const Number* const inputs[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,
@@ -321,9 +320,9 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   // forces and their derivatives by each input, at the values of the inputs
   simd::SurfaceStripsSlopesTask task{};
   task.strips = n;
-  task.cells = model.grid->cells;
-  task.shape = &model.grid->elliptic;
-  task.inverse_weight = model.grid->inverse_weight;
+  task.cells = s.grid->cells;
+  task.shape = &s.grid->elliptic;
+  task.inverse_weight = s.grid->inverse_weight;
   task.width = s.width;
   task.half_length = arrays.values_of(s.half_length);
   task.bound = arrays.values_of(a.bound);
@@ -340,7 +339,7 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   task.fy = arrays.take();
   task.mz = arrays.take();
   task.slopes = d.w.slopes;
-  model.grid->kernels->tangential.surface_strips_slopes(task);
+  s.grid->kernels->tangential.surface_strips_slopes(task);
 
   for (std::int32_t k = 0; k < n; ++k) {
     const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};
@@ -365,13 +364,13 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
 }
 
 /// The same with a layer: the march with derivatives by its own numbers, times the derivatives of these.
-void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf<Number>& rolls,
+void differentiate_layered(const SurfaceRollingInputOf<Number>& rolls, const RollingArraysOf<Number>& arrays,
                            const DualForces& forces) {
   constexpr std::size_t numbers = tangential::LayeredNumbers::numbers;
   using OfStrip = Dual<numbers>;
-  const tangential::MarchGrid& grid = *d.problem.model.grid;
+  const tangential::MarchGrid& grid = *rolls.grid;
   for (std::int32_t k = 0; k < rolls.count; ++k) {
-    const tangential::LayeredStripAt<Number> strip = layered_strip(rolls, d.w.rolling, k);
+    const tangential::LayeredStripAt<Number> strip = layered_strip(rolls, arrays, k);
     tangential::LayeredStrip<OfStrip> varied;
     for (std::size_t i = 0; i < numbers; ++i) varied.of[i] = OfStrip::input(strip.numbers.of[i].value, i);
     const tangential::LayeredSum<OfStrip> sum = march_strip(varied, grid.elliptic, grid);
@@ -402,15 +401,28 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     reverse(n, s.spin);
   }
 
-  // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
-  const RollingArraysOf<Number>& a = d.w.rolling;
+  // from slips and lengths to means over neighbours, then the march, some strips at a time
+  const RollingArraysOf<Number>& all = d.w.rolling;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
-  model.grid->kernels->surface.strip_numbers_slopes({&rolls, &shared, &a});
+  const simd::SurfaceKernels& kernels = model.grid->kernels->surface;
+  kernels.strip_means_slopes({&rolls, &shared, &all});
+  for (std::int32_t first = 0; first < n; first += strips_at_a_time) {
+    SurfaceRollingInputOf<Number> some = rolls;
+    some.count = std::min(n - first, strips_at_a_time);
+    RollingArraysOf<Number> arrays = all;
+    const auto begin_there = [first](auto&... lists) { ((lists += first), ...); };
+    begin_there(some.place, some.width, some.half_length, some.peak, some.curvature, some.slip_x, some.slip_y,
+                some.spin, some.friction);
+    begin_there(arrays.load, arrays.c11, arrays.c22, arrays.c23, arrays.own);
+    for (Number*& mean : arrays.mean) mean += first;
+    kernels.strip_arrays_slopes({&some, &shared, &arrays});
 
-  if (d.problem.in.layer.present()) {
-    differentiate_layered(d, rolls, forces);
-  } else {
-    differentiate_strips(d, forces);
+    const DualForces found{forces.fx + first, forces.fy + first, forces.mz + first};
+    if (d.problem.in.layer.present()) {
+      differentiate_layered(some, arrays, found);
+    } else {
+      differentiate_strips(d, some, arrays, found);
+    }
   }
   if (backwards)
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);
