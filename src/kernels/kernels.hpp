@@ -123,13 +123,16 @@ struct SurfaceKernels {
   /// Sums of the same, seen from the edges of the sources.
   void (*edges)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                 const SurfaceEdges& edges);
-  /// influence and edges, source by source, with their derivatives.
+  /// influence and edges, source by source, with their derivatives. Edges: two points `x` of one place, with
+  /// `slopes` of each.
   void (*influence_slopes)(const SurfaceTables& tables, const SurfaceSources& sources,
                            const SurfacePoint& point, const SurfaceSlopes& slopes);
-  void (*edge_slopes)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePoint& point,
-                      const SurfaceSlopes& slopes);
+  void (*edge_slopes)(const SurfaceTables& tables, const SurfaceSources& sources, double place,
+                      const double* x, const SurfaceSlopes* slopes);
   void (*slopes_row)(const SlopesRowTask& task);
   void (*blend_rows)(const BlendRowsTask& task);
+  /// Four right-hand sides less the sums of row[c] times the solutions x[c], four each, c = first .. end - 1.
+  void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);

@@ -24,6 +24,7 @@ constexpr SurfaceKernels surface_kernels = {
     .edge_slopes = sloped::surface_edge_slopes,
     .slopes_row = slopes_row_kernel,
     .blend_rows = blend_rows_kernel,
+    .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
     .section_strips = section_strips_kernel,
     .outline = outline_kernel,
