@@ -9,7 +9,7 @@ namespace wrc::simd {
 namespace {
 
 template <std::size_t n>
-struct PackDual {
+struct PackDual : DualOperators<PackDual<n>> {
   static constexpr std::size_t inputs = n, vectors = n / abreast, rest = n % abreast;
   template <std::size_t m>
   using Few = PackDual<m>;
@@ -20,7 +20,7 @@ struct PackDual {
 
   PackDual() = default;
   // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
-  PackDual(const PackDual& x) { *this = x; }
+  PackDual(const PackDual& x) : DualOperators<PackDual>() { *this = x; }
   PackDual& operator=(const PackDual& x) {
     value = x.value;
     for (std::size_t k = 0; k < vectors; ++k) wide[k] = x.wide[k];
@@ -55,42 +55,11 @@ struct PackDual {
     return k < vectors * abreast ? wide[k / abreast][k % abreast] : single[k - vectors * abreast];
   }
 
-  PackDual chain(double f, double slope) const {
-    return made(
-        f, [slope](auto x) { return slope * x; }, *this);
-  }
   void add_derivatives(double factor, const PackDual& x) {
     *this = made(
         value, [factor](auto own, auto other) { return own + factor * other; }, *this, x);
   }
 
-  friend PackDual operator+(const PackDual& a, const PackDual& b) {
-    return made(
-        a.value + b.value, [](auto x, auto y) { return x + y; }, a, b);
-  }
-  friend PackDual operator-(const PackDual& a, const PackDual& b) {
-    return made(
-        a.value - b.value, [](auto x, auto y) { return x - y; }, a, b);
-  }
-  friend PackDual operator*(const PackDual& a, const PackDual& b) {
-    return made(
-        a.value * b.value, [v = a.value, w = b.value](auto x, auto y) { return x * w + v * y; }, a, b);
-  }
-  friend PackDual operator/(const PackDual& a, const PackDual& b) {
-    const double inverse = 1.0 / b.value, q = a.value / b.value;
-    return made(
-        q, [q, inverse](auto x, auto y) { return (x - q * y) * inverse; }, a, b);
-  }
-  PackDual& operator+=(const PackDual& b) { return *this = *this + b; }
-
-  friend PackDual operator+(double a, const PackDual& b) { return b.chain(a + b.value, 1.0); }
-  friend PackDual operator-(double a, const PackDual& b) { return b.chain(a - b.value, -1.0); }
-  friend PackDual operator*(double a, const PackDual& b) { return b.chain(a * b.value, a); }
-  friend PackDual operator-(const PackDual& a, double b) { return a.chain(a.value - b, 1.0); }
-  friend PackDual operator*(const PackDual& a, double b) { return a.chain(a.value * b, b); }
-  friend PackDual operator/(const PackDual& a, double b) { return a.chain(a.value / b, 1.0 / b); }
-
- private:
   template <class F, class... Duals>
   static PackDual made(double value, const F& f, const Duals&... of) {
     PackDual r;
@@ -100,32 +69,6 @@ struct PackDual {
     return r;
   }
 };
-
-template <std::size_t n>
-double value_of(const PackDual<n>& a) {
-  return a.value;
-}
-template <std::size_t n>
-PackDual<n> root(const PackDual<n>& a) {
-  const double r = __builtin_sqrt(a.value);
-  return a.chain(r, r > 0.0 ? 0.5 / r : 0.0);
-}
-template <std::size_t n>
-PackDual<n> magnitude(const PackDual<n>& a) {
-  return a.value < 0.0 ? a.chain(-a.value, -1.0) : a;
-}
-template <std::size_t n>
-PackDual<n> larger(const PackDual<n>& a, const PackDual<n>& b) {
-  return a.value > b.value ? a : b;
-}
-template <std::size_t n>
-PackDual<n> smaller(const PackDual<n>& a, const PackDual<n>& b) {
-  return a.value < b.value ? a : b;
-}
-template <std::size_t n>
-PackDual<n> select(bool which, const PackDual<n>& yes, const PackDual<n>& no) {
-  return which ? yes : no;
-}
 
 }  // namespace
 }  // namespace wrc::simd

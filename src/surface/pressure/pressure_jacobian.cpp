@@ -126,7 +126,7 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
   Displacement u;
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
-  double sum[simd::SlopesRowTask::sums];  // of J q times each element of `direction`; of dJ/dx q
+  double sum[simd::SlopesRowTask::sums];  // see slopes_row
   kernels.surface.slopes_row({n, seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
