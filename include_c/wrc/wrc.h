@@ -1005,7 +1005,7 @@ WRC_API int32_t wrc_contact_commit(wrc_contact* contact);
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted
  * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more strips in contact than there is room for:
- * 120 of the default widths, 80 at "real time".
+ * 84 of the default widths, 56 at "real time".
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
                                                wrc_wrench_derivatives* derivatives);

@@ -3976,7 +3976,7 @@ class ContactCalls(_l.Handle):
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
         C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more strips in
-            contact than there is room for: 120 of the default widths, 80 at "real time".
+            contact than there is room for: 84 of the default widths, 56 at "real time".
         """
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
         """One region of the contact's last solution: of the last Contact.wrench() or of the last stages of

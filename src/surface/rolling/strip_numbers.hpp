@@ -22,25 +22,6 @@ inline constexpr double edge_slip = 32.0 / 9.0;
 
 using Mean = RollingMeans::Mean;
 
-/// Place of a strip's numbers in the arrays: one strip, or (simd/strip_numbers_kernel.hpp) as many as a pack
-/// has lanes.
-template <class Any>
-struct OneStrip {
-  using Number = Any;
-  std::int32_t strip;
-
-  template <class Each>
-  const Each& get(const Each* of) const {
-    return of[strip];
-  }
-  void put(Number* of, const Number& x) const { of[strip] = x; }
-  template <class F>
-  static void each(std::int32_t count, const F& f) {
-    for (std::int32_t j = 0; j < count; ++j) f(OneStrip{j});
-  }
-  static bool positive(const Number& x) { return value_of(x) > 0.0; }
-};
-
 /// Numbers all strips have in common.
 struct Shared {
   double shear_modulus, normal_shear_modulus, poisson;
@@ -90,48 +71,63 @@ void link(const SurfaceRollingInputOf<Element>& in, const RollingArraysOf<Elemen
   });
   // Pivots N_j + link_j + the part of link_{j-1} that elimination leaves of it: no differences, so that none
   // of them cancels. Strips without load and links have the inverse 0.
-  Element before = 0.0;
+  using One = typename At::OneStrip;
+  using Plain = typename One::Number;
+  Plain before = 0.0;
   for (std::int32_t j = 0; j < n; ++j) {
-    if (j + 1 == n) a.link[j] = 0.0;
-    const Element held = a.load[j] + before, pivot = held + a.link[j];
-    a.pivot[j] = At::positive(pivot) ? Element(1.0) / pivot : Element(0.0);
-    before = a.link[j] * (held * a.pivot[j]);
+    const One at{j};
+    if (j + 1 == n) at.put(a.link, 0.0);
+    const Plain held = at.get(a.load) + before, link = at.get(a.link), pivot = held + link;
+    const Plain inverse = value_of(pivot) > 0.0 ? 1.0 / pivot : Plain(0.0);
+    at.put(a.pivot, inverse);
+    before = link * (held * inverse);
   }
 }
 
 /// Replaces the quantities `first` .. `end` - 1, which are N a, by their means A.
 template <class At, int first, int end, class Element>
 void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
+  using One = typename At::OneStrip;
+  using Plain = typename One::Number;
   // forwards: the right side with the share that comes over from the strips before
-  Element flow[end - first] = {};
-  for (std::int32_t j = 0; j < count; ++j)
+  Plain flow[end - first];
+  for (Plain& each : flow) each = 0.0;
+  for (std::int32_t j = 0; j < count; ++j) {
+    const One at{j};
+    const Plain pivot = at.get(a.pivot), link = at.get(a.link);
     for (int k = first; k < end; ++k) {
-      Element* const m = a.mean[k];
-      m[j] = (m[j] + flow[k - first]) * a.pivot[j];
-      flow[k - first] = a.link[j] * m[j];
+      const Plain m = (at.get(a.mean[k]) + flow[k - first]) * pivot;
+      at.put(a.mean[k], m);
+      flow[k - first] = link * m;
     }
-  // backwards: A_j takes its share of A_{j+1}
-  for (std::int32_t j = count - 1; j-- > 0;)
+  }
+  // backwards: A_j takes its share of A_{j+1}, which flows from strip to strip
+  if (count == 0) return;
+  for (int k = first; k < end; ++k) flow[k - first] = One{count - 1}.get(a.mean[k]);
+  for (std::int32_t j = count - 1; j-- > 0;) {
+    const One at{j};
+    const Plain pivot = at.get(a.pivot), link = at.get(a.link);
     for (int k = first; k < end; ++k) {
-      Element* const m = a.mean[k];
-      m[j] += a.pivot[j] * (a.link[j] * m[j + 1]);
+      Plain& m = flow[k - first];
+      m = at.get(a.mean[k]) + pivot * (link * m);
+      at.put(a.mean[k], m);
     }
+  }
 }
 
 /// Gain g of the local part of slip along x in full adhesion [-]: with it an ellipse under spin has C33 of
 /// linear theory. Fitted to C33 for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
+  // by u first, then by all inputs
+  if constexpr (has_more_inputs<1, Number>) {
+    using One = typename Number::template Few<1>;
+    const One g = gain(One::input(u.value, 0), poisson);
+    return u.chain(g.value, g.derivative(0));
+  }
   const Number u2 = u * u;
   const double off = poisson - 0.25;
   return (1.218 - 1.751 * off + 0.2043 * u - (0.696 + 0.760 * off) * u2) / (1.0 - 0.7343 * u2);
-}
-
-/// The derivative by u, then by all inputs.
-template <std::size_t n, std::enable_if_t<(n > 1), int> = 0>
-Dual<n> gain(const Dual<n>& u, double poisson) {
-  const Dual<1> g = gain(Dual<1>::input(u.value, 0), poisson);
-  return u.chain(g.value, g.d[0]);
 }
 
 /// lambda: peak pressure over half length [Pa/m].
@@ -148,7 +144,7 @@ Number held_slenderness(const Number& u) {
 }
 
 /// Longitudinal slip by which unlike bodies that are pressed together roll as like ones do, 0.53 K (1 - u) /
-/// G times the pressure's mean: in place of growth_x, until that is known (theory.md, dissimilar materials).
+/// G times the pressure's mean (theory.md, dissimilar materials).
 template <class At, class Element>
 void pressed_slip(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                   const RollingArraysOf<Element>& a) {
@@ -160,7 +156,7 @@ void pressed_slip(const SurfaceRollingInputOf<Element>& in, const Shared& shared
   take_means<At, Mean::longitudinal, Mean::longitudinal + 1>(in.count, a);
   At::each(in.count, [&](const At& at) {
     const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
-    at.put(a.growth_x, (1.0 - u) * at.get(a.mean[Mean::longitudinal]));
+    at.put(a.pressed, (1.0 - u) * at.get(a.mean[Mean::longitudinal]));
   });
 }
 
@@ -204,7 +200,7 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     const Number own = gain(u, poisson) * (at.get(in.slip_x) - shared_slip);
     at.put(a.own, own);
     Number both = shared_slip + own;
-    if (shared.coupling != 0.0) both = both + at.get(a.growth_x);
+    if (shared.coupling != 0.0) both = both + at.get(a.pressed);
     at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * both * area_of(at, N));
     const Number from_middle = at.get(in.place) - at.get(a.mean[Mean::location]);
     at.put(a.mean[Mean::variance], from_middle * from_middle * N);
@@ -246,10 +242,26 @@ struct Fitted {
 template <class Number>
 Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const Number& x, const Number& e,
                    const Number& s, const Number& limit2) {
+  Fitted<Number> fitted;
+  // derivatives by these five first, then by all inputs, which are more
+  if constexpr (has_more_inputs<5, Number>) {
+    using Five = typename Number::template Few<5>;
+    const Fitted<Five> few =
+        fit(calibration, Five::input(u.value, 0), Five::input(x.value, 1), Five::input(e.value, 2),
+            Five::input(s.value, 3), Five::input(limit2.value, 4));
+    const auto by_inputs = [&](const Five& a) {
+      Number all(a.value);
+      const Number* const of[] = {&u, &x, &e, &s, &limit2};
+      for (std::size_t i = 0; i < 5; ++i) all.add_derivatives(a.derivative(i), *of[i]);
+      return all;
+    };
+    fitted.per_size = by_inputs(few.per_size);
+    for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
+    return fitted;
+  }
   const Number Q = limit2 + x * x + e * e + s * s;
   const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
   // quantity = sum of constants times terms; zeros, which most of them are, are left out
-  Fitted<Number> fitted;
   fitted.per_size = Number(1.0) / root(Q);
   for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
     Number sum = 0.0;
@@ -267,25 +279,6 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   fitted.of[SurfaceCalibration::flexibility_spin_y] =
       tangential::factor(fitted.of[SurfaceCalibration::flexibility_spin_y]);
   fitted.of[SurfaceCalibration::turning] = 1.4 * tangential::factor(fitted.of[SurfaceCalibration::turning]);
-  return fitted;
-}
-
-/// Derivatives by the five numbers of the fit, then by all inputs, which are more.
-template <std::size_t n, std::enable_if_t<(n > 5), int> = 0>
-Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
-                    const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
-  using Few = Dual<5>;
-  const Fitted<Few> few = fit(calibration, Few::input(u.value, 0), Few::input(x.value, 1),
-                              Few::input(e.value, 2), Few::input(s.value, 3), Few::input(limit2.value, 4));
-  const auto by_inputs = [&](const Few& a) {
-    Dual<n> all(a.value);
-    const Dual<n>* const of[] = {&u, &x, &e, &s, &limit2};
-    for (std::size_t i = 0; i < 5; ++i) pairwise::add<n>(a.d[i], of[i]->d.data(), all.d.data());
-    return all;
-  };
-  Fitted<Dual<n>> fitted;
-  fitted.per_size = by_inputs(few.per_size);
-  for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
   return fitted;
 }
 
@@ -334,7 +327,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     // edge, and turns the traction of what slips with its mean over the load.
     Number common = at.get(a.mean[Mean::slip]), pressed = none;
     if (shared.coupling != 0.0) {
-      pressed = at.get(a.growth_x);
+      pressed = at.get(a.pressed);
       const Number S = (x * x + e * e + s * s) * (fitted.per_size * fitted.per_size);
       common = common + (1.0 - S * S) * pressed;
     }

@@ -43,7 +43,7 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
                                      const tangential::TangentialFields& fields,
                                      const SurfaceRollingForces& forces) {
   Arena arena(workspace);
-  const RollingArrays a = cut_rolling_arrays<double>(arena, in.count);
+  const RollingArrays a = cut_rolling_arrays<double>(arena, in.count, in.count);
   const strip_numbers::Shared shared = strip_numbers::shared(in);
   // Loads, coefficients and means serve all methods; the rest of the arrays strip FASTSIM alone.
   in.grid->kernels->surface.strip_numbers(

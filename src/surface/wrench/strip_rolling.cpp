@@ -88,11 +88,27 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
   return fault;
 }
 
+namespace {
+
+/// Scratch of steps that remember, which have no fields: behind it is that of roll_remembering().
+RollingScratch cut_remembered(Arena& arena, WorkSizes sizes, std::int32_t strips) {
+  sizes.strips = strips;
+  sizes.cells = 0;
+  return cut_rolling(arena, sizes);
+}
+
+}  // namespace
+
+void count_remembered_tractions(Arena& arena, const WorkSizes& sizes) {
+  cut_remembered(arena, sizes, sizes.strips);
+  count_remembering(arena, sizes.strips);
+}
+
 RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
                                              const ContactStrips& strips, const RememberedStep& step,
                                              Arena arena, const SurfaceRollingForces& forces) {
   const SurfaceModel& model = problem.model;
-  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  const RollingScratch scratch = cut_remembered(arena, work_sizes(model), strips.count);
   auto rolls = rolling_input<double>(model, problem.in, strips);
   rolls.peak = strips.solved_peak;
   // seen along the direction of rolling

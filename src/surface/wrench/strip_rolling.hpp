@@ -60,8 +60,10 @@ struct RememberedStep {
   tangential::PastStrip* written;
 };
 
-/// Forces of strips that remember at the end of the step, with friction as it is. Scratch is that of
-/// cut_rolling() and of roll_remembering().
+/// Counts the scratch of solve_remembered_tractions().
+void count_remembered_tractions(Arena& arena, const WorkSizes& sizes);
+
+/// Forces of strips that remember at the end of the step, with friction as it is.
 RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
                                              const ContactStrips& strips, const RememberedStep& step,
                                              Arena arena, const SurfaceRollingForces& forces);

@@ -121,9 +121,12 @@ void mark_solution(SurfaceState& state) {
 }
 
 std::int64_t surface_state_bytes(std::int32_t remembered) {
-  const std::int64_t memory =
-      remembered > 0 ? static_cast<std::int64_t>(tangential::strip_memory_bytes(remembered)) : 0;
-  return static_cast<std::int64_t>(sizeof(SurfaceState)) + memory;
+  // the strips that are remembered, and those of the last solution
+  std::size_t memory = 0;
+  if (remembered > 0)
+    memory =
+        sizeof(tangential::Memory) + 2 * static_cast<std::size_t>(remembered) * sizeof(tangential::PastStrip);
+  return static_cast<std::int64_t>(sizeof(SurfaceState) + memory);
 }
 
 tangential::Memory& memory_of(SurfaceState& state) {
@@ -131,7 +134,8 @@ tangential::Memory& memory_of(SurfaceState& state) {
 }
 
 void make_surface_memory(SurfaceState& state, std::int32_t remembered) {
-  tangential::make_strip_memory(remembered, &memory_of(state));
+  memory_of(state) = {};
+  memory_of(state).capacity = remembered;
 }
 
 bool commit_solution(SurfaceState& state) {
