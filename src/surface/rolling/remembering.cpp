@@ -156,7 +156,7 @@ class Rememberer {
       while (j < strips_.count && in_.number[j] < strip.y) ++j;
       double lost = 1.0;
       if (j < strips_.count && in_.number[j] == strip.y) {
-        // what is not within the part goes as far as it exceeds the bounds of its cells
+        // forces outside the part go as far as they exceed the bounds of its cells
         lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
         if (!(lost > 0.0)) continue;
         const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);

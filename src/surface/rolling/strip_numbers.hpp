@@ -324,7 +324,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
     // Unlike bodies: the slip by pressure counts less in the stick zone as that shrinks towards the leading
-    // edge, and turns the traction of what slips with its mean over the load.
+    // edge, and turns the traction where it slips with its mean over the load.
     Number common = at.get(a.mean[Mean::slip]), pressed = none;
     if (shared.coupling != 0.0) {
       pressed = at.get(a.pressed);
