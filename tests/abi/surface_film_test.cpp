@@ -591,7 +591,7 @@ TEST(SurfaceFilm, EqualRowsAreOneBand) {
 }
 
 TEST(SurfaceFilm, ZonesStayBelowRows) {
-  // a clean rail leaves zones as they are, a film that covers all hides them
+  // a clean rail leaves zones as they are; a film that covers all steel hides them
   Across across;
   const double y[] = {-10e-3, 10e-3}, coefficient[] = {0.1, 0.4};
   wrc_friction zones = wrc_friction_default();
@@ -642,14 +642,14 @@ TEST(SurfaceFilm, NothingJumpsAcrossTheRows) {
       const wrc_wrench wrench = across.set.solve(friction);
       return wrench.force[0] / wrench.normal_force;
     };
-    // pose over more than a row: 1 um and a tenth of it
+    // derivatives by the pose, over more than a row, beside differences of 1 um and 0.1 um
     const wrc_friction rows = across.friction();
     const auto by_pose = [&](double t) {
       across.set.input.wheel.y = -1e-3 + 1.5e-3 * t;
       return adhesion(rows);
     };
     EXPECT_GT(refinement(by_pose, 15000), 8.0) << name;
-    // slip, and place along a film that ends
+    // derivatives by slip, and by the place along a film that ends
     across.set.input.wheel.y = 1e-3;
     const auto by_slip = [&](double t) {
       across.set.input.wheel.pitch_rate = -20.0 / 0.46 * (1.02 - 0.1 * t);
@@ -677,7 +677,7 @@ TEST(SurfaceFilm, RowsHaveTheEnergyOfTheirStrips) {
     EXPECT_NEAR(exchange.rail_energy + exchange.wheel_energy + exchange.beside_energy, passage.energy,
                 1e-12 * passage.energy);
   }
-  // books of all rows, of energy and of amounts that went over
+  // books of all rows: energy, and amounts that went from body to body
   expect_balanced(across.rail);
   expect_balanced(across.wheel);
   const auto both = [&](int32_t quantity, int32_t book) {
@@ -730,7 +730,7 @@ TEST(SurfaceFilm, WrongRowsAreToldInASentence) {
       wrc_surface_pass(&across.rail.surface, nullptr, &across.laws, &passage, nullptr, text, sizeof text),
       WRC_ERROR_SEQUENCE);
   EXPECT_NE(std::string(text).find("passage.contact"), std::string::npos) << text;
-  // numbers that no call has filled
+  // film_rows that no call has filled
   auto wrench = sized<wrc_wrench>();
   across.set.input.friction = rows;
   across.numbers[0] = 3.5;
