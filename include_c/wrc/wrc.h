@@ -541,7 +541,7 @@ typedef struct wrc_friction {
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
   double slip_reduction;   /**< Polach's k_S: that factor where the patch slips, at most adhesion_reduction, 0 or 0.001..1; of
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
-  const double* film_rows; /**< films in rows across rail and wheel, `film_numbers` numbers, as wrc_surface_friction() fills them,
+  const double* film_rows; /**< films in rows across rail and wheel, `film_numbers` of them, as wrc_surface_friction() fills them,
                                 -1e30..1e30; of wrc_contact_wrench() [NULL] */
   uint32_t film_numbers;   /**< numbers of film_rows, 0..1288; 0: no rows [0] */
   uint32_t reserved0;      /**< 0 */

@@ -1263,7 +1263,7 @@ class Friction(s.Struct):
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
       slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
-      film_rows: films in rows across rail and wheel, film_numbers numbers, as surface_friction() fills them;
+      film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills them;
           of Contact.wrench() (-1e30 .. 1e30; default None)
       film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)
     """
@@ -1293,8 +1293,8 @@ class Friction(s.Struct):
     layer_hardening: float
     adhesion_reduction: float
     slip_reduction: float
-    film_rows: Optional[np.ndarray] = s.Pointer('film_rows')  # type: ignore[assignment]
-    film_numbers: int
+    film_rows: Optional[np.ndarray] = s.Pointer('film_rows', 'film_numbers')  # type: ignore[assignment]
+    film_numbers: int = s.Count('film_numbers')  # type: ignore[assignment]
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
     _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02, 'adhesion_reduction': 1.0, 'slip_reduction': 1.0}
     _fields_ = [
@@ -1322,7 +1322,7 @@ class Friction(s.Struct):
         ('adhesion_reduction', c.c_double),
         ('slip_reduction', c.c_double),
         ('_film_rows', c.POINTER(c.c_double)),
-        ('film_numbers', c.c_uint32),
+        ('_film_numbers', c.c_uint32),
         ('_reserved0', c.c_uint32),
         ('_reserved', c.c_double * 4),
     ]

@@ -1215,16 +1215,17 @@ class Friction(s.Struct):
     """
     @property
     def film_rows(self) -> Optional[NDArray[np.float64]]:
-        """film_rows: films in rows across rail and wheel, film_numbers numbers, as surface_friction() fills
+        """film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills
             them; of Contact.wrench() (-1e30 .. 1e30; default None)
         """
     @film_rows.setter
     def film_rows(self, value: Optional[s.Floats]) -> None: ...
-    film_numbers: int
-    """film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)"""
-    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ...) -> None:
+    @property
+    def film_numbers(self) -> int:
+        """film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)"""
+    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ...) -> Friction:  # type: ignore[override]
+    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> Friction:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FrictionDict(TypedDict, total=False):
@@ -1252,7 +1253,6 @@ class FrictionDict(TypedDict, total=False):
     adhesion_reduction: float
     slip_reduction: float
     film_rows: Optional[s.Floats]
-    film_numbers: int
 
 class WheelState(s.Struct):
     """Where a wheel or wheelset is and how it moves, against the ground."""
