@@ -82,7 +82,7 @@ struct Passage {
 
 /// A strip in contact, by y of the profiles of rail and wheel.
 struct TouchingStrip {
-  double y[2] = {};         ///< of its middle [m]
+  double y[2] = {};         ///< places of its middle [m]
   double half_width = 0.0;  ///< in y [m]
   double energy = 0.0;      ///< its share of the frictional energy [-]
   double share = 1.0;       ///< its length over that of the longest [-]

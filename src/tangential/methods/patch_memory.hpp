@@ -42,7 +42,7 @@ namespace wrc::tangential {
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
   double centre, half_length;  ///< [m]
-  double force[3];             ///< of its cells: Fx, Fy [N], Mz about its own middle [N m]
+  double force[3];             ///< forces of its cells: Fx, Fy [N], Mz about its own middle [N m]
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
