@@ -41,7 +41,7 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
   return check(above, of, ours.hot_temperature);
 }
 
-/// Is the method one that rolls layers, and the layer the only one? `where`: its members, for the message.
+/// Refuses a layer with a method that rolls none, or beside another layer. `where`: members for the message.
 Fault check_layer_of(const wrc_friction& ours, const char* of, const char* where,
                      const contact::TangentialMethod& method) {
   if (!method.takes_layer) {

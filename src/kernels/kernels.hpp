@@ -131,8 +131,8 @@ struct SurfaceKernels {
                       const double* x, const SurfaceSlopes* slopes);
   void (*slopes_row)(const SlopesRowTask& task);
   void (*blend_rows)(const BlendRowsTask& task);
-  /// Subtracts from four right-hand sides the sums of row[c] times their solutions x[c], c = first .. end
-  /// - 1.
+  /// Subtracts from four right-hand sides the sums of row[c] times their solutions x[c], from c = first to
+  /// before `end`.
   void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.

@@ -83,8 +83,7 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   const SolutionChange change = start.change;
   start.change = {};
   if (!change.depth) return;
-  // share of the earlier change: the overlaps' growth since, projected on their growth in it, weighted by
-  // areas
+  // share of the earlier change: the overlaps' growth since, projected on their growth in it, by areas
   double along = 0.0, squared = 0.0;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
     const double weight = rail.width[o.strip[i]] * start.length_squared[b] * change.depth[b];

@@ -95,8 +95,7 @@ StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, 
     const auto by_inputs = [&](const One& a) { return m.chain(a.value, a.derivative(0)); };
     return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
   } else {
-    // the step of the table in which m lies, its end in the last one; t: share of the step behind the node
-    // [-]
+    // the step of the table in which m lies, its end in the last one; t: share of the step [-]
     constexpr int quantities = StripCoefficientNodes::quantities, last = StripCoefficientNodes::steps - 1;
     const PlaceInTable<Number> place(table, m);
     const int whole = static_cast<int>(value_of(place.inside)), i = whole < last ? whole : last;
