@@ -269,8 +269,7 @@ static void traction(FILE* file) {
   lay(&engine, WRC_SURFACE_WATER, 0.020);
   set_speed(&engine, 8.0);
   double wish = 0.04, change = 0.01, before = 0.0, pulled = 0.0;
-  double first[2] = {0.0},
-         last[2] = {0.0}; /* slip aimed at and pull, means over the second second and over the last */
+  double first[2] = {0.0}, last[2] = {0.0}; /* slip aimed at, mean pull: second second, last */
   for (long step = 0; step < 60000; ++step) {
     for (int i = 0; i < 4; ++i) { /* motor: proportional to what is missing of the slip */
       axle* one = &engine.axles[i];
