@@ -18,11 +18,6 @@
 
 namespace wrc::tangential {
 
-/// Fitted to the power of the strips of ellipses in exact rolling (tools/calibration/slip_across.py), a/b
-/// 0.35 to 2.8.
-inline constexpr double slip_across_constants[] = {0.421, -2.375, 0.461, 0.990, 0.849, 1.334, 0.845,
-                                                   1.431, -2.226, 0.497, 0.329, 0.190, 0.363};
-
 /// The factor at t.
 template <class Number>
 Number slip_factor(const Number& even, const Number& odd, const Number& t) {
@@ -37,7 +32,10 @@ struct SlipAcross {
   /// u: slenderness; x, e, s: forces of linear theory over the root of the sum of their squares and of the
   /// friction limit's (saturation_terms.hpp).
   SlipAcross(const Number& u, const Number& x, const Number& e, const Number& s) {
-    const auto& c = slip_across_constants;
+    // Fitted to the power of the strips of ellipses in exact rolling (tools/calibration/slip_across.py), a/b
+    // 0.35 to 2.8.
+    constexpr double c[] = {0.421, -2.375, 0.461, 0.990, 0.849, 1.334, 0.845,
+                            1.431, -2.226, 0.497, 0.329, 0.190, 0.363};
     const Number held = smaller(larger(u, Number(-0.5)), Number(0.5));
     const Number xx = x * x, ee = e * e, ss = s * s, S = xx + ee + ss, S2 = S * S;
     // m and n by the shares of creepages and spin in S; 0 where nothing slips
