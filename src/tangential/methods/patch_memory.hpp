@@ -99,10 +99,23 @@ struct Neighbours {
   double share = 0.0;
 };
 
+/// Factors of the law, fitted by tools/calibration.
+struct MemoryFactors {
+  double flexibility_x, flexibility_y;  ///< L over that of linear rolling, less 1
+  double arm, arm_slender;              ///< factor on arms less 1; slender: times ((a - b) / (a + b))^2
+  double torsion;                       ///< yield of rotation at rest over that of linear theory, less 1
+  double share;                         ///< added to the share of S that forms the bounds
+  double turns;                         ///< by which tractions turn faster as cells slide
+  double follows;  ///< length over which the difference to strip FASTSIM is added, of a
+  double ahead;    ///< factor by which the displacement of cells over that of the patch is taken ahead
+};
+inline constexpr MemoryFactors fitted_memory{0.0492, -0.0456, 0.287, -0.1746, 0.0275, -0.0114, 0.152, 0.7312, 2.2344};
+
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
 class PatchStep {
  public:
-  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault);
+  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault,
+            const MemoryFactors& factors = fitted_memory);
 
   double length() const { return strips_.length > 0.0 ? strips_.length : length_; }
   double limit() const { return limit_; }  ///< friction limit, sum of mu_j N_j [N]
@@ -143,19 +156,19 @@ class PatchStep {
 
  private:
   void take_past();
-  void set_bounds(double exponent);
+  void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
   void part(const double shift[3], double h, bool first, double local[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);
-  double strip_form(std::int32_t j) const;
   double key(std::int32_t j) const {
     return strips_.number ? strips_.number[j] : contact_.memory.y(contact_.region.y[j]);
   }
 
   const RollingContact& contact_;
   const PatchStrips strips_;
+  const MemoryFactors& factors_;
   double length_ = 0.0;       // the longest strip's [m]
   double limit_ = 0.0;        // friction limit [N]
   double a_ = 0.0, b_ = 0.0;  // semi-axes of the double ellipse that stands for the patch [m]
@@ -163,12 +176,9 @@ class PatchStep {
   double growth_x_ = 0.0, growth_y_ = 0.0;  // 1 / L [Pa/m]
   double yield_[3] = {};                    // S
   double arm_ = 1.0;
-  double exponent_ = 1.0, largest_load_ = 0.0;
+  double largest_load_ = 0.0;
   double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
 };
-
-/// Factor by which the displacement of cells over that of the patch is taken ahead.
-inline constexpr double memory_ahead = 2.1;
 
 /// Middles of the cells over the half length, from the leading edge on.
 const double* memory_places();
