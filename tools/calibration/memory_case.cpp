@@ -184,8 +184,8 @@ std::string text_of(const MemoryCase& c) {
   std::string line = patch_text(c) + ",";
   char text[200];
   for (const MemoryStep& s : c.steps) {
-    std::snprintf(text, sizeof text, "%d %.9g %.9g %.9g %.9g %.7g %.7g %.7g ", s.direction, s.rolled, s.x, s.y,
-                  s.turn, s.fx, s.fy, s.mz);
+    std::snprintf(text, sizeof text, "%d %.9g %.9g %.9g %.9g %.7g %.7g %.7g ", s.direction, s.rolled, s.x,
+                  s.y, s.turn, s.fx, s.fy, s.mz);
     line += text;
   }
   return line;
@@ -194,7 +194,8 @@ std::string text_of(const MemoryCase& c) {
 std::vector<MemoryCase> read_memory_cases(const std::string& path) {
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != memory_heading) throw path + " is not a file of make_patches memory";
+  if (!std::getline(file, line) || line != memory_heading)
+    throw path + " is not a file of make_patches memory";
   std::vector<MemoryCase> cases;
   while (std::getline(file, line)) {
     std::replace(line.begin(), line.end(), ',', ' ');

@@ -1,5 +1,5 @@
-/// Patches that are displaced, rest and roll at random, and the forces of exact theory: the sequences that the
-/// factors of contact that remembers (src/tangential/methods/patch_memory.hpp) are fitted to.
+/// Patches that are displaced, rest and roll at random, and the forces of exact theory: the sequences that
+/// the factors of contact that remembers (src/tangential/methods/patch_memory.hpp) are fitted to.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ namespace wrc::calibration {
 /// A step: rolled forwards (1), backwards (-1) or not at all (0), and the wheel's displacement over the rail.
 struct MemoryStep {
   int direction;
-  double rolled;         ///< amount [m]
-  double x, y, turn;     ///< [m], [m], [rad]
-  double fx, fy, mz;     ///< exact, at the end of the step [N], [N], [N m]
+  double rolled;      ///< amount [m]
+  double x, y, turn;  ///< [m], [m], [rad]
+  double fx, fy, mz;  ///< exact, at the end of the step [N], [N], [N m]
 };
 
 /// An ellipse and its steps from rest on. In a closed loop the last `loop` steps bring the wheel back to

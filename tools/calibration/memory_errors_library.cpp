@@ -44,7 +44,8 @@ double work_of_loop(const MemoryCase& c, ForceAt force_at) {
 }
 
 /// Forces after each step of a case.
-std::vector<tangential::TangentialForces> remembered(const Loaded& l, const tangential::MemoryFactors& factors) {
+std::vector<tangential::TangentialForces> remembered(const Loaded& l,
+                                                     const tangential::MemoryFactors& factors) {
   std::vector<double> memory(tangential::strip_memory_bytes(strips) / sizeof(double) + 1);
   tangential::make_strip_memory(strips, memory.data());
   tangential::RollingContact contact = l.rolling->contact;

@@ -216,7 +216,7 @@ void PatchStep::set_bounds(double share) {
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
   // Cells turn the faster, the less of the patch slides.
   const double used2 = (before_[0] * before_[0] + before_[1] * before_[1]) / std::max(limit_ * limit_, least);
-  const double turns = factors_.turns * std::sqrt(std::max(0.0, 1.0 - used2));
+  const double turns = factors_.turns * std::max(0.0, 1.0 - used2);
   // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
   constexpr std::int32_t bins = 64;
   double area[bins + 1] = {}, whole_area = 0.0;
@@ -346,14 +346,8 @@ void PatchStep::part(const double shift[3], double h, bool first, double local[3
   // local = shift + S (F - F'), by Newton's method, from no yield
   bring(h, first);
   const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{count,
-                            strips_.scratch,
-                            places.at,
-                            {shift[0], shift[1], shift[2]},
-                            h,
-                            0.5 * arm_ * h,
-                            strips_.written->px,
-                            sizeof(PastStrip) / sizeof(double)};
+  simd::MemoryPassTask task{count, strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},
+                            h,     0.5 * arm_ * h,  strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double t =

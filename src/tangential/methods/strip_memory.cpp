@@ -49,8 +49,8 @@ void begin_step(void* at) { memory_at(at).written = 0; }
 
 void end_step(void* at) { memory_at(at).turn_over(); }
 
-TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields,
-                                  Fault& fault, const MemoryFactors& factors) {
+TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                                  const MemoryFactors& factors) {
   Memory& memory = memory_at(contact.memory.at);
   PatchStep patch(contact, strips_of(memory), fault, factors);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;

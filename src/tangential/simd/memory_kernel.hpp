@@ -65,8 +65,8 @@ struct PassedCells {
   Pack faster;       ///< turned_by()
 };
 
-/// Factor on the displacement for the direction in which a cell slides: 1 as it begins to slide, and where the
-/// patch rolls further in half lengths, times `rolling`, than the cell is displaced in times its bound.
+/// Factor on the displacement for the direction in which a cell slides: 1 as it begins to slide, and where
+/// the patch rolls further in half lengths, times `rolling`, than the cell is displaced in times its bound.
 constexpr double turned_by_rolling = 5.0;
 inline Pack turned_by(Pack turns, Pack rolled, Pack sticks, Pack bound, Pack vx, Pack vy) {
   const Pack v2 = vx * vx + vy * vy, v = root(v2), still = Pack(turned_by_rolling) * rolled * bound;
@@ -202,7 +202,8 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
       const Pack vx = growth_x * way * by_x, vy = growth_y * way * (by_y + turn * on_way);
       Pack sticks_x = b.weight * was_x.at + b.weight_behind * was_x.behind - vx;
       Pack sticks_y = b.weight * was_y.at + b.weight_behind * was_y.behind - vy;
-      const Pack most = bounds_of_strips(t, first, i), sticks = root(sticks_x * sticks_x + sticks_y * sticks_y);
+      const Pack most = bounds_of_strips(t, first, i),
+                 sticks = root(sticks_x * sticks_x + sticks_y * sticks_y);
       const Mask slides = sticks > most;
       const Pack faster = turned_by(turns, path / half, sticks, most, vx, vy) - Pack(1.0);
       sticks_x = sticks_x - faster * vx;
