@@ -268,7 +268,8 @@ static void traction(FILE* file) {
   lay(&engine, WRC_SURFACE_FILM, 0.006);
   lay(&engine, WRC_SURFACE_WATER, 0.020);
   set_speed(&engine, 8.0);
-  double wish = 0.04, change = 0.01, before = 0.0, pulled = 0.0, first = 0.0;
+  double wish = 0.04, change = 0.01, before = 0.0, pulled = 0.0;
+  double first[2] = {0.0}, last[2] = {0.0}; /* wished slip and pull of the second second, of the last */
   for (long step = 0; step < 60000; ++step) {
     for (int i = 0; i < 4; ++i) { /* motor: proportional to what is missing of the slip */
       axle* one = &engine.axles[i];
@@ -278,14 +279,16 @@ static void traction(FILE* file) {
     step_train(&engine, 0.0);
     if (step % 100 == 0) write_line(file, &engine, 0.5 * axle_load);
     if (step % 1000 != 999) continue;
-    if (step == 1999) first = pulled; /* its motors are there by then */
+    last[0] = wish;
+    last[1] = pulled;
+    if (step == 1999) memcpy(first, last, sizeof first); /* its motors are there by then */
     if (pulled < before) change = -change;
     before = pulled;
     wish = fmin(0.5, fmax(0.005, wish + change));
     pulled = 0.0;
   }
-  printf("traction on wet leaves: %.0f kN at 4 %% slip, %.0f kN at the %.1f %% found\n", 1e-3 * first,
-         1e-3 * before, 100.0 * wish);
+  printf("traction on wet leaves: %.0f kN at %.0f %% slip, %.0f kN at the %.0f %% found\n", 1e-3 * first[1],
+         100.0 * first[0], 1e-3 * last[1], 100.0 * last[0]);
   printf("  axle       adhesion at the end\n");
   for (int i = 0; i < 4; ++i)
     printf("  %2d         %.3f\n", i + 1, engine.axles[i].force / (0.5 * axle_load));

@@ -183,34 +183,40 @@ void print_map(double A, double B) {
 
 /// Bytes of a contact of S1002 on UIC60 at each setting.
 int print_memory() {
-  std::printf("%-10s", "setting");
+  std::printf("%-19s", "setting");
   for (const char* const of :
        {"contact", "state", "results", "overlaps", "pressure", "rolling", "derivatives", "model"})
     std::printf(" %11s", of);
   std::printf("\n");
 #define WRC_RESOLUTION(identifier, name, ...) name,
-  for (const char* const setting : {WRC_RESOLUTION_LIST(WRC_RESOLUTION)}) {
+  const char* const settings[] = {WRC_RESOLUTION_LIST(WRC_RESOLUTION)};
 #undef WRC_RESOLUTION
+  const auto print = [](const char* setting, int32_t memory) {
     wrc_config config = wrc_config_default();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.surface.memory = memory;
     wrc_model* model = nullptr;
     std::uint64_t contact = 0, state = 0, own = 0, alignment = 0;
     if (wrc_config_use(&config, setting, nullptr, 0) != WRC_OK ||
         wrc_model_create(&config, nullptr, &model, nullptr, 0) != WRC_OK)
-      return 1;
+      return false;
     wrc_contact_size(model, &contact, &alignment);
     wrc_contact_state_size(model, &state);
     wrc_model_size(&config, &own, &alignment);
     const auto b = surface::wheel_work_bytes(surface::work_sizes(*model->model->surface));
-    std::printf("%-10s", setting);
+    std::printf("%-10s%-9s", setting, memory ? ", memory" : "");
     for (const auto bytes :
          {static_cast<std::int64_t>(contact), static_cast<std::int64_t>(state), b.results, b.overlaps,
           b.pressure, b.rolling, b.derivatives, static_cast<std::int64_t>(own)})
       std::printf(" %11lld", static_cast<long long>(bytes));
     std::printf("\n");
     wrc_model_destroy(model);
-  }
+    return true;
+  };
+  for (const int32_t memory : {0, 1})
+    for (const char* const setting : settings)
+      if (!print(setting, memory)) return 1;
   return 0;
 }
 

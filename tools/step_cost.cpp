@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -120,8 +121,8 @@ void save_and_restore(benchmark::State& state, Methods methods) {
 }
 
 /// A wheel on its rail at "real time": the wrench alone, or with friction of films before it and the passage
-/// behind it, without and with layers.
-void wheel_on_films(benchmark::State& state, const char* set) {
+/// behind it, without and with layers, on one band of each body or on 8 rows of 8 mm across.
+void wheel_on_films(benchmark::State& state, const char* set, uint32_t rows) {
   wrc_config config = wrc_config_default();
   config.wheel.kind = WRC_PROFILE_S1002;
   config.rail.kind = WRC_PROFILE_60E1;
@@ -131,11 +132,16 @@ void wheel_on_films(benchmark::State& state, const char* set) {
   wrc_contact* contact = nullptr;
   wrc_model_create(&config, nullptr, &model, nullptr, 0);
   wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0);
-  std::vector<wrc_surface_bin> bins[2] = {std::vector<wrc_surface_bin>(1000),
-                                          std::vector<wrc_surface_bin>(24)};
+  const uint32_t counts[2] = {1000, 24};
+  std::vector<wrc_surface_bin> bins[2] = {std::vector<wrc_surface_bin>(counts[0] * rows),
+                                          std::vector<wrc_surface_bin>(counts[1] * rows)};
+  std::vector<double> across(WRC_FILM_NUMBERS(rows, rows));
   wrc_surface surface[2] = {wrc_surface_default(), wrc_surface_default()};
   for (int body = 0; body < 2; ++body) {
-    surface[body].count = static_cast<uint32_t>(bins[body].size());
+    surface[body].count = counts[body];
+    surface[body].rows = rows;
+    if (rows > 1) surface[body].width = 8e-3;
+    surface[body].row_first = -37e-3;
     surface[body].length = body == 0 ? 1.0 : 2.89 / 24;
     surface[body].closed = 1;
     surface[body].bins = bins[body].data();
@@ -150,7 +156,13 @@ void wheel_on_films(benchmark::State& state, const char* set) {
   input.wheel.velocity[0] = 40.0;
   input.wheel.pitch_rate = -40.0 / 0.46 * 0.98;
   input.friction.coefficient = 0.1;
-  wrc_surface_passage passage = {sizeof passage, 0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  wrc_surface_passage passage = {};
+  passage.struct_size = sizeof passage;
+  if (rows > 1) {
+    passage.film_rows = across.data();
+    passage.film_numbers = static_cast<uint32_t>(across.size());
+    passage.contact = contact;
+  }
   wrc_wrench wrench = {};
   wrench.struct_size = sizeof wrench;
   int i = 0;
@@ -186,10 +198,13 @@ void add_all() {
   const std::pair<int, int> grids[] = {{16, 16}, {32, 32}, {60, 32}, {60, 50}, {128, 64}};
   Methods methods;
   add("geometry", "pose", methods, geometry);
-  for (const auto& [name, set] : {std::pair<const char*, const char*>{"wheel/wrench alone", nullptr},
-                                  {"wheel/with films", "low adhesion"},
-                                  {"wheel/with films and layers", "low adhesion, layers"}})
-    benchmark::RegisterBenchmark(name, wheel_on_films, set)->Unit(benchmark::kMicrosecond);
+  for (const auto& [name, set, rows] :
+       {std::tuple<const char*, const char*, uint32_t>{"wheel/wrench alone", nullptr, 1},
+        {"wheel/with films", "low adhesion", 1},
+        {"wheel/with films and layers", "low adhesion, layers", 1},
+        {"wheel/with films in rows", "low adhesion", 8},
+        {"wheel/with films and layers in rows", "low adhesion, layers", 8}})
+    benchmark::RegisterBenchmark(name, wheel_on_films, set, rows)->Unit(benchmark::kMicrosecond);
   for (const auto& [strips, cells] : grids) {
     methods.strips = strips;
     methods.cells = cells;

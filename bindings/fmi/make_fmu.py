@@ -21,7 +21,7 @@ ROOT = HERE.parents[1]
 MODELS = {
     "wrc_wheel": ("wheel.def", "ModelExchange", "One wheel on its rail: pose and velocities in, wrench on the wheel out. wrc.h of "
                   "the C library has frames and signs."),
-    "wrc_wheelset": ("wheelset.def", "CoSimulation", "A wheelset with its mass on straight rails at constant forward speed. wrc.h of "
+    "wrc_wheelset": ("wheelset.def", "CoSimulation", "A wheelset with its mass on straight rails at a given forward speed. wrc.h of "
                      "the C library has frames and signs."),
 }
 UNITS = {"1": "", "m": 'm="1"', "rad": 'rad="1"', "s": 's="1"', "kg": 'kg="1"', "kg.m2": 'kg="1" m="2"', "m/s": 'm="1" s="-1"',

@@ -46,8 +46,10 @@ typedef struct films {
   wrc_surface_laws laws;
 } films;
 
-/* Amounts of the rail ahead and of the tread into bins. Status of the library. */
-static int32_t lay_films(const instance* of, double way, films* made, char* sentence, size_t size) {
+/* Amounts of the rail and of the tread into bins. The rail's: those ahead, and `passed` of their change to
+ * those behind. Status of the library. */
+static int32_t lay_films(const instance* of, double way, double passed, films* made, char* sentence,
+                         size_t size) {
   const double* now = of->now.real;
   const double length[2] = {fmin(1e4, fmax(1e-3, way)), 2.0 * 3.14159265358979 * now[SET_wheel_radius]};
   memset(made->bin, 0, sizeof made->bin);
@@ -60,7 +62,8 @@ static int32_t lay_films(const instance* of, double way, films* made, char* sent
     band->bin_size = sizeof made->bin[body];
     for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) {
       if (body == 0 && q == WRC_SURFACE_HEAT) continue; /* a rail ahead is cold */
-      const double amount = now[(body == 0 ? SET_water_ahead : SET_water_on_wheel) + q];
+      double amount = now[(body == 0 ? SET_water_ahead : SET_water_on_wheel) + q];
+      if (body == 0) amount += passed * (now[SET_water_behind + q] - amount);
       const int32_t status = wrc_surface_add(band, q, amount, 0.0, length[body], sentence, size);
       if (status < 0) return status;
     }
@@ -69,15 +72,18 @@ static int32_t lay_films(const instance* of, double way, films* made, char* sent
   return wrc_surface_laws_use(&made->laws, "low adhesion", sentence, size);
 }
 
-/* Friction for the library: the number, or that of films as they are at the beginning of a step. */
+/* Friction for the library: the number, or that of films as they are at the beginning of a step: those on
+ * the rail halfway from ahead to behind, as between the bins before and behind a wheel of wrc_surface.h. */
 static void give_friction(instance* of) {
   of->input.friction = wrc_friction_default();
   of->input.friction.coefficient = of->now.real[SET_friction];
+  of->input.friction.fall_rate = of->now.real[SET_fall_rate];
+  if (of->now.real[SET_fall_rate] > 0.0) of->input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   if (of->now.integer[SET_films] == 0) return;
   films made;
   wrc_surface_passage passage = {.struct_size = sizeof passage};
   const wrc_friction base = of->input.friction;
-  if (lay_films(of, 1.0, &made, NULL, 0) >= 0)
+  if (lay_films(of, 1.0, 0.5, &made, NULL, 0) >= 0)
     wrc_surface_friction(&made.band[0], &made.band[1], &made.laws, &passage, &base, &of->input.friction, NULL,
                          0);
 }
@@ -91,7 +97,7 @@ static int pass_films(instance* of, double duration, double energy, char* senten
   films made;
   wrc_surface_passage passage = {
       .struct_size = sizeof passage, .rail_to = way, .wheel_to = rolled, .energy = energy};
-  if (lay_films(of, fabs(way), &made, sentence, size) < 0) return 0;
+  if (lay_films(of, fabs(way), 0.0, &made, sentence, size) < 0) return 0;
   if (wrc_surface_pass(&made.band[0], &made.band[1], &made.laws, &passage, NULL, sentence, size) < 0)
     return 0;
   if (wrc_surface_rest(&made.band[1], &made.laws, duration, sentence, size) < 0) return 0;

@@ -18,7 +18,7 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_allocator(5)
   integer(c_size_t), bind(C) :: layout_wrc_view(4)
   integer(c_size_t), bind(C) :: layout_wrc_bulk_temperatures(4)
-  integer(c_size_t), bind(C) :: layout_wrc_friction(25)
+  integer(c_size_t), bind(C) :: layout_wrc_friction(28)
   integer(c_size_t), bind(C) :: layout_wrc_wheel_state(16)
   integer(c_size_t), bind(C) :: layout_wrc_rail_state(10)
   integer(c_size_t), bind(C) :: layout_wrc_frame_motion(6)
@@ -75,10 +75,10 @@ module layout
   integer(c_size_t), bind(C) :: layout_wrc_found_faces(10)
   integer(c_size_t), bind(C) :: layout_wrc_face_outline(12)
   integer(c_size_t), bind(C) :: layout_wrc_surface_bin(4)
-  integer(c_size_t), bind(C) :: layout_wrc_surface(9)
+  integer(c_size_t), bind(C) :: layout_wrc_surface(12)
   integer(c_size_t), bind(C) :: layout_wrc_substance(14)
   integer(c_size_t), bind(C) :: layout_wrc_surface_laws(17)
-  integer(c_size_t), bind(C) :: layout_wrc_surface_passage(8)
+  integer(c_size_t), bind(C) :: layout_wrc_surface_passage(12)
   integer(c_size_t), bind(C) :: layout_wrc_surface_exchange(7)
 end module
 program layout_test
@@ -500,8 +500,14 @@ contains
       distance(c_loc(a), c_loc(a%adhesion_reduction)), layout_wrc_friction(23))
     call same('wrc_friction', 'slip_reduction', &
       distance(c_loc(a), c_loc(a%slip_reduction)), layout_wrc_friction(24))
+    call same('wrc_friction', 'film_rows', &
+      distance(c_loc(a), c_loc(a%film_rows)), layout_wrc_friction(25))
+    call same('wrc_friction', 'film_numbers', &
+      distance(c_loc(a), c_loc(a%film_numbers)), layout_wrc_friction(26))
+    call same('wrc_friction', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_friction(27))
     call same('wrc_friction', 'reserved', &
-      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(25))
+      distance(c_loc(a), c_loc(a%reserved)), layout_wrc_friction(28))
   end subroutine
   subroutine test_wrc_wheel_state()
     type(wrc_wheel_state), target :: a
@@ -1932,6 +1938,12 @@ contains
       distance(c_loc(a), c_loc(a%bin_size)), layout_wrc_surface(8))
     call same('wrc_surface', 'bins', &
       distance(c_loc(a), c_loc(a%bins)), layout_wrc_surface(9))
+    call same('wrc_surface', 'rows', &
+      distance(c_loc(a), c_loc(a%rows)), layout_wrc_surface(10))
+    call same('wrc_surface', 'reserved0', &
+      distance(c_loc(a), c_loc(a%reserved0)), layout_wrc_surface(11))
+    call same('wrc_surface', 'row_first', &
+      distance(c_loc(a), c_loc(a%row_first)), layout_wrc_surface(12))
   end subroutine
   subroutine test_wrc_substance()
     type(wrc_substance), target :: a
@@ -2025,6 +2037,14 @@ contains
       distance(c_loc(a), c_loc(a%wheel_to)), layout_wrc_surface_passage(7))
     call same('wrc_surface_passage', 'energy', &
       distance(c_loc(a), c_loc(a%energy)), layout_wrc_surface_passage(8))
+    call same('wrc_surface_passage', 'film_rows', &
+      distance(c_loc(a), c_loc(a%film_rows)), layout_wrc_surface_passage(9))
+    call same('wrc_surface_passage', 'film_numbers', &
+      distance(c_loc(a), c_loc(a%film_numbers)), layout_wrc_surface_passage(10))
+    call same('wrc_surface_passage', 'reserved1', &
+      distance(c_loc(a), c_loc(a%reserved1)), layout_wrc_surface_passage(11))
+    call same('wrc_surface_passage', 'contact', &
+      distance(c_loc(a), c_loc(a%contact)), layout_wrc_surface_passage(12))
   end subroutine
   subroutine test_wrc_surface_exchange()
     type(wrc_surface_exchange), target :: a

@@ -95,7 +95,7 @@ enum wrc_flexibility {
  * max_iterations), those of config.surface. docs/realtime.md has their times and errors. */
 #define WRC_RESOLUTION_LIST(X)                                     \
   X(standard, "default", 0.5e-3, 0.25e-3, 1e-5, 2e7, 1e6)          \
-  X(real_time, "real time", 1e-3, 0.25e-3, 3e-4, 1e6, 8)           \
+  X(real_time, "real time", 1e-3, 0.25e-3, 1e-3, 1e6, 8)           \
   X(reference, "reference", 0.25e-3, 0.125e-3, 1e-9, 1e8, 1e6)
 
 /** Friction and layers by name, with their sources. wrc_friction_use() sets them: X(identifier, "name", coefficient,

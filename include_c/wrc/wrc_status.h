@@ -23,7 +23,7 @@
   X(WRC_FLAG_BEYOND_GAP, 8, "beyond what the gap or the profiles carry: continued with the last stiffness") \
   X(WRC_FLAG_CLIMBING, 9, "friction on a steep face lets no height carry the load, or several")          \
   X(WRC_FLAG_BEYOND_SECTIONS, 10, "the rail has no section that far along the track: the nearest is used") \
-  X(WRC_FLAG_DISSIMILAR_MATERIALS, 11, "different materials: Kalker's K, which couples pressure and traction, is left out") \
+  X(WRC_FLAG_DISSIMILAR_MATERIALS, 11, "different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4") \
   X(WRC_FLAG_SUM_OVERFLOW, 12, "a sum of bins passed its range: what they hold is worthless")              \
   X(WRC_FLAG_FORCE_JUMPS, 13, "a planar normal method on a patch of several lowest points: forces jump where the lowest changes") \
   X(WRC_FLAG_ROTATION_TRANSPOSED, 14, "the angular velocity lies along the axle of the transposed rotation: was its transpose given?") \

@@ -1,5 +1,8 @@
 #include "abi/friction.hpp"
 
+#include <cmath>
+#include <cstring>
+
 #include "abi/structs.hpp"
 
 namespace wrc::abi {
@@ -38,12 +41,12 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
   return check(above, of, ours.hot_temperature);
 }
 
-/// A layer goes with a method that rolls it, and is the only one.
-Fault check_layer_of(const wrc_friction& ours, const char* of, const contact::TangentialMethod& method) {
-  if (ours.layer_thickness == 0.0 && ours.layer_yield == 0.0) return {};
+/// A layer goes with a method that rolls it, and is the only one. `where`: its members.
+Fault check_layer_of(const wrc_friction& ours, const char* of, const char* where,
+                     const contact::TangentialMethod& method) {
   if (!method.takes_layer) {
     return Fault::unsupported(
-        {of, "layer_thickness, layer_yield"},
+        {of, where},
         "this tangential method has no march along the strips that could carry a layer: "
         "choose WRC_TANGENTIAL_STRIP_FASTSIM or WRC_TANGENTIAL_FASTSIM");
   }
@@ -51,8 +54,7 @@ Fault check_layer_of(const wrc_friction& ours, const char* of, const contact::Ta
       (method.reads.has(contact::Option::slope_fall) && ours.slope_fall > 0.0)) {
     return Fault::unsupported(
         {of, "slope_reduction, slope_fall"},
-        "these are layers, too: with layer_thickness or layer_yield let slope_reduction "
-        "be 1 and slope_fall 0");
+        "these are layers, too: with another layer let slope_reduction be 1 and slope_fall 0");
   }
   return {};
 }
@@ -68,10 +70,17 @@ Fault check_reduction(const wrc_friction& ours, const char* of, const contact::T
   return first_of({check(adhesion, of, ours.adhesion_reduction), check(slip, of, ours.slip_reduction)});
 }
 
+/// Rows of films lie on both profiles.
+Fault check_films(const wrc_friction& ours, const char* of, Films films) {
+  if (films == Films::apart || ours.film_numbers == 0) return {};
+  return Fault::unsupported({of, "film_numbers"}, {ours.film_numbers, ""},
+                            "films in rows are those of wrc_contact_wrench(): set it to 0");
+}
+
 /// The planar problem has no use for bodies without friction: its creepages, adhesion and damage would mean
 /// nothing.
 Fault check_some(const wrc_friction& ours, const char* of) {
-  if (ours.coefficient > 0.0 || ours.zone_count > 0) return {};
+  if (ours.coefficient > 0.0 || ours.zone_count > 0 || ours.film_numbers > 0) return {};
   Member positive = MEMBER(wrc_friction, "coefficient");
   positive.or_zero = false;
   return check(positive, of, ours.coefficient);
@@ -80,15 +89,17 @@ Fault check_some(const wrc_friction& ours, const char* of) {
 }  // namespace
 
 Fault read_friction(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
-                    contact::Friction& friction) {
+                    contact::Friction& friction, Films films) {
   static_assert(same<WRC_SPEED_LAW_NONE>(tangential::SpeedLaw::none) &&
                 same<WRC_SPEED_LAW_EXPONENTIAL>(tangential::SpeedLaw::exponential) &&
                 same<WRC_SPEED_LAW_HYPERBOLIC>(tangential::SpeedLaw::hyperbolic));
   static_assert(same<WRC_TEMPERATURE_LAW_NONE>(tangential::TemperatureLaw::none) &&
                 same<WRC_TEMPERATURE_LAW_LINEAR>(tangential::TemperatureLaw::linear));
-  RETURN_IF_FAILED(first_of({check_some(checked, of), check_temperature_law(checked, of, method),
-                             check_layer_of(checked, of, method), check_reduction(checked, of, method),
-                             read_layer(checked, of, friction.layer)}));
+  const bool layer = checked.layer_thickness > 0.0 || checked.layer_yield > 0.0;
+  RETURN_IF_FAILED(first_of(
+      {check_films(checked, of, films), check_some(checked, of), check_temperature_law(checked, of, method),
+       layer ? check_layer_of(checked, of, "layer_thickness, layer_yield", method) : Fault{},
+       check_reduction(checked, of, method), read_layer(checked, of, friction.layer)}));
   friction.law.speed_law = static_cast<tangential::SpeedLaw>(checked.speed_law);
   friction.law.temperature_law = static_cast<tangential::TemperatureLaw>(checked.temperature_law);
   friction.law.coefficient = checked.coefficient;
@@ -105,6 +116,40 @@ Fault read_friction(const wrc_friction& checked, const char* of, const contact::
     friction.slope = {checked.slope_limit, checked.slope_fall};
   friction.reduction = {checked.adhesion_reduction, checked.slip_reduction};
   return read_zones(checked, of, friction);
+}
+
+Fault read_films(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
+                 tangential::FilmRows& films) {
+  films = {};
+  if (checked.film_numbers == 0) return {};
+  if (checked.film_rows == nullptr) return Fault::null({of, "film_rows"});
+  // the head, then the cells of as many rows as it says
+  static_assert(offsetof(tangential::FilmRows, cells) == tangential::film_head_numbers * sizeof(double));
+  if (checked.film_numbers > tangential::film_head_numbers)
+    std::memcpy(static_cast<void*>(&films), checked.film_rows,
+                tangential::film_head_numbers * sizeof(double));
+  const double rail = films.rail.count, wheel = films.wheel.count, most = tangential::most_film_rows;
+  const auto whole = [&](double rows) { return rows >= 1.0 && rows <= most && rows == std::floor(rows); };
+  if (!whole(rail) || !whole(wheel) || !(films.rail.width > 0.0 && films.wheel.width > 0.0) ||
+      checked.film_numbers != static_cast<std::uint32_t>(tangential::film_numbers(
+                                  static_cast<std::int32_t>(rail), static_cast<std::int32_t>(wheel))))
+    return Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
+  films.cells =
+      reinterpret_cast<const tangential::FilmCell*>(checked.film_rows + tangential::film_head_numbers);
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(rail * wheel); ++k) {
+    const tangential::FilmCell& cell = films.cells[k];
+    const auto within = [](double value, double largest) { return value >= 0.0 && value <= largest; };
+    if (within(cell.share, 1.0) && within(cell.addition, 2.0) &&
+        (films.layered == 0.0 || (within(cell.flexibility, 1.0) && within(cell.softness, 1.0) &&
+                                  within(std::abs(cell.hardening), 1e15))))
+      continue;
+    return Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
+  }
+  if (films.layered == 0.0) return {};
+  if (checked.layer_thickness > 0.0 || checked.layer_yield > 0.0)
+    return Fault::unsupported({of, "layer_thickness, layer_yield"},
+                              "film_rows have layers: give yours to wrc_surface_friction(), as its base");
+  return check_layer_of(checked, of, "film_rows", method);
 }
 
 }  // namespace wrc::abi

@@ -4,14 +4,22 @@
 #include "base/fault.hpp"
 #include "contact/methods.hpp"
 #include "contact/state.hpp"
+#include "tangential/friction/film_rows.hpp"
 #include "wrc/wrc.h"
 
 namespace wrc::abi {
 
+/// Rows of films are refused, or read apart by read_films().
+enum class Films { refused, apart };
+
 /// Translates friction whose members have been checked, and checks it for a tangential method. `of`: its
 /// name in messages. The zones of the result are the caller's arrays.
 Fault read_friction(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
-                    contact::Friction& friction);
+                    contact::Friction& friction, Films films = Films::refused);
+
+/// Films in rows, of friction whose members have been checked; none where there are none.
+Fault read_films(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
+                 tangential::FilmRows& films);
 
 /// A layer, whole or absent, of any struct with its four members.
 template <class Struct>

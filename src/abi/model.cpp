@@ -59,7 +59,8 @@ Fault init_model(const contact::ModelOptions& options, void* memory, std::uint64
   handle = made;
   constexpr double rounding = 1e-9;
   if (std::abs(options.coupling) > rounding)
-    return Fault::dissimilar_materials("K", {options.coupling, ""}, "G and nu are the combined ones");
+    return Fault::dissimilar_materials("K", {options.coupling, ""},
+                                       "its leading part is in wrc_contact_wrench(), by strip FASTSIM");
   return {};
 }
 

@@ -334,6 +334,10 @@ Fault solve_exact_wheel(const contact::Contact& contact, const wrc_wheel_input* 
     return Fault::unsupported("input.friction.temperature_law", {WRC_TEMPERATURE_LAW_LINEAR, ""},
                               "the exact solution has no temperatures: set WRC_TEMPERATURE_LAW_NONE");
   }
+  if (hosted.films.cells != nullptr) {
+    return Fault::unsupported("input.friction.film_rows",
+                              "films in rows are those of wrc_contact_wrench(): set film_numbers to 0");
+  }
   contact::HostWrench result;
   std::int32_t regions = 0;
   fault = halfspace::solve_exact_wheel(contact, hosted, solver, reporter.callback(), result, regions);

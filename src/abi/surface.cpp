@@ -6,10 +6,12 @@
 
 #include "abi/fp_environment.hpp"
 #include "abi/friction.hpp"
+#include "abi/handles.hpp"
 #include "abi/message.hpp"
 #include "abi/presets.hpp"
 #include "abi/structs.hpp"
 #include "base/elementary.hpp"
+#include "contact/rolled_region.hpp"
 #include "damage/film.hpp"
 #include "wrc/wrc_surface.h"
 
@@ -33,6 +35,8 @@ Fault read_surface(const wrc_surface* theirs, const char* name, damage::Band& ba
           .width = ours.width,
           .count = static_cast<std::int64_t>(ours.count),
           .closed = ours.closed != 0,
+          .rows = std::max(1, static_cast<std::int32_t>(ours.rows)),
+          .row_first = ours.row_first,
           .bins = reinterpret_cast<damage::FilmBin*>(ours.bins),
           .stride = static_cast<std::int64_t>(ours.bin_size)};
   return {};
@@ -111,6 +115,11 @@ struct Meeting {
   damage::Band rail, wheel;
   damage::FilmLaws laws;
   damage::Passage passage;
+  double* film_rows = nullptr;
+  std::uint32_t film_numbers = 0;
+  const wrc_contact* contact = nullptr;
+
+  bool in_rows() const { return rail.rows > 1 || wheel.rows > 1; }
 };
 
 Fault read_meeting(const wrc_surface* rail, const wrc_surface* wheel, const wrc_surface_laws* laws,
@@ -123,6 +132,9 @@ Fault read_meeting(const wrc_surface* rail, const wrc_surface* wheel, const wrc_
   RETURN_IF_FAILED(read_laws(laws, meeting.laws));
   RETURN_IF_FAILED(read(passage, "passage", ours));
   meeting.passage = {{ours.rail_from, ours.wheel_from}, {ours.rail_to, ours.wheel_to}, ours.energy};
+  meeting.film_rows = ours.film_rows;
+  meeting.film_numbers = ours.film_rows != nullptr ? ours.film_numbers : 0;
+  meeting.contact = ours.contact;
   RETURN_IF_FAILED(check_stretch(meeting.rail, "passage.rail_to", ours.rail_from, ours.rail_to));
   if (wheel == nullptr) return {};
   return check_stretch(meeting.wheel, "passage.wheel_to", ours.wheel_from, ours.wheel_to);
@@ -141,41 +153,116 @@ Fault check_quantity(std::int32_t quantity) {
   return Fault::unsupported("quantity", {quantity, ""}, enumerations::wrc_surface_quantity.names);
 }
 
+double flexibility_of(const wrc_friction& friction) {
+  return friction.layer_modulus > 0.0 ? friction.layer_thickness / friction.layer_modulus : 0.0;
+}
+
+double softness_of(const wrc_friction& friction) {
+  return friction.layer_yield > 0.0 ? 1.0 / friction.layer_yield : 0.0;
+}
+
 /// Layer of the base and of films in series, within the ranges of friction.
 void put_layer(const damage::FilmFriction& mixed, wrc_friction& friction) {
   constexpr double hardest = 1e11, softest = 1e3, thickest = 0.01;
-  if (!mixed.layered) return;
-  const double base = friction.layer_modulus > 0.0 ? friction.layer_thickness / friction.layer_modulus : 0.0;
-  const double flexibility = base + mixed.flexibility;
+  const double flexibility = flexibility_of(friction) + mixed.flexibility;
   // the modulus is that of the whole thickness and the whole flexibility [Pa]
   friction.layer_thickness = std::min(friction.layer_thickness + mixed.thickness, thickest);
   friction.layer_modulus =
       flexibility > 0.0 ? std::clamp(friction.layer_thickness / flexibility, 1e3, 1e12) : 0.0;
   if (!(flexibility > 0.0)) friction.layer_thickness = 0.0;
   // one over the traction at which the layers yield; 0 without films: the layer does not yield
-  const double softness = mixed.softness + (friction.layer_yield > 0.0 ? 1.0 / friction.layer_yield : 0.0);
+  const double softness = mixed.softness + softness_of(friction);
   friction.layer_yield = softness * hardest > 1.0 ? std::max(1.0 / softness, softest) : hardest;
   friction.layer_hardening += mixed.hardening;
   if (flexibility > 0.0)  // wrc_contact_wrench() refuses -0.5 and less: tractions would jump
     friction.layer_hardening = std::max(friction.layer_hardening, -0.49 / flexibility);
 }
 
+/// Fills the caller's numbers of films in rows, the base's layer in series with theirs.
+Fault fill_rows(const Meeting& meeting, const damage::FilmsAt& rail, const damage::FilmsAt& wheel,
+                wrc_friction& found) {
+  const auto needed = static_cast<std::uint32_t>(tangential::film_numbers(rail.rows, wheel.rows));
+  if (meeting.film_numbers < needed)
+    return Fault::range("passage.film_numbers", {meeting.film_numbers, "", 1.0 * needed, 1288.0},
+                        "rows across need WRC_FILM_NUMBERS(rail.rows, wheel.rows) numbers at film_rows");
+  const bool layered = damage::layered(meeting.laws);
+  const tangential::FilmRows head{.rail = damage::rows_across(meeting.rail),
+                                  .wheel = damage::rows_across(meeting.wheel),
+                                  .layered = layered ? 1.0 : 0.0};
+  std::memcpy(meeting.film_rows, &head, tangential::film_head_numbers * sizeof(double));
+  const double wet_steel = meeting.laws.of[damage::water].wet_friction;
+  const double flexibility = flexibility_of(found), softness = softness_of(found);
+  auto* cell = reinterpret_cast<tangential::FilmCell*>(meeting.film_rows + tangential::film_head_numbers);
+  for (std::int32_t r = 0; r < rail.rows; ++r) {
+    damage::FilmFriction mixed[tangential::most_film_rows];
+    mix(meeting.laws, rail, r, wheel, mixed);
+    for (std::int32_t w = 0; w < wheel.rows; ++w, ++cell) {
+      const damage::FilmFriction& of = mixed[w];
+      *cell = {of.share(), std::min(of.addition(wet_steel), 2.0), flexibility + of.flexibility,
+               softness + of.softness, found.layer_hardening + of.hardening};
+    }
+  }
+  found.film_rows = meeting.film_rows;
+  found.film_numbers = needed;
+  if (layered) found.layer_thickness = found.layer_modulus = found.layer_yield = found.layer_hardening = 0.0;
+  return {};
+}
+
 Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* base, wrc_friction& found) {
   RETURN_IF_FAILED(read_or_defaults(base, "base", found));
-  if (found.zone_count > 0)
+  if (found.film_numbers > 0)
+    return Fault::unsupported({"base", "film_numbers"}, {found.film_numbers, ""},
+                              "the base is friction of clean bodies: set it to 0");
+  if (found.zone_count > 0 && meeting.film_numbers == 0)
     return Fault::unsupported({"base", "zone_count"}, {found.zone_count, ""},
-                              "zones across the rail and films along it are not combined");
+                              "zones stay below films that are told as rows: give passage.film_rows");
   tangential::Layer whole_or_absent;
   RETURN_IF_FAILED(read_layer(found, "base", whole_or_absent));
-  const damage::FilmAt rail = film_at(meeting.rail, meeting.passage.from[0]);
-  const damage::FilmAt wheel = has_wheel ? film_at(meeting.wheel, meeting.passage.from[1]) : damage::FilmAt{};
-  const damage::FilmFriction mixed = mix(meeting.laws, rail, wheel, found.coefficient);
-  constexpr double least = 1e-4;  // friction is 0 or at least that
-  found.coefficient = mixed.coefficient > 0.0 ? std::max(mixed.coefficient, least) : 0.0;
-  put_layer(mixed, found);
+  const damage::FilmsAt rail = films_at(meeting.rail, meeting.passage.from[0]);
+  const damage::FilmsAt wheel =
+      has_wheel ? films_at(meeting.wheel, meeting.passage.from[1]) : damage::FilmsAt{};
+  if (meeting.in_rows() || meeting.film_numbers > 0) {
+    RETURN_IF_FAILED(fill_rows(meeting, rail, wheel, found));
+  } else {
+    damage::FilmFriction mixed;
+    mix(meeting.laws, rail, 0, wheel, &mixed);
+    const double coefficient =
+        mixed.coefficient(found.coefficient, meeting.laws.of[damage::water].wet_friction);
+    constexpr double least = 1e-4;  // friction is 0 or at least that
+    found.coefficient = coefficient > 0.0 ? std::max(coefficient, least) : 0.0;
+    if (damage::layered(meeting.laws)) put_layer(mixed, found);
+  }
   found.bulk.rail = temperature(meeting.laws, rail, 0);
   found.bulk.wheel = temperature(meeting.laws, wheel, 1);
   return flags_of(rail.beside || wheel.beside, rail.in_range && wheel.in_range);
+}
+
+/// A wheel passes with rows: the strips of the contact's last wrench, with their shares of its work, act.
+Fault pass_in_rows(const Meeting& meeting, const damage::Band* wheel, damage::FilmOutcome& outcome) {
+  const char* const needed = "rows across need the contact whose wrench passes";
+  if (meeting.contact == nullptr || !valid(meeting.contact))
+    return Fault::sequence("passage.contact", needed);
+  const contact::Contact& contact = *meeting.contact->contact;
+  if (!contact.wheel_solved) return Fault::sequence("passage.contact", needed);
+  const surface::StripResults& kept = contact::wheel_strips(contact);
+  const std::int32_t count = static_cast<std::int32_t>(kept.count);
+  double power = 0.0, longest = 0.0;
+  for (std::int32_t k = 0; k < count; ++k) {
+    power += std::max(kept.power[k], 0.0);
+    longest = std::max(longest, kept.half_length[k]);
+  }
+  // places and widths by y of the profiles
+  damage::TouchingStrip strips[surface::most_overlapping_strips];
+  for (std::int32_t k = 0; k < count; ++k) {
+    constexpr double rounding = 1e-9;  // [m]: of widths
+    const double advance = std::abs(sine_cosine(kept.angle[k]).cosine);
+    strips[k] = {.y = {kept.y[k], kept.y_wheel[k]},
+                 .half_width = 0.5 * kept.width[k] * advance + rounding,
+                 .energy = power > 0.0 ? std::max(kept.power[k], 0.0) / power : 0.0,
+                 .share = kept.half_length[k] / longest};
+  }
+  outcome = pass(meeting.rail, wheel, meeting.laws, meeting.passage, strips, count);
+  return {};
 }
 
 // ---------------------------------------------------------------------------------------------- named sets
@@ -282,7 +369,8 @@ Fault merge_surfaces(wrc_surface* into, const wrc_surface* from) {
   RETURN_IF_FAILED(read_surface(into, "into", ours));
   RETURN_IF_FAILED(read_surface(from, "from", theirs));
   if (ours.first != theirs.first || ours.length != theirs.length || ours.width != theirs.width ||
-      ours.count != theirs.count || ours.closed != theirs.closed)
+      ours.count != theirs.count || ours.closed != theirs.closed || ours.rows != theirs.rows ||
+      ours.row_first != theirs.row_first)
     return Fault::range("from", "its bins lie elsewhere than those of `into`");
   return flags_of(false, damage::merge(ours, theirs));
 }
@@ -298,7 +386,7 @@ Fault read_values(const wrc_surface* surface, std::int32_t quantity, std::int32_
   // the total is a sum of whole numbers, exact in any order
   damage::WholeNumber sum;
   bool in_range = true;
-  for (std::int64_t k = 0; k < band.count; ++k) {
+  for (std::int64_t k = 0; k < band.all(); ++k) {
     const damage::FilmBin& bin = band.bin(k);
     const damage::WholeNumber& one = bin.sum[book][quantity];
     const damage::WholeNumber before = sum;
@@ -348,9 +436,14 @@ int32_t wrc_surface_pass(wrc_surface* rail, wrc_surface* wheel, const wrc_surfac
   const abi::FloatingPointScope scope;
   abi::Meeting meeting;
   Fault fault = abi::first_of({abi::clear(exchange), abi::read_meeting(rail, wheel, laws, passage, meeting)});
+  const wrc::damage::Band* const round = wheel != nullptr ? &meeting.wheel : nullptr;
+  wrc::damage::FilmOutcome outcome;
   if (fault.failed()) return abi::finish(__func__, fault, text, size);
-  const wrc::damage::FilmOutcome outcome = wrc::damage::pass(
-      meeting.rail, wheel != nullptr ? &meeting.wheel : nullptr, meeting.laws, meeting.passage);
+  if (meeting.in_rows())
+    fault = abi::pass_in_rows(meeting, round, outcome);
+  else
+    outcome = wrc::damage::pass(meeting.rail, round, meeting.laws, meeting.passage, nullptr, 0);
+  if (fault.failed()) return abi::finish(__func__, fault, text, size);
   auto result = abi::empty<wrc_surface_exchange>();
   for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q)
     result.carried[q] = number(outcome.carried[q]) / wrc::damage::film_scale(q);

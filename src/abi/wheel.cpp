@@ -151,9 +151,10 @@ surface::RailMotion rail_of(const wrc_rail_state& checked) {
 /// Friction of a wheel on a rail. There is no contact frame that its zones could count from.
 Fault read_hosted_friction(const wrc_friction& ours, const contact::TangentialMethod& method,
                            contact::HostWheel& hosted) {
-  hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0;
+  RETURN_IF_FAILED(read_films(ours, "input.friction", method, hosted.films));
+  hosted.frictionless = ours.coefficient == 0.0 && ours.zone_count == 0 && ours.film_numbers == 0;
   if (hosted.frictionless) return {};
-  RETURN_IF_FAILED(read_friction(ours, "input.friction", method, hosted.friction));
+  RETURN_IF_FAILED(read_friction(ours, "input.friction", method, hosted.friction, Films::apart));
   if (hosted.friction.law.zones.count > 0 && hosted.friction.zone_frame == contact::ZoneFrame::contact)
     return Fault::unsupported("input.friction.zone_frame", {ours.zone_frame, ""},
                               "a wheel on a rail has no one contact frame: use WRC_ZONES_RAIL_PROFILE or "

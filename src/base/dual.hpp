@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "base/number.hpp"
 
@@ -39,8 +39,64 @@ void add(double factor, const double* a, double* sum) {
 
 }  // namespace pairwise
 
+/// Operators and functions of a number with derivatives by so many inputs: in memory (Dual), or in the
+/// registers of an instruction set (base/pack_dual.hpp). `made(value, f, of...)` is the number whose
+/// derivatives are f of those of others. A root of zero has derivative zero here, as its argument is then
+/// clipped or not used.
+template <class Number>
+struct DualOperators {
+  /// f(x) from its value and f'(x).
+  Number chain(double f, double slope) const {
+    return Number::made(
+        f, [slope](auto x) { return slope * x; }, static_cast<const Number&>(*this));
+  }
+
+  friend Number operator+(const Number& a, const Number& b) {
+    return Number::made(
+        a.value + b.value, [](auto x, auto y) { return x + y; }, a, b);
+  }
+  friend Number operator-(const Number& a, const Number& b) {
+    return Number::made(
+        a.value - b.value, [](auto x, auto y) { return x - y; }, a, b);
+  }
+  friend Number operator*(const Number& a, const Number& b) {
+    return Number::made(
+        a.value * b.value, [v = a.value, w = b.value](auto x, auto y) { return x * w + v * y; }, a, b);
+  }
+  friend Number operator/(const Number& a, const Number& b) {
+    const double inverse = 1.0 / b.value, q = a.value / b.value;
+    return Number::made(
+        q, [q, inverse](auto x, auto y) { return (x - q * y) * inverse; }, a, b);
+  }
+  friend Number& operator+=(Number& a, const Number& b) { return a = a + b; }
+
+  // With constants, which have nothing to carry.
+  friend Number operator+(double a, const Number& b) { return b.chain(a + b.value, 1.0); }
+  friend Number operator-(double a, const Number& b) { return b.chain(a - b.value, -1.0); }
+  friend Number operator*(double a, const Number& b) { return b.chain(a * b.value, a); }
+  friend Number operator+(const Number& a, double b) { return a.chain(a.value + b, 1.0); }
+  friend Number operator-(const Number& a, double b) { return a.chain(a.value - b, 1.0); }
+  friend Number operator*(const Number& a, double b) { return a.chain(a.value * b, b); }
+  friend Number operator/(const Number& a, double b) { return a.chain(a.value / b, 1.0 / b); }
+  friend Number operator-(const Number& a) { return a.chain(-a.value, -1.0); }
+
+  friend double value_of(const Number& a) { return a.value; }
+  friend Number root(const Number& a) {
+    const double r = wrc::root(a.value);
+    return a.chain(r, r > 0.0 ? 0.5 / r : 0.0);
+  }
+  friend Number magnitude(const Number& a) { return a.value < 0.0 ? -a : a; }
+  friend Number larger(const Number& a, const Number& b) { return a.value > b.value ? a : b; }
+  friend Number smaller(const Number& a, const Number& b) { return a.value < b.value ? a : b; }
+  friend Number select(bool which, const Number& yes, const Number& no) { return which ? yes : no; }
+};
+
 template <std::size_t n>
-struct Dual {
+struct Dual : DualOperators<Dual<n>> {
+  static constexpr std::size_t inputs = n;
+  template <std::size_t m>
+  using Few = Dual<m>;
+
   double value = 0.0;
   std::array<double, n> d{};
 
@@ -54,42 +110,11 @@ struct Dual {
     return x;
   }
 
-  /// f(x) from its value and f'(x).
-  Dual chain(double f, double slope) const {
-    return made(
-        f, [slope](auto x) { return slope * x; }, *this);
-  }
+  double derivative(std::size_t k) const { return d[k]; }
 
-  friend Dual operator+(const Dual& a, const Dual& b) {
-    return made(
-        a.value + b.value, [](auto x, auto y) { return x + y; }, a, b);
-  }
-  friend Dual operator-(const Dual& a, const Dual& b) {
-    return made(
-        a.value - b.value, [](auto x, auto y) { return x - y; }, a, b);
-  }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    return made(
-        a.value * b.value, [v = a.value, w = b.value](auto x, auto y) { return x * w + v * y; }, a, b);
-  }
-  friend Dual operator/(const Dual& a, const Dual& b) {
-    const double inverse = 1.0 / b.value, q = a.value / b.value;
-    return made(
-        q, [q, inverse](auto x, auto y) { return (x - q * y) * inverse; }, a, b);
-  }
-  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  /// Adds to the derivatives `factor` times those of x.
+  void add_derivatives(double factor, const Dual& x) { pairwise::add<n>(factor, x.d.data(), d.data()); }
 
-  // With constants, which have nothing to carry.
-  friend Dual operator+(double a, const Dual& b) { return b.chain(a + b.value, 1.0); }
-  friend Dual operator-(double a, const Dual& b) { return b.chain(a - b.value, -1.0); }
-  friend Dual operator*(double a, const Dual& b) { return b.chain(a * b.value, a); }
-  friend Dual operator+(const Dual& a, double b) { return a.chain(a.value + b, 1.0); }
-  friend Dual operator-(const Dual& a, double b) { return a.chain(a.value - b, 1.0); }
-  friend Dual operator*(const Dual& a, double b) { return a.chain(a.value * b, b); }
-  friend Dual operator/(const Dual& a, double b) { return a.chain(a.value / b, 1.0 / b); }
-  friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
-
- private:
   template <class F, class... Duals>
   static Dual made(double value, const F& f, const Duals&... of) {
     Dual r(value);
@@ -98,33 +123,13 @@ struct Dual {
   }
 };
 
-/// The functions the kernels use, for plain numbers and for numbers with derivatives alike. A root of zero
-/// has derivative zero here, as its argument is then clipped or not used.
-inline double value_of(double a) { return a; }
-template <std::size_t n>
-double value_of(const Dual<n>& a) {
-  return a.value;
-}
-template <std::size_t n>
-Dual<n> root(const Dual<n>& a) {
-  const double r = std::sqrt(a.value);
-  return a.chain(r, r > 0.0 ? 0.5 / r : 0.0);
-}
-template <std::size_t n>
-Dual<n> magnitude(const Dual<n>& a) {
-  return a.value < 0.0 ? -a : a;
-}
-template <std::size_t n>
-Dual<n> larger(const Dual<n>& a, const Dual<n>& b) {
-  return a.value > b.value ? a : b;
-}
-template <std::size_t n>
-Dual<n> smaller(const Dual<n>& a, const Dual<n>& b) {
-  return a.value < b.value ? a : b;
-}
-template <std::size_t n>
-Dual<n> select(bool which, const Dual<n>& yes, const Dual<n>& no) {
-  return which ? yes : no;
-}
+/// Numbers with derivatives by more than so many inputs.
+template <std::size_t n, class Number, class = void>
+inline constexpr bool has_more_inputs = false;
+template <std::size_t n, class Number>
+inline constexpr bool has_more_inputs<n, Number, std::enable_if_t<(Number::inputs > n)>> = true;
+
+/// The number itself, as decisions read it.
+WRC_IN_LOOP double value_of(double a) { return a; }
 
 }  // namespace wrc

@@ -2,12 +2,15 @@
 /// them (base/pack.hpp) and numbers with derivatives (base/dual.hpp) have their own.
 #pragma once
 
+#include "base/in_loop.hpp"
+
 namespace wrc {
 
-inline double root(double a) { return __builtin_sqrt(a); }  // the instruction: with every set the same bits
-inline double magnitude(double a) { return a < 0.0 ? -a : a; }
-inline double larger(double a, double b) { return a > b ? a : b; }
-inline double smaller(double a, double b) { return a < b ? a : b; }
-inline double select(bool which, double yes, double no) { return which ? yes : no; }
+// the instruction: with every set the same bits
+WRC_IN_LOOP double root(double a) { return __builtin_sqrt(a); }
+WRC_IN_LOOP double magnitude(double a) { return a < 0.0 ? -a : a; }
+WRC_IN_LOOP double larger(double a, double b) { return a > b ? a : b; }
+WRC_IN_LOOP double smaller(double a, double b) { return a < b ? a : b; }
+WRC_IN_LOOP double select(bool which, double yes, double no) { return which ? yes : no; }
 
 }  // namespace wrc

@@ -198,6 +198,21 @@ inline bool any_lane(NativeMask m) { return m; }
 
 #endif
 
+/// Columns of a matrix, or derivatives of a number, that are taken together: no more than four. In wider
+/// vectors many results would not be read.
+#if defined(__AVX512F__)
+using Columns = __m256d;
+inline Columns in_all_columns(double a) { return _mm256_set1_pd(a); }
+inline Columns load_columns(const double* from) { return _mm256_loadu_pd(from); }
+inline void store_columns(double* to, Columns a) { _mm256_storeu_pd(to, a); }
+#else
+using Columns = Native;
+inline Columns in_all_columns(double a) { return broadcast(a); }
+inline Columns load_columns(const double* from) { return load_lanes(from); }
+inline void store_columns(double* to, Columns a) { store_lanes(to, a); }
+#endif
+constexpr std::int32_t abreast = sizeof(Columns) / sizeof(double);
+
 constexpr std::int32_t native_lanes = sizeof(Native) / sizeof(double);
 constexpr std::int32_t lanes = 2 * native_lanes;
 

@@ -267,6 +267,7 @@ Fault take_bodies(const ModelOptions& options, double* arrays, void* surface, vo
                                        .radius = options.radius,
                                        .roller_curvature = options.roller_curvature,
                                        .material = options.material,
+                                       .coupling = options.coupling,
                                        .effusivities = options.effusivities,
                                        .influence = model.influence,
                                        .kernels = model.kernels,

@@ -68,7 +68,7 @@ struct ModelOptions {
   bool surface_memory = false;    ///< contacts of a wheel on a rail remember their tractions
   bool warm_start = false;        ///< does the strip half-space solver begin with the last solution?
   patch::Material material;       ///< combined
-  double coupling = 0.0;          ///< Kalker's K, which all methods leave out [-]
+  double coupling = 0.0;          ///< Kalker's K [-]
   double load_tolerance = 0.0;    ///< relative
   double gap_limit = 0.0;         ///< [m]
   double roller_curvature = 0.0;  ///< curvature of a rail that is a roller, at its profile's origin [1/m]

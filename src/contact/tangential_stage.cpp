@@ -139,6 +139,17 @@ tangential::RollingMemory memory_of(Contact& contact, const Patch& patch, double
     memory.slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
     memory.origin = contact.point.y_rail;
   }
+  // the patches beside it
+  const double middle = memory.y(0.5 * (patch.extent.y_min + patch.extent.y_max));
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    const Patch& other = contact.patch[k];
+    if (&other == &patch) continue;
+    const auto [low, high] = std::minmax({memory.y(other.extent.y_min), memory.y(other.extent.y_max)});
+    if (low < middle)
+      memory.below = std::max(memory.below, high);
+    else
+      memory.above = std::min(memory.above, low);
+  }
   memory.origin += memory.slope * patch.y_contact;
   return memory;
 }

@@ -8,6 +8,7 @@
 #include "contact/methods.hpp"
 #include "contact/wheel_placement.hpp"
 #include "surface/geometry/rail_direction.hpp"
+#include "surface/wrench/strip_rolling.hpp"
 
 namespace wrc::contact {
 namespace {
@@ -133,8 +134,11 @@ Fault place_wheel(const Contact& contact, const HostWheel& hosted, PlacedWheel& 
 
   // zones have coefficients of their own: then the one number only says that there is friction
   const tangential::FrictionLaw& law = hosted.friction.law;
-  problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 ? 1.0 : law.coefficient;
-  if (!law.is_one_number()) problem.law = &law;
+  const bool films = hosted.films.cells != nullptr;
+  problem.friction = hosted.frictionless ? 0.0 : law.zones.count > 0 || films ? 1.0 : law.coefficient;
+  if (!law.is_one_number() || films) problem.law = &law;
+  if (films) problem.films = &hosted.films;
+  problem.layer_of_strips = films && hosted.films.layered > 0.0;
   problem.zones_on_wheel = law.zones.count > 0 && hosted.friction.zone_frame == ZoneFrame::wheel;
   problem.slope_reduction = hosted.friction.slope_reduction;
   problem.slope = hosted.friction.slope;
@@ -188,7 +192,7 @@ Fault check_memory(const Model& model, const HostWheel& hosted) {
     return Fault::unsupported(
         "input.friction.temperature_law",
         "temperatures are those of steady rolling, which config.surface.memory does not solve");
-  if (hosted.friction.layer.present())
+  if (hosted.friction.layer.present() || hosted.films.layered > 0.0)
     return Fault::unsupported("input.friction.layer_thickness, layer_yield",
                               "config.surface.memory remembers tractions, not how far a layer has flowed");
   return {};
@@ -221,6 +225,11 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
 
   fault = check_memory(model, hosted);
   if (fault.failed()) return fault;
+  if (placed.problem.layer_of_strips && surface::rolls_by_region(*model.surface, placed.problem))
+    return Fault::unsupported(
+        "input.friction.film_rows",
+        "this tangential method rolls whole patches, which have one layer: let substances have none, or "
+        "choose WRC_TANGENTIAL_STRIP_FASTSIM or WRC_TANGENTIAL_FASTSIM");
 
   // solved as right-hand bodies
   HostWrench& result = contact.wheel;

@@ -26,11 +26,12 @@ struct HostWheel {
   double vertical_load = 0.0;  ///< [N]
   surface::SolutionStart from = surface::SolutionStart::anew;
   bool frictionless = true;
-  Friction friction;      ///< zones over the rail's y, in the caller's arrays
-  double damping = 0.0;   ///< alpha of normal/damping.hpp [s/m]
-  double distance = 0.0;  ///< reference point along the track, or from above a roller's axle [m]
-  double angle = 0.0;     ///< about the axle [rad]
-  double time = 0.0;      ///< since the committed step [s]
+  Friction friction;           ///< zones over the rail's y, in the caller's arrays
+  tangential::FilmRows films;  ///< in rows, on that friction; cells are the caller's, or there are none
+  double damping = 0.0;        ///< alpha of normal/damping.hpp [s/m]
+  double distance = 0.0;       ///< reference point along the track, or from above a roller's axle [m]
+  double angle = 0.0;          ///< about the axle [rad]
+  double time = 0.0;           ///< since the committed step [s]
 };
 
 /// Inputs that a wrench is differentiated by, as enum wrc_wrench_input. Roll and yaw are those of the axle.

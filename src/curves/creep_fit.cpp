@@ -189,7 +189,7 @@ class Fitter {
     for (int k = 0; k < count_; ++k) {
       const bool leaves = (u[at(k)] <= low_[at(k)] && gradient_[at(k)] > 0.0) ||
                           (u[at(k)] >= high_[at(k)] && gradient_[at(k)] < 0.0);
-      if (length_[at(k)] > 0.0 && !leaves) chosen.push_back(k);
+      if (length_[at(k)] > 0.0 && !leaves && k != fixed_) chosen.push_back(k);
     }
     return chosen;
   }
@@ -270,21 +270,62 @@ class Fitter {
       vague[k] = of.undetermined;
       of.at_limit = u[at(k)] <= low_[at(k)] || u[at(k)] >= high_[at(k)];
       of.deviation = of.undetermined ? std::numeric_limits<double>::infinity() : by_u[at(k)] * deviation;
-      const double reach = students_factor(freedom) * deviation, here = coordinate(k, of.value);
-      of.low = of.undetermined ? p.low : value(k, std::max(here - reach, low_[at(k)]));
-      of.high = of.undetermined ? p.high : value(k, std::min(here + reach, high_[at(k)]));
     }
+    for (const CurvePoint& point : problem_.points) fit_.adhesion.push_back(adhesion(fit_.law, point));
     for (int i = 0; i < count_; ++i)
       for (int k = 0; k < count_; ++k)
         if (!vague[i] && !vague[k])
           fit_.covariance[i][k] = variance * covariance[i][k] * by_u[at(i)] * by_u[at(k)];
-    for (const CurvePoint& point : problem_.points) fit_.adhesion.push_back(adhesion(fit_.law, point));
+    // intervals: ends of the profile of the sum, from those of the linear problem on
+    for (int k = 0; k < count_; ++k) {
+      CurveFit::Of& of = fit_.of[at(k)];
+      const double deviation = std::sqrt(variance * covariance[k][k]);
+      of.low = problem_.parameters[at(k)].low;
+      of.high = problem_.parameters[at(k)].high;
+      if (of.undetermined || !(deviation > 0.0)) continue;
+      const Profile profile{u, sum, variance, students_factor(freedom), deviation};
+      of.low = value(k, end_of(profile, k, -1.0));
+      of.high = value(k, end_of(profile, k, 1.0));
+    }
+  }
+
+  /// The smallest sum and its place; sigma^2, deviations that an interval reaches, and the linear deviation.
+  struct Profile {
+    const Vector& best;
+    double sum, variance, factor, deviation;
+  };
+
+  /// End of the interval of parameter k on one side: there the least sum, all other parameters free, has
+  /// grown by sigma^2 times the square of the factor.
+  double end_of(const Profile& profile, int k, double side) {
+    constexpr int most = 12, most_steps = 20;
+    constexpr double near = 1e-3;  // relative to the factor
+    const double limit = side < 0.0 ? low_[at(k)] : high_[at(k)];
+    const double range = side * (limit - profile.best[at(k)]);
+    double reach = profile.factor * profile.deviation;
+    Vector u = profile.best;
+    fixed_ = k;
+    for (int trial = 0; trial < most && reach < range; ++trial) {
+      u[at(k)] = profile.best[at(k)] + side * reach;
+      double sum = residuals(u, residual_), damping = 1e-3;
+      for (int step = 0; step < most_steps; ++step) {
+        find_slopes(u);
+        if (!improve(u, sum, damping)) break;
+      }
+      // deviations are nearly in proportion to the distance
+      const double found = std::sqrt(std::max(0.0, sum - profile.sum) / profile.variance);
+      if (std::abs(found - profile.factor) < near * profile.factor) break;
+      reach *= std::clamp(profile.factor / std::max(found, 1e-3), 0.4, 2.5);
+    }
+    fixed_ = -1;
+    return profile.best[at(k)] + side * std::min(reach, range);
   }
 
   contact::Contact& contact_;
   const CurveFitProblem& problem_;
   const int count_;
   Vector low_{}, high_{}, length_{}, gradient_{};
+  int fixed_ = -1;  ///< a parameter that keeps its value
   double normal_[most_parameters][most_parameters] = {};
   std::vector<double> slopes_, scatter_, residual_, below_, above_, tried_;
   CurveFit fit_;

@@ -120,7 +120,8 @@ class Way {
 struct Piece {
   const Band* band;
   Neighbours of;
-  double way;  ///< the body's, through the contact [m]
+  double way;      ///< the body's, through the contact [m]
+  double touched;  ///< share of the band's width that the contact covers
 };
 
 bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
@@ -142,7 +143,7 @@ void exchange(const FilmLaws& laws, const Piece (&piece)[2], FilmOutcome& outcom
       const Piece& mine = piece[body];
       for (int i = 0; i < 2; ++i) {
         FilmBin& bin = mine.band->bin(mine.of.bin[i]);
-        const double passed = mine.of.part[i] * way / mine.band->length;
+        const double passed = mine.of.part[i] * way / mine.band->length * mine.touched;
         const WholeNumber part = part_of(bin.sum[amount][q], spent(0.5 * laws.of[q].carry * passed));
         take(bin, q, carried, part, outcome.in_range);
         given[body] = plus(given[body], part);
@@ -196,15 +197,15 @@ void act(const FilmLaws& laws, const Piece& piece, double energy, const WholeNum
   for (int i = 0; i < 2; ++i) {
     FilmBin& bin = band.bin(piece.of.bin[i]);
     const double part = piece.of.part[i];
-    wear_off(laws, band, bin, energy * part / band.area(), piece.way * part / band.length, in_range);
+    wear_off(laws, band, bin, energy * part / band.area(), piece.way * part / band.length * piece.touched,
+             in_range);
     heat_up(laws, band, bin, parts[i], in_range);
   }
 }
 
-}  // namespace
-
-FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double from, double to) {
-  FilmOutcome outcome;
+/// Puts it on one row.
+void put_on_row(const Band& band, std::int32_t quantity, double per_area, double from, double to,
+                FilmOutcome& outcome) {
   Way way(band, from, to);
   const double scaled = per_area * band.width * (to - from) * film_scale(quantity);
   for (double at = 0.0; at < 1.0;) {
@@ -220,11 +221,11 @@ FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double
     at = end;
     way.step();
   }
-  return outcome;
 }
 
-FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage) {
-  FilmOutcome outcome;
+/// A wheel passes: one row of each body.
+void pass_rows(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage,
+               FilmOutcome& outcome) {
   const Band none{.count = 1};
   const Band& round = wheel != nullptr ? *wheel : none;
   Way along(rail, passage.from[0], passage.to[0]), about(round, passage.from[1], passage.to[1]);
@@ -234,9 +235,9 @@ FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, cons
     // a piece ends at the next middle or border of a bin of either body
     const double of_rail = along.next(), of_wheel = wheel != nullptr ? about.next() : 2.0;
     const double end = std::clamp(std::min(of_rail, of_wheel), at, 1.0), share = end - at;
-    const Piece piece[2] = {
-        {&rail, along.at(at, end), along.length() * share},
-        {wheel, wheel != nullptr ? about.at(at, end) : Neighbours{}, about.length() * share}};
+    const Piece piece[2] = {{&rail, along.at(at, end), along.length() * share, passage.touched[0]},
+                            {wheel, wheel != nullptr ? about.at(at, end) : Neighbours{},
+                             about.length() * share, passage.touched[1]}};
     const bool there[2] = {!along.beside(), wheel != nullptr && !about.beside()};
     outcome.beside = outcome.beside || along.beside() || (wheel != nullptr && about.beside());
     if (there[0] && there[1]) exchange(laws, piece, outcome);
@@ -255,13 +256,88 @@ FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, cons
     if (of_wheel <= end) about.step();
     at = end;
   }
+}
+
+constexpr std::int32_t most_rows = tangential::most_film_rows;
+
+/// Sums over the strips that touch a row of the rail and one of the wheel: shares of the energy, width [m].
+struct Touching {
+  double energy[most_rows][most_rows] = {}, width[most_rows][most_rows] = {};
+
+  double all() const {
+    double sum = 0.0;
+    for (const auto& row : width)
+      for (const double one : row) sum += one;
+    return sum;
+  }
+};
+
+void touch(const tangential::RowsAcross (&rows)[2], const TouchingStrip* strips, std::int32_t count,
+           Touching& touching) {
+  for (std::int32_t k = 0; k < count; ++k) {
+    const TouchingStrip& strip = strips[k];
+    const tangential::RowShares rail = tangential::row_shares(rows[0], strip.y[0], strip.half_width);
+    const tangential::RowShares wheel = tangential::row_shares(rows[1], strip.y[1], strip.half_width);
+    for (std::int32_t r = 0; r < rail.count; ++r)
+      for (std::int32_t w = 0; w < wheel.count; ++w) {
+        const double part = rail.share[r] * wheel.share[w];
+        touching.energy[rail.first + r][wheel.first + w] += part * strip.energy;
+        touching.width[rail.first + r][wheel.first + w] += part * strip.share * 2.0 * strip.half_width;
+      }
+  }
+}
+
+}  // namespace
+
+tangential::RowsAcross rows_across(const Band& band) {
+  return {static_cast<double>(band.rows), band.row_first + 0.5 * band.width, band.width};
+}
+
+FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double from, double to) {
+  FilmOutcome outcome;
+  for (std::int32_t k = 0; k < band.rows; ++k) put_on_row(band.row(k), quantity, per_area, from, to, outcome);
+  return outcome;
+}
+
+FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage,
+                 const TouchingStrip* strips, std::int32_t count) {
+  FilmOutcome outcome;
+  const std::int32_t across = wheel != nullptr ? wheel->rows : 1;
+  if (rail.rows == 1 && across == 1) {
+    pass_rows(rail, wheel, laws, passage, outcome);
+    return outcome;
+  }
+  // pairs of rows in the order of their places: each as one band that its strips' width covers
+  Touching touching;
+  touch({rows_across(rail), wheel != nullptr ? rows_across(*wheel) : tangential::RowsAcross{}}, strips, count,
+        touching);
+  const double whole_width = touching.all();
+  const auto covered = [&](const Band& band, double width) {
+    return band.rows == 1 ? width / whole_width : std::min(1.0, width / band.width);
+  };
+  double booked = 0.0;
+  for (std::int32_t r = 0; r < rail.rows; ++r)
+    for (std::int32_t w = 0; w < across; ++w) {
+      const double width = touching.width[r][w];
+      if (!(width > 0.0)) continue;
+      const Band of_rail = rail.row(r), of_wheel = wheel != nullptr ? wheel->row(w) : Band{};
+      Passage part = passage;
+      part.energy = passage.energy * touching.energy[r][w];
+      part.touched[0] = covered(rail, width);
+      part.touched[1] = wheel != nullptr ? covered(*wheel, width) : 0.0;
+      pass_rows(of_rail, wheel != nullptr ? &of_wheel : nullptr, laws, part, outcome);
+      booked += touching.energy[r][w];
+    }
+  // without strips that work, the energy is no row's
+  const WholeNumber beside = whole(passage.energy * std::max(0.0, 1.0 - booked) * film_scale(heat));
+  outcome.energy_beside = plus(outcome.energy_beside, beside);
   return outcome;
 }
 
 bool rest(const Band& band, const FilmLaws& laws, double duration) {
   bool in_range = true;
   const double cools = spent(duration / laws.cooling_time), dries = spent(duration / laws.drying_time);
-  for (std::int64_t k = 0; k < band.count; ++k) {
+  for (std::int64_t k = 0; k < band.all(); ++k) {
     FilmBin& bin = band.bin(k);
     take(bin, heat, removed, part_of(bin.sum[amount][heat], cools), in_range);
     take(bin, water, evaporated, part_of(bin.sum[amount][water], dries), in_range);
@@ -271,7 +347,7 @@ bool rest(const Band& band, const FilmLaws& laws, double duration) {
 
 bool merge(const Band& into, const Band& from) {
   bool in_range = true;
-  for (std::int64_t k = 0; k < into.count; ++k) {
+  for (std::int64_t k = 0; k < into.all(); ++k) {
     FilmBin& bin = into.bin(k);
     const FilmBin& other = from.bin(k);
     bin.overflow |= other.overflow;
@@ -282,57 +358,94 @@ bool merge(const Band& into, const Band& from) {
   return in_range;
 }
 
-FilmAt film_at(const Band& band, double place) {
-  FilmAt at;
+FilmsAt films_at(const Band& band, double place) {
+  FilmsAt at;
+  at.rows = band.rows;
   const Way way(band, place, place);
   const Neighbours of = way.at(0.0, 0.0);
   at.beside = way.beside();
-  for (int i = 0; i < 2; ++i) {
-    const FilmBin& bin = band.bin(of.bin[i]);
-    at.in_range = at.in_range && bin.overflow == 0;
-    for (std::int32_t q = 0; q < quantities; ++q) at.per_area[q] += of.part[i] * stored(bin, q) / band.area();
-  }
+  for (std::int32_t row = 0; row < band.rows; ++row)
+    for (std::int32_t q = 0; q < quantities; ++q) at.per_area[q][row] = 0.0;
+  for (int i = 0; i < 2; ++i)
+    for (std::int32_t row = 0; row < band.rows; ++row) {
+      const FilmBin& bin = band.bin(row * band.count + of.bin[i]);
+      at.in_range = at.in_range && bin.overflow == 0;
+      for (std::int32_t q = 0; q < quantities; ++q)
+        if (!nothing(bin.sum[amount][q])) {
+          at.per_area[q][row] += of.part[i] * stored(bin, q) / band.area();
+          at.lies[q] = true;
+        }
+    }
   return at;
 }
 
-FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, double clean) {
-  FilmFriction mixed;
-  const auto between = [&](std::int32_t q) { return rail.per_area[q] + wheel.per_area[q]; };
-  const auto covered = [&](std::int32_t q) {
-    return laws.of[q].cover > 0.0 ? std::min(1.0, between(q) / laws.of[q].cover) : 0.0;
-  };
-  // Water wets bare steel and the substances on it.
-  const double wet = covered(water);
-  const auto wetted = [&](double dry, std::int32_t q) { return dry + (laws.of[q].wet_friction - dry) * wet; };
-  // Means over the substances that cover: friction, softness and hardening, each substance by its share times
-  // its weight.
-  double bare = 1.0, weights = 0.0, friction = 0.0, softness = 0.0, hardening = 0.0;
-  for (std::int32_t q = water + 1; q < substances; ++q) {
-    const Substance& law = laws.of[q];
-    const double share = covered(q), weight = share * law.weight;
-    bare *= 1.0 - share;
-    weights += weight;
-    friction += weight * wetted(law.friction, q);
-    if (law.yield > 0.0) softness += weight / law.yield;
-    hardening += weight * law.hardening;
-    // Layers in series.
-    mixed.layered = mixed.layered || law.modulus > 0.0 || law.yield > 0.0;
-    if (!(law.modulus > 0.0)) continue;
-    const double thickness = between(q) / law.density;
-    mixed.thickness += thickness;
-    mixed.flexibility += thickness / law.modulus;
-  }
-  mixed.coefficient = wetted(clean, water);
-  if (!(weights > 0.0)) return mixed;
-  const double film = (1.0 - bare) / weights;
-  mixed.coefficient = bare * mixed.coefficient + film * friction;
-  mixed.softness = film * softness;
-  mixed.hardening = film * hardening;
-  return mixed;
+bool layered(const FilmLaws& laws) {
+  bool any = false;
+  for (std::int32_t q = water + 1; q < substances; ++q)
+    any = any || laws.of[q].modulus > 0.0 || laws.of[q].yield > 0.0;
+  return any;
 }
 
-double temperature(const FilmLaws& laws, const FilmAt& at, int body) {
-  return std::min(laws.ambient + at.per_area[heat] / laws.capacity[body], 2000.0);
+void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
+         FilmFriction* mixed) {
+  // one number for each row of the wheel; loops over them are vectors
+  const std::int32_t across = wheel.rows;
+  double wet[most_rows] = {}, bare[most_rows], weights[most_rows] = {}, friction[most_rows] = {},
+         softness[most_rows] = {}, hardening[most_rows] = {}, thickness[most_rows] = {},
+         flexibility[most_rows] = {};
+  const auto each = [&](const auto& work) {
+    for (std::int32_t w = 0; w < across; ++w) work(w);
+  };
+  const auto lies = [&](std::int32_t q) { return rail.lies[q] || wheel.lies[q]; };
+  const auto between = [&](std::int32_t q, std::int32_t w) {
+    return rail.per_area[q][row] + wheel.per_area[q][w];
+  };
+  const auto covered = [&](std::int32_t q, std::int32_t w) {
+    return std::min(1.0, between(q, w) / laws.of[q].cover);
+  };
+  // Water wets bare steel and the substances on it.
+  if (lies(water) && laws.of[water].cover > 0.0) each([&](std::int32_t w) { wet[w] = covered(water, w); });
+  each([&](std::int32_t w) { bare[w] = 1.0; });
+  // Means over the substances that cover: friction, softness and hardening, each substance by its share times
+  // its weight. Layers in series.
+  for (std::int32_t q = water + 1; q < substances; ++q) {
+    const Substance& law = laws.of[q];
+    if (!lies(q) || !(law.cover > 0.0)) continue;
+    each([&](std::int32_t w) {
+      const double share = covered(q, w), weight = share * law.weight;
+      bare[w] *= 1.0 - share;
+      weights[w] += weight;
+      friction[w] += weight * (law.friction + (law.wet_friction - law.friction) * wet[w]);
+    });
+    if (law.yield > 0.0)
+      each([&](std::int32_t w) {
+        const double weight = covered(q, w) * law.weight;
+        softness[w] += weight / law.yield;
+        hardening[w] += weight * law.hardening;
+      });
+    if (!(law.modulus > 0.0)) continue;
+    each([&](std::int32_t w) {
+      const double thick = between(q, w) / law.density;
+      thickness[w] += thick;
+      flexibility[w] += thick / law.modulus;
+    });
+  }
+  for (std::int32_t w = 0; w < across; ++w) {
+    const double film = weights[w] > 0.0 ? (1.0 - bare[w]) / weights[w] : 0.0;
+    mixed[w] = {bare[w],
+                wet[w],
+                film * friction[w],
+                thickness[w],
+                flexibility[w],
+                film * softness[w],
+                film * hardening[w]};
+  }
+}
+
+double temperature(const FilmLaws& laws, const FilmsAt& at, int body) {
+  double most = 0.0;
+  for (std::int32_t row = 0; row < at.rows; ++row) most = std::max(most, at.per_area[heat][row]);
+  return std::min(laws.ambient + most / laws.capacity[body], 2000.0);
 }
 
 }  // namespace wrc::damage

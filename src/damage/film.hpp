@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "damage/exact_sum.hpp"
+#include "tangential/friction/film_rows.hpp"
 
 namespace wrc::damage {
 
@@ -32,11 +33,21 @@ struct FilmBin {
 struct Band {
   double first = 0.0, length = 1.0, width = 0.02;  ///< [m]
   std::int64_t count = 0;
-  bool closed = false;  ///< the last bin is beside the first
+  bool closed = false;     ///< the last bin is beside the first
+  std::int32_t rows = 1;   ///< across, of `count` bins each
+  double row_first = 0.0;  ///< profile's y at which the first of several begins [m]
   FilmBin* bins = nullptr;
   std::int64_t stride = sizeof(FilmBin);  ///< from one bin of the caller to the next [bytes]
 
   double area() const { return length * width; }  ///< a bin's [m^2]
+  std::int64_t all() const { return count * rows; }
+  /// One of the rows.
+  Band row(std::int32_t k) const {
+    Band one = *this;
+    one.rows = 1;
+    if (bins != nullptr) one.bins = &bin(k * count);
+    return one;
+  }
   FilmBin& bin(std::int64_t k) const {
     return *reinterpret_cast<FilmBin*>(reinterpret_cast<char*>(bins) + k * stride);
   }
@@ -66,6 +77,15 @@ struct FilmLaws {
 struct Passage {
   double from[2] = {}, to[2] = {};  ///< distances along the rail and round the wheel [m]
   double energy = 0.0;              ///< frictional [J]
+  double touched[2] = {1.0, 1.0};   ///< shares of the bands' widths that the contact covers
+};
+
+/// A strip in contact: where it touches rail and wheel, by y of their profiles.
+struct TouchingStrip {
+  double y[2] = {};         ///< [m]
+  double half_width = 0.0;  ///< in y [m]
+  double energy = 0.0;      ///< its share of the frictional energy [-]
+  double share = 1.0;       ///< its length over that of the longest [-]
 };
 
 /// Outcome of a source or a passage.
@@ -77,14 +97,19 @@ struct FilmOutcome {
   WholeNumber energy_beside;
 };
 
+/// The rows as a strip's friction has them.
+tangential::RowsAcross rows_across(const Band& band);
+
 /// Largest number of bins that one call passes on a body.
 inline constexpr double most_passed = 1e5;
 
 /// Puts `per_area` of a quantity on a stretch of a band [kg/m^2, J/m^2].
 FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double from, double to);
 
-/// A wheel passes. `wheel`: nullptr: it carries nothing.
-FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage);
+/// A wheel passes. `wheel`: nullptr: it carries nothing. Bands with rows need the strips in contact: on each
+/// pair of rows act the strips, or parts of strips, that touch both.
+FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage,
+                 const TouchingStrip* strips, std::int32_t count);
 
 /// All bins cool and dry for a time [s]. False: a sum passed its range.
 bool rest(const Band& band, const FilmLaws& laws, double duration);
@@ -92,27 +117,45 @@ bool rest(const Band& band, const FilmLaws& laws, double duration);
 /// Adds bins of the same band. False: a sum passed its range.
 bool merge(const Band& into, const Band& from);
 
-/// Amounts at a place of a band.
-struct FilmAt {
-  double per_area[quantities] = {};  ///< [kg/m^2], heat [J/m^2]
+/// Amounts at a place of a band, row by row.
+struct FilmsAt {
+  std::int32_t rows = 1;
+  double per_area[quantities][tangential::most_film_rows];  ///< [kg/m^2], heat [J/m^2]
+  bool lies[quantities] = {};                               ///< on some row
   bool beside = false, in_range = true;
-};
-FilmAt film_at(const Band& band, double place);
 
-/// Friction and layer between two bodies.
+  FilmsAt() {
+    for (auto& amounts : per_area) amounts[0] = 0.0;
+  }
+};
+FilmsAt films_at(const Band& band, double place);
+
+/// Friction and layer between a row of the rail and one of the wheel.
 struct FilmFriction {
-  double coefficient = 0.0;
-  bool layered = false;      ///< some substance makes a layer: there is one even where nothing lies
+  double bare = 1.0;         ///< share of steel that no substance but water covers
+  double wet = 0.0;          ///< share that water covers
+  double friction = 0.0;     ///< the substances' part
   double thickness = 0.0;    ///< [m]
   double flexibility = 0.0;  ///< thickness over shear modulus [m/Pa]
   double softness = 0.0;     ///< 1 / traction at which it yields; 0: it does not [1/Pa]
   double hardening = 0.0;    ///< [Pa/m]
+
+  /// Friction on that of clean, dry steel; and the same as a share of it and an addition.
+  double coefficient(double clean, double wet_steel) const {
+    return bare * (clean + (wet_steel - clean) * wet) + friction;
+  }
+  double share() const { return bare * (1.0 - wet); }
+  double addition(double wet_steel) const { return bare * wet * wet_steel + friction; }
 };
 
-/// The mixing rule. `clean`: friction of bare, dry steel.
-FilmFriction mix(const FilmLaws& laws, const FilmAt& rail, const FilmAt& wheel, double clean);
+/// Does some substance make a layer? Then there is one even where nothing lies.
+bool layered(const FilmLaws& laws);
 
-/// Temperature of a surface [degC].
-double temperature(const FilmLaws& laws, const FilmAt& at, int body);
+/// The mixing rule, between a row of the rail and each row of the wheel.
+void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
+         FilmFriction* mixed);
+
+/// Temperature of a surface, that of its hottest row [degC].
+double temperature(const FilmLaws& laws, const FilmsAt& at, int body);
 
 }  // namespace wrc::damage

@@ -53,6 +53,7 @@ struct NearLinesTask;
 struct SectionStripsTask;
 struct OutlineTask;
 struct StripNumbersTask;
+struct StripNumbersSlopesTask;
 struct CellTask;
 struct CellExtremes;
 struct PointLoads;
@@ -108,6 +109,10 @@ struct TangentialKernels {
 struct SurfaceKernels {
   /// Fills the arrays from loads and means on.
   void (*strip_numbers)(const StripNumbersTask& task);
+  /// The same with derivatives, for strip FASTSIM: up to the means over neighbours; then, of any of the
+  /// strips, the numbers that march.
+  void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
+  void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, without the effect of a source on itself. `skewed`: not all centres are the same.
   void (*influence)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
@@ -118,13 +123,16 @@ struct SurfaceKernels {
   /// Sums of the same, seen from the edges of the sources.
   void (*edges)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                 const SurfaceEdges& edges);
-  /// influence and edges, source by source, with their derivatives.
+  /// influence and edges, source by source, with their derivatives. Edges: two points `x` of one place, with
+  /// `slopes` of each.
   void (*influence_slopes)(const SurfaceTables& tables, const SurfaceSources& sources,
                            const SurfacePoint& point, const SurfaceSlopes& slopes);
-  void (*edge_slopes)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfacePoint& point,
-                      const SurfaceSlopes& slopes);
+  void (*edge_slopes)(const SurfaceTables& tables, const SurfaceSources& sources, double place,
+                      const double* x, const SurfaceSlopes* slopes);
   void (*slopes_row)(const SlopesRowTask& task);
   void (*blend_rows)(const BlendRowsTask& task);
+  /// Four right-hand sides less the sums of row[c] times the solutions x[c], four each, c = first .. end - 1.
+  void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);

@@ -104,6 +104,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   model->rail_origin_z = bodies.rail_origin_z;
   model->roller_curvature = bodies.roller_curvature;
   model->material = bodies.material;
+  model->coupling = bodies.coupling;
   model->effusivities = bodies.effusivities;
   model->influence = bodies.influence;
   model->kernels = bodies.kernels;

@@ -46,6 +46,7 @@ struct SurfaceBodies {
   RadiusTable radius;             ///< without rows: the wheel is round
   double roller_curvature = 0.0;  ///< 1 / radius of a roller at its profile's origin; 0: a rail [1/m]
   patch::Material material;
+  double coupling = 0.0;  ///< Kalker's K [-]
   tangential::Effusivities effusivities;
   // These outlive the model:
   const normal::InfluenceTables* influence = nullptr;
@@ -70,6 +71,7 @@ static_assert(strips_of_a_rail(most_rail_faces) / most_rail_faces == most_strips
 struct SurfaceModel : SurfaceGeometry {
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
   patch::Material material;
+  double coupling = 0.0;  ///< Kalker's K [-]
   tangential::Effusivities effusivities;
   const normal::InfluenceTables* influence = nullptr;
   StripCoefficientTable coefficients;

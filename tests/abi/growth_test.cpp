@@ -202,7 +202,7 @@ TEST_F(WheelOfANewerHeader, SetsNoNumberThatIsKeptForLater) {
   for (const Kept& each : {Kept{&wheel.reserved[5], "input.wheel.reserved[5]"},
                            Kept{&rail.reserved[0], "input.rail.reserved[0]"},
                            Kept{&input.frame.reserved[1], "input.frame.reserved[1]"},
-                           Kept{&friction.reserved[5], "input.friction.reserved[5]"},
+                           Kept{&friction.reserved[3], "input.friction.reserved[3]"},
                            Kept{&friction.bulk.reserved[0], "input.friction.bulk.reserved[0]"}}) {
     for (const double value : {1.0, -5e-324}) {
       *each.number = value;

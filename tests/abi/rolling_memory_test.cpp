@@ -398,6 +398,51 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   wrc_model_destroy(model);
 }
 
+/// Lateral places of a pose after steps of rolling, by trial steps: strips leave and come back.
+TEST(RollingMemory, StripsThatLeaveAndReturnDoNotLeap) {
+  wrc_config config = test_config();
+  config.planar.non_steady = 1;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+  ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
+  ASSERT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
+  wrc_planar_input input = wrc_planar_input_default();
+  wrc_planar_output output = sized<wrc_planar_output>();
+  input.load.normal_force = 80e3;
+  input.pose.lateral = 3.5e-3;
+  input.creepage.longitudinal = 8e-4;
+  input.creepage.lateral = 5e-4;
+  const auto go = [&](double rolled) {
+    EXPECT_EQ(wrc_planar_roll(contact, rolled), WRC_OK);
+    EXPECT_EQ(wrc_planar_step(contact, &input, &output), WRC_OK);
+  };
+  for (int k = 0; k < 10; ++k) go(1e-3);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+  std::vector<std::byte> state(bytes);
+  ASSERT_EQ(wrc_contact_save(contact, state.data(), bytes), WRC_OK);
+  for (const double step : {1e-6, 20e-9}) {
+    wrc_planar_forces before{}, last{};
+    double largest = 0.0;
+    for (int k = 0; k < 600; ++k) {
+      ASSERT_EQ(wrc_contact_restore(contact, state.data(), bytes), WRC_OK);
+      input.pose.lateral = 3.5e-3 - 300 * step + step * k;
+      go(1e-3);
+      const wrc_planar_forces& now = output.forces;
+      if (k > 1)
+        largest = std::max(
+            largest, std::hypot(now.fx - 2.0 * last.fx + before.fx, now.fy - 2.0 * last.fy + before.fy));
+      before = last;
+      last = now;
+    }
+    EXPECT_LT(largest, 1e-3 * 0.3 * 80e3) << step;
+  }
+  wrc_contact_destroy(contact);
+  wrc_model_destroy(model);
+}
+
 TEST(RollingMemory, OfAPoseStaysWithTheRail) {
   wrc_config config = test_config();
   config.planar.non_steady = 1;

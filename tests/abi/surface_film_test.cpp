@@ -22,8 +22,9 @@ struct Band {
   std::vector<wrc_surface_bin> bin;
   wrc_surface surface = wrc_surface_default();
 
-  Band(uint32_t count, double length, uint32_t closed = 0) : bin(count) {
-    std::memset(bin.data(), 0, count * sizeof bin[0]);
+  Band(uint32_t count, double length, uint32_t closed = 0, uint32_t rows = 1) : bin(count * rows) {
+    std::memset(bin.data(), 0, bin.size() * sizeof bin[0]);
+    surface.rows = rows;
     surface.count = count;
     surface.length = length;
     surface.closed = closed;
@@ -68,7 +69,13 @@ wrc_surface_laws laws_of(const char* name = "low adhesion") {
 }
 
 wrc_surface_passage passage_of(double from, double to, double wheel_from, double wheel_to, double energy) {
-  return {sizeof(wrc_surface_passage), 0, from, to, wheel_from, wheel_to, energy};
+  auto passage = sized<wrc_surface_passage>();
+  passage.rail_from = from;
+  passage.rail_to = to;
+  passage.wheel_from = wheel_from;
+  passage.wheel_to = wheel_to;
+  passage.energy = energy;
+  return passage;
 }
 
 wrc_surface_exchange go(Band& rail, Band* wheel, const wrc_surface_laws& laws,
@@ -495,6 +502,245 @@ TEST(SurfaceFilm, DerivativesOfTheWrenchAreThoseOfItsFriction) {
   auto by = sized<wrc_wrench_derivatives>();
   EXPECT_GE(wrc_contact_wrench_derivatives(set.contact, &set.input, nullptr, &by), WRC_OK);
   EXPECT_NEAR(by.wrench[0][WRC_BY_FRICTION] / friction.coefficient, slope, 1e-4 * std::abs(slope));
+}
+
+// ------------------------------------------------------------------------------------------------ rows
+// across
+
+/// Rows of 5 mm: 14 on the rail from the gauge face on, 16 on the wheel from the flange on.
+struct Across {
+  Band rail{20, 1.0, 0, 14}, wheel{24, turn / 24, 1, 16};
+  wrc_surface_laws laws;
+  std::vector<double> numbers = std::vector<double>(WRC_FILM_NUMBERS(16, 16));
+  Wheelset set;
+
+  explicit Across(const char* name = "low adhesion") : laws(laws_of(name)) {
+    rail.surface.width = wheel.surface.width = 5e-3;
+    rail.surface.row_first = -36e-3;
+    wheel.surface.row_first = -45e-3;
+  }
+  /// A source on one row.
+  static void add(Band& band, uint32_t row, int32_t quantity, double amount) {
+    wrc_surface one = band.surface;
+    one.rows = 0;
+    one.bins += static_cast<std::size_t>(row) * one.count;
+    const double end = one.first + one.count * one.length;
+    EXPECT_EQ(wrc_surface_add(&one, quantity, amount, one.first, end, nullptr, 0), WRC_OK);
+  }
+  /// Films of unlike amounts in all rows of both bodies.
+  void lay_all() {
+    for (uint32_t k = 0; k < 14; ++k) add(rail, k, WRC_SURFACE_FILM, 0.002 + 0.005 * (k % 3));
+    for (uint32_t k = 0; k < 16; ++k) add(wheel, k, WRC_SURFACE_LUBRICANT, 4e-4 * (k % 4));
+    rail.add(WRC_SURFACE_WATER, 0.003, 0.0, 20.0);
+  }
+  wrc_surface_passage at(double place) {
+    wrc_surface_passage passage = passage_of(place, place, 0.3, 0.3, 0.0);
+    passage.film_rows = numbers.data();
+    passage.film_numbers = static_cast<uint32_t>(numbers.size());
+    passage.contact = set.contact;
+    return passage;
+  }
+  wrc_friction friction(double place = 7.3, const wrc_friction* base = nullptr) {
+    const wrc_surface_passage passage = at(place);
+    wrc_friction found{};
+    EXPECT_EQ(wrc_surface_friction(&rail.surface, &wheel.surface, &laws, &passage, base, &found, nullptr, 0),
+              WRC_OK);
+    return found;
+  }
+};
+
+TEST(SurfaceFilm, StripsHaveTheFrictionOfTheirRows) {
+  // rows of the rail alone, dry: friction is that of zones whose breakpoints are the middles of the rows
+  Across across;
+  std::vector<double> y(14), coefficient(14);
+  for (uint32_t k = 0; k < 14; ++k) {
+    const double share = 0.07 * k;
+    Across::add(across.rail, k, WRC_SURFACE_FILM, share * across.laws.film.cover);
+    y[k] = across.rail.surface.row_first + (k + 0.5) * across.rail.surface.width;
+    coefficient[k] = 0.3 + (across.laws.film.friction - 0.3) * share;
+  }
+  wrc_friction zones = wrc_friction_default();
+  zones.zone_y = y.data();
+  zones.zone_coefficients = coefficient.data();
+  zones.zone_count = 14;
+  zones.zone_frame = WRC_ZONES_RAIL_PROFILE;
+  const wrc_friction rows = across.friction();
+  for (const double lateral : {-4e-3, 0.0, 3e-3, 6e-3}) {
+    across.set.input.wheel.y = lateral;
+    const wrc_wrench a = across.set.solve(rows), b = across.set.solve(zones);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.force[i], b.force[i], 1e-9 * 55e3) << lateral;
+    EXPECT_NEAR(a.power, b.power, 1e-9 * b.power) << lateral;
+  }
+}
+
+TEST(SurfaceFilm, EqualRowsAreOneBand) {
+  // the same films in all rows, with layers: the wrench of one band
+  for (const char* name : {"low adhesion", "low adhesion, layers"}) {
+    Across across(name);
+    Band rail(20, 1.0);
+    for (Band* each : {&across.rail, &rail}) {
+      each->add(WRC_SURFACE_FILM, 0.006, 0.0, 20.0);
+      each->add(WRC_SURFACE_WATER, 0.002, 0.0, 20.0);
+    }
+    const wrc_wrench a = across.set.solve(across.friction());
+    const wrc_wrench b = across.set.solve(friction_at(rail, nullptr, across.laws, 7.3));
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.force[i], b.force[i], 1e-9 * 55e3) << name;
+    EXPECT_NEAR(a.power, b.power, 1e-9 * b.power) << name;
+  }
+}
+
+TEST(SurfaceFilm, ZonesStayBelowRows) {
+  // a clean rail leaves zones as they are, a film that covers all hides them
+  Across across;
+  const double y[] = {-10e-3, 10e-3}, coefficient[] = {0.1, 0.4};
+  wrc_friction zones = wrc_friction_default();
+  zones.zone_y = y;
+  zones.zone_coefficients = coefficient;
+  zones.zone_count = 2;
+  zones.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  const wrc_wrench clean = across.set.solve(zones);
+  EXPECT_NEAR(across.set.solve(across.friction(7.3, &zones)).force[0], clean.force[0], 1e-9 * 55e3);
+  across.rail.add(WRC_SURFACE_FILM, 1.0, 0.0, 20.0);
+  wrc_friction covered = wrc_friction_default();
+  covered.coefficient = across.laws.film.friction;
+  EXPECT_NEAR(across.set.solve(across.friction(7.3, &zones)).force[0], across.set.solve(covered).force[0],
+              1e-9 * 55e3);
+}
+
+TEST(SurfaceFilm, DerivativesWithRowsAreThoseOfDifferences) {
+  for (const char* name : {"low adhesion", "low adhesion, layers"}) {
+    Across across(name);
+    Wheelset& set = across.set;
+    across.lay_all();
+    const wrc_friction rows = across.friction();
+    set.input.wheel.y = 4.2e-3;
+    set.input.wheel.z = set.solve(rows).z;
+    set.input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    set.input.vertical_load = 0.0;
+    set.solve(rows);
+    auto by = sized<wrc_wrench_derivatives>();
+    EXPECT_GE(wrc_contact_wrench_derivatives(set.contact, &set.input, nullptr, &by), WRC_OK);
+    const double at = set.input.wheel.y, step = 2e-8;
+    set.input.wheel.y = at + step;
+    const wrc_wrench more = set.solve(rows);
+    set.input.wheel.y = at - step;
+    const wrc_wrench less = set.solve(rows);
+    for (int i = 0; i < 3; ++i) {
+      const double slope = (more.force[i] - less.force[i]) / (2.0 * step);
+      EXPECT_NEAR(by.wrench[i][WRC_BY_Y], slope, 2e-4 * std::abs(slope) + 1e3) << name << i;
+    }
+  }
+}
+
+TEST(SurfaceFilm, NothingJumpsAcrossTheRows) {
+  for (const char* name : {"low adhesion", "low adhesion, layers"}) {
+    Across across(name);
+    across.lay_all();
+    // adhesion: the force over the load, whose tolerance at real time is its own
+    const auto adhesion = [&](const wrc_friction& friction) {
+      const wrc_wrench wrench = across.set.solve(friction);
+      return wrench.force[0] / wrench.normal_force;
+    };
+    // pose over more than a row: 1 um and a tenth of it
+    const wrc_friction rows = across.friction();
+    const auto by_pose = [&](double t) {
+      across.set.input.wheel.y = -1e-3 + 1.5e-3 * t;
+      return adhesion(rows);
+    };
+    EXPECT_GT(refinement(by_pose, 15000), 8.0) << name;
+    // slip, and place along a film that ends
+    across.set.input.wheel.y = 1e-3;
+    const auto by_slip = [&](double t) {
+      across.set.input.wheel.pitch_rate = -20.0 / 0.46 * (1.02 - 0.1 * t);
+      return adhesion(rows);
+    };
+    EXPECT_GT(refinement(by_slip), 8.0) << name;
+    across.rail.add(WRC_SURFACE_OXIDE, 0.004, 6.4, 20.0);
+    EXPECT_GT(refinement([&](double t) { return adhesion(across.friction(5.0 + 3.0 * t)); }), 8.0) << name;
+  }
+}
+
+TEST(SurfaceFilm, RowsHaveTheEnergyOfTheirStrips) {
+  Across across;
+  across.lay_all();
+  const Band before = across.rail;
+  double energy = 0.0, place = 2.0;
+  for (int k = 0; k < 300; ++k) {
+    across.set.input.wheel.y = 5e-3 * std::sin(0.05 * k);
+    wrc_surface_passage passage = across.at(place);
+    passage.rail_to = passage.wheel_to = place += 0.04;
+    passage.wheel_from = passage.rail_from;
+    passage.energy = across.set.solve(across.friction(passage.rail_from)).power * 2e-3;
+    energy += passage.energy;
+    const wrc_surface_exchange exchange = go(across.rail, &across.wheel, across.laws, passage);
+    EXPECT_NEAR(exchange.rail_energy + exchange.wheel_energy + exchange.beside_energy, passage.energy,
+                1e-12 * passage.energy);
+  }
+  // books of all rows, of energy and of amounts that went over
+  expect_balanced(across.rail);
+  expect_balanced(across.wheel);
+  const auto both = [&](int32_t quantity, int32_t book) {
+    return across.rail.total(quantity, book) + across.wheel.total(quantity, book);
+  };
+  EXPECT_NEAR(both(WRC_SURFACE_HEAT, WRC_SURFACE_PUT_ON), energy, 1e-12 * energy);
+  for (int32_t q = 0; q < WRC_SURFACE_HEAT; ++q) EXPECT_EQ(both(q, WRC_SURFACE_CARRIED), 0.0) << q;
+  EXPECT_GT(across.wheel.total(WRC_SURFACE_FILM), 0.0);
+  // rows beside the contact are as they were, and copied bins go on with the same bits
+  const std::vector<double> then = before.values(WRC_SURFACE_FILM),
+                            now = across.rail.values(WRC_SURFACE_FILM);
+  int changed = 0;
+  for (uint32_t row = 0; row < 14; ++row) changed += now[row * 20 + 8] != then[row * 20 + 8] ? 1 : 0;
+  EXPECT_GT(changed, 2);
+  EXPECT_LT(changed, 12);
+  Band again[2] = {across.rail, across.rail}, tread[2] = {across.wheel, across.wheel};
+  for (int i = 0; i < 2; ++i) {
+    wrc_surface_passage passage = across.at(4.0);
+    passage.rail_to = 6.0;
+    passage.energy = 100.0;
+    go(again[i], &tread[i], across.laws, passage);
+  }
+  EXPECT_TRUE(again[0].same(again[1]));
+  EXPECT_TRUE(tread[0].same(tread[1]));
+}
+
+TEST(SurfaceFilm, WrongRowsAreToldInASentence) {
+  Across across;
+  char text[400];
+  wrc_friction friction{};
+  wrc_surface_passage passage = across.at(7.3);
+  const wrc_surface *rail = &across.rail.surface, *wheel = &across.wheel.surface;
+  const auto mixes = [&](const wrc_friction* base = nullptr) {
+    return wrc_surface_friction(rail, wheel, &across.laws, &passage, base, &friction, text, sizeof text);
+  };
+  passage.film_numbers = 100;
+  EXPECT_EQ(mixes(), WRC_ERROR_RANGE);
+  EXPECT_NE(std::string(text).find("WRC_FILM_NUMBERS"), std::string::npos) << text;
+  passage = across.at(7.3);
+  EXPECT_EQ(mixes(), WRC_OK);
+  const wrc_friction rows = friction;
+  EXPECT_EQ(mixes(&rows), WRC_ERROR_UNSUPPORTED);
+  EXPECT_NE(std::string(text).find("clean bodies"), std::string::npos) << text;
+  // a passage with rows needs a contact that was solved
+  EXPECT_EQ(
+      wrc_surface_pass(&across.rail.surface, nullptr, &across.laws, &passage, nullptr, text, sizeof text),
+      WRC_ERROR_SEQUENCE);
+  passage.contact = nullptr;
+  EXPECT_EQ(
+      wrc_surface_pass(&across.rail.surface, nullptr, &across.laws, &passage, nullptr, text, sizeof text),
+      WRC_ERROR_SEQUENCE);
+  EXPECT_NE(std::string(text).find("passage.contact"), std::string::npos) << text;
+  // numbers that no call has filled
+  auto wrench = sized<wrc_wrench>();
+  across.set.input.friction = rows;
+  across.numbers[0] = 3.5;
+  EXPECT_EQ(wrc_contact_wrench(across.set.contact, &across.set.input, &wrench), WRC_ERROR_RANGE);
+  across.numbers[0] = 14.0;
+  across.numbers[8] = 1.5;
+  EXPECT_EQ(wrc_contact_wrench(across.set.contact, &across.set.input, &wrench), WRC_ERROR_RANGE);
+  across.numbers[8] = nan_value;
+  EXPECT_EQ(wrc_contact_wrench(across.set.contact, &across.set.input, &wrench), WRC_ERROR_RANGE);
+  across.set.input.friction.film_rows = nullptr;
+  EXPECT_EQ(wrc_contact_wrench(across.set.contact, &across.set.input, &wrench), WRC_ERROR_NULL);
 }
 
 /// Each wrong call with a part of its sentence. Nothing is changed.

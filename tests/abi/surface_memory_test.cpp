@@ -142,6 +142,10 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
     friction.zone_coefficients = zone_coefficients;
     friction.zone_frame = WRC_ZONES_RAIL_PROFILE;
   };
+  const auto zones_of_the_wheel = [&] {
+    zones();
+    friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  };
   const auto damped = [&] {
     input.damping = 0.2;
     wheel.velocity[2] = 0.02;
@@ -150,8 +154,8 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
     rail.y_slope = 1e-3;
     rail.y_velocity = 2e-4;
   };
-  const std::function<void()> cases[] = {falling, zones, damped, aslant,
-                                         [&] { friction.slope_reduction = 0.5; }};
+  const std::function<void()> cases[] = {falling, zones,  zones_of_the_wheel,
+                                         damped,  aslant, [&] { friction.slope_reduction = 0.5; }};
   for (const bool roller : {false, true}) {
     config.roller_curvature = roller ? 2.0 : 0.0;
     for (std::size_t k = 0; k < (roller ? 1 : std::size(cases)); ++k) {
@@ -182,6 +186,235 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
       EXPECT_GE(next.power, 0.0);
     }
   }
+}
+
+/// A path of 1 mm steps at 2 m/s along the rail that the configuration has, in and after which the wrench is
+/// compared with that without memory.
+class MemoryAlongTrack : public SurfaceMemory {
+ protected:
+  MemoryAlongTrack() {
+    friction = wrc_friction_default();
+    config.surface.memory = 1;
+  }
+  void add_section(double distance, double y, double z, int32_t face = 0) {
+    wrc_rail_section section{};
+    section.distance = distance;
+    section.y = y;
+    section.z = z;
+    section.surface = face;
+    section.profile.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    sections.push_back(section);
+    config.rail_section_count = static_cast<uint32_t>(sections.size());
+    config.rail_sections = sections.data();
+    config.rail_section_size = sizeof sections[0];
+  }
+  /// A face that sinks 1:500 and one beside it that goes on: the wheel goes over from one to the other.
+  void give_crossing() {
+    for (int k = 0; k <= 12; ++k) add_section(0.5 * k, 0.0, 1e-3 * k);
+    for (int k = 0; k <= 12; ++k) add_section(0.5 * k, 48e-3, 0.0, 1);
+  }
+  /// The same wheel without memory.
+  struct Forgetful : PlacedWheel {
+    using PlacedWheel::config, PlacedWheel::create, PlacedWheel::error, PlacedWheel::input, PlacedWheel::step,
+        PlacedWheel::wrench;
+  };
+  /// Rolls from this distance to that one, under 80 kN; takes(without memory) after each step.
+  template <class Take>
+  void roll_along(double from, double to, Take&& take) {
+    create();
+    Forgetful other;
+    other.config = config;
+    other.config.surface.memory = 0;
+    other.create();
+    roll(2.0);
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    input.time_step = 0.0;
+    for (int k = 0; from + 1e-3 * k < to; ++k) {
+      input.distance = from + 1e-3 * k;
+      if (config.roundness.angle_count > 0) input.angle = input.distance / 0.46;
+      ASSERT_EQ(step(), WRC_OK) << error();
+      commit();
+      limit = friction.coefficient * wrench.normal_force;
+      other.input = input;
+      other.input.time_step = 0.0;
+      ASSERT_EQ(other.step(), WRC_OK) << other.error();
+      take(other.wrench);
+      input.time_step = 0.5e-3;
+    }
+  }
+  /// The largest difference to the steady force of a way before, once two lengths are rolled.
+  template <class Take>
+  double farthest_from_steady(double from, double to, int way, Take&& take) {
+    std::vector<wrc_wrench> steady;
+    double worst = 0.0;
+    roll_along(from, to, [&](const wrc_wrench& without) {
+      steady.push_back(without);
+      if (steady.size() > 40) worst = std::max(worst, apart(wrench, steady[steady.size() - 1 - way]));
+      take();
+    });
+    return worst;
+  }
+  /// Rolls on where it is, and expects the steady wrench.
+  void expect_steady() {
+    const wrc_wrench end = steady();
+    for (int k = 0; k < 50; ++k) go(0.5e-3);
+    EXPECT_LT(apart(wrench, end), 1e-3) << input.distance;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(wrench.moment[i], end.moment[i], 1e-3 * limit) << input.distance;
+  }
+
+  std::vector<wrc_rail_section> sections;
+};
+
+TEST_F(MemoryAlongTrack, EqualSectionsAreTheConstantRail) {
+  wheel.y = 4e-3;
+  std::vector<double> constant[2];
+  for (auto& path : constant) {
+    // the step of the wheel's place asks for a distance: without sections there is none
+    create();
+    roll(2.0);
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    for (int k = 0; k < 30; ++k) {
+      wheel.velocity[1] = k < 15 ? 1e-3 : -2e-3;
+      input.time_step = k == 0 ? 0.0 : 0.5e-3;
+      input.distance = sections.empty() ? 0.0 : 1e-3 * k;
+      ASSERT_EQ(step(), WRC_OK) << error();
+      commit();
+      path.push_back(wrench.force[0]);
+      path.push_back(wrench.force[1]);
+    }
+    for (const double at : {-20.0, -3.0, 10.0}) add_section(at, 0.0, 0.0);
+  }
+  for (std::size_t i = 0; i < constant[0].size(); ++i)
+    EXPECT_NEAR(constant[0][i], constant[1][i], 2e-3 * 0.3 * 80e3) << i;
+}
+
+TEST_F(MemoryAlongTrack, ACrossingIsTheSteadyOneOfShortlyBefore) {
+  give_crossing();
+  int on_first = 0, on_second = 0, on_both = 0;
+  const double worst = farthest_from_steady(0.6, 1.1, 2, [&] {
+    wrc_region region = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+    ++(wrench.region_count > 1 ? on_both : region.surface == 0 ? on_first : on_second);
+  });
+  EXPECT_LT(worst, 0.03);
+  EXPECT_GT(std::min({on_first, on_second, on_both}), 15);
+  for (const double at : {0.6, 0.82, 0.85, 0.92, 1.1}) {
+    input.distance = at;
+    input.time_step = 1.0;
+    ASSERT_EQ(step(), WRC_OK) << error();
+    commit();
+    expect_steady();
+    // trial steps of 6 to 6.4 mm, 1 um apart, which begin and leave contacts
+    wrc_wrench before{}, last{};
+    for (int k = 0; k < 400; ++k) {
+      input.distance = at + 6e-3 + 1e-6 * k;
+      const wrc_wrench& now = go(3e-3 + 0.5e-6 * k, false);
+      if (k > 1) {
+        EXPECT_LT(std::hypot(now.force[0] - 2.0 * last.force[0] + before.force[0],
+                             now.force[1] - 2.0 * last.force[1] + before.force[1]),
+                  1e-3 * limit)
+            << input.distance;
+      }
+      before = last;
+      last = now;
+    }
+  }
+}
+
+TEST_F(MemoryAlongTrack, AFaceThatWasLeftIsForgottenAtOnce) {
+  give_crossing();
+  input.distance = 0.9;
+  wrc_wrench of[2];
+  for (const bool was_on_other : {false, true}) {
+    create();
+    roll(2.0);
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
+    if (was_on_other) {
+      wheel.roll = -3e-3;  // on the first face alone
+      for (int k = 0; k < 20; ++k) go(1e-3);
+    }
+    wheel.roll = 6e-3;  // on the second
+    of[was_on_other ? 1 : 0] = go(1e-3);
+    wrc_region region = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+    EXPECT_EQ(region.surface, 1);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(of[0].force[i], of[1].force[i]);
+    EXPECT_EQ(of[0].moment[i], of[1].moment[i]);
+  }
+}
+
+TEST_F(MemoryAlongTrack, AWheelPutElsewhereAlongTheTrackBeginsAnew) {
+  give_crossing();
+  create();
+  roll(2.0);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  input.distance = 0.1;
+  go(1e-3);
+  const auto dropped = [&] { return (wrench.flags & WRC_FLAG_BIT(WRC_FLAG_MEMORY_DROPPED)) != 0U; };
+  input.distance = 0.1029;
+  EXPECT_EQ(step(), WRC_OK) << error();
+  input.distance = 0.2;
+  EXPECT_GT(step(), WRC_OK);
+  EXPECT_TRUE(dropped()) << error();
+  ReferenceWheel::expect_words(error(), {"place of the wheel", "input.time_step"});
+  input.time_step = 0.0;
+  EXPECT_EQ(step(), WRC_ERROR_RANGE);
+  ReferenceWheel::expect_words(error(), {"input.time_step", "wrc_contact_commit"});
+}
+
+TEST_F(MemoryAlongTrack, WheelsOutOfRoundAreTheSteadyOnesOfShortlyBefore) {
+  std::vector<double> angles, deviations;
+  for (int i = 0; i <= 720; ++i) {
+    angles.push_back(6.283185307179586 * i / 720);
+    deviations.push_back(5e-5 * std::cos(6.0 * angles.back()));
+  }
+  add_section(-1.0, 0.0, 0.0);
+  add_section(2.0, 0.0, 0.0);
+  config.roundness = {721, 1, angles.data(), nullptr, deviations.data(), {}};
+  wheel.y = 4e-3;
+  EXPECT_LT(farthest_from_steady(0.0, 0.7, 2, [] {}), 0.03);
+  expect_steady();
+}
+
+TEST_F(SurfaceMemory, ZonesOfTheWheelTravelWithIt) {
+  // a wheel that slides everywhere is put aside at rest: its zone of little friction comes with it
+  const double zone_y[] = {-1.0, 0.0, 1e-3, 1.0}, zone_coefficients[] = {0.1, 0.1, 0.4, 0.4};
+  friction.zone_count = 4;
+  friction.zone_y = zone_y;
+  friction.zone_coefficients = zone_coefficients;
+  friction.zone_frame = WRC_ZONES_WHEEL_PROFILE;
+  stand(3e-3);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  double lowest = 1.0, highest = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    rest();
+    wheel.velocity[0] = 0.05;
+    wheel.velocity[1] = -0.05;
+    wheel.y -= 0.05 * 1e-3;
+    const wrc_wrench& now = go(1e-3);
+    wrc_region region = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, 0, &region), WRC_OK);
+    std::vector<double> coefficients(static_cast<std::size_t>(region.strip_count));
+    ASSERT_EQ(wrc_contact_field(contact, 0, WRC_FIELD_STRIP_FRICTION, coefficients.data(),
+                                coefficients.size(), nullptr),
+              WRC_OK);
+    const double mean = std::hypot(region.longitudinal_force, region.lateral_force) / region.normal_force;
+    if (k < 10 || now.region_count > 1) continue;
+    const auto [least, most] = std::minmax_element(coefficients.begin(), coefficients.end());
+    EXPECT_GE(mean, *least * 0.97) << k;
+    EXPECT_LE(mean, *most * 1.001) << k << ": strips are curved, the normal force is a resultant";
+    lowest = std::min(lowest, *least);
+    highest = std::max(highest, *most);
+  }
+  EXPECT_LT(lowest, 0.11);
+  EXPECT_GT(highest, 0.39);
 }
 
 TEST_F(SurfaceMemory, RestsWithoutCreep) {
@@ -310,6 +543,36 @@ TEST_F(SurfaceMemory, StripsThatLeaveAndReturnDoNotLeap) {
     }
     before = last;
     last = now;
+  }
+}
+
+TEST_F(SurfaceMemory, RegionsThatVanishDoNotLeap) {
+  // rolled off its flange by a mrad within 4 mm, of which 1 urad is scanned
+  wheel.roll = -4e-3;
+  stand(3e-3);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 80e3;
+  roll(1.0);
+  wheel.velocity[1] = 3e-4;
+  for (int i = 0; i < 8; ++i) go(1e-3);
+  for (const double off : {150e-6, 1000e-6}) {
+    wrc_wrench before{}, last{};
+    int32_t fewest = 9, most = 0;
+    for (int i = 0; i < 60; ++i) {
+      wheel.roll = -4e-3 + off + 1e-6 * i;
+      const wrc_wrench& now = go(4e-3, false);
+      fewest = std::min(fewest, now.region_count);
+      most = std::max(most, now.region_count);
+      const double x = now.force[0] - 2.0 * last.force[0] + before.force[0],
+                   y = now.force[1] - 2.0 * last.force[1] + before.force[1];
+      if (i > 1) {
+        EXPECT_LT(std::hypot(x, y), 1e-3 * friction.coefficient * now.normal_force) << wheel.roll;
+      }
+      before = last;
+      last = now;
+    }
+    EXPECT_EQ(fewest, 1);
+    EXPECT_EQ(most, 2);
   }
 }
 

@@ -20,6 +20,9 @@ struct Options {
   bool list = false;                ///< print each case
   double smoothing = 4.5e-3;        ///< wrc_profile.smoothing of measured points with noise [m]
   double cell = 2e-4;               ///< of the exact solver [m]
+  double step = 1e-3;               ///< of a run along the track [m]
+  double exact_every = 0.0;         ///< distance at which a run asks the exact solver [m]; 0: never
+  std::string keep;                 ///< file from which an ended run goes on; empty: none
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
@@ -82,5 +85,9 @@ Report compare_exact_wheel(const Csv& file, const Options& options);
 /// the pose to the force. Each case has several settings of the reference. An error is the part that lies
 /// beyond all of them.
 Report compare_settings(const Csv& file, const Options& options);
+
+/// Runs along the rails of such files in small steps, each line of places a row: how many places are flagged
+/// or fail, the largest jumps, and real time against the exact solver.
+Report compare_runs(const Csv& file, const Options& options);
 
 }  // namespace compare

@@ -5,6 +5,8 @@
 ///   [--json]
 ///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
 ///   wrc_compare rollers|...|track FILE.csv [--case N[,N]] [--list] [--only VARIANT[,VARIANT]] [--cell MM] [--json]
+///   wrc_compare run FILE.csv [--step MM] [--exact MM] [--keep FILE] [--setting NAME] [--case N[,N]] [--list]
+///   [--json]
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
 #include <cstdio>
 #include <cstdlib>
@@ -25,21 +27,24 @@ struct Length {
   const char* name;
   double Options::*value;
 };
-constexpr Length none{nullptr, nullptr};
+struct Lengths {
+  Length each[3];
+};
+constexpr Lengths none{};
 
 /// A kind has variants to choose from, or cases along which a wheel on a rail is looked at.
 struct Kind {
   const char* name;
   Report (*variants)(const Csv&, const Names& only);
   Report (*cases)(const Csv&, const Options&);
-  Length length;  ///< that it takes
+  Lengths lengths;  ///< that it takes
   const char* columns;
   bool methods = false;  ///< --only names pairs of methods
 };
 
 /// One of the kinds whose cases have several settings of the reference; all have the same columns.
 constexpr Kind settings_kind(const char* name, const char* about) {
-  return {name, nullptr, compare::compare_settings, {"--cell", &Options::cell}, about, true};
+  return {name, nullptr, compare::compare_settings, {{{"--cell", &Options::cell}}}, about, true};
 }
 
 constexpr Kind kinds[] = {
@@ -70,7 +75,7 @@ constexpr Kind kinds[] = {
     {"wheelset",
      nullptr,
      compare::compare_wheelset,
-     {"--smoothing", &Options::smoothing},
+     {{{"--smoothing", &Options::smoothing}}},
      "those of wheelset_cases.csv or worn_cases.csv: pose to wrench, height prescribed",
      true},
     {"conformal", nullptr, compare::compare_conformal, none,
@@ -82,7 +87,7 @@ constexpr Kind kinds[] = {
     {"exact-wheel",
      nullptr,
      compare::compare_exact_wheel,
-     {"--cell", &Options::cell},
+     {{{"--cell", &Options::cell}}},
      "those of wheelset_cases.csv or conformal_cases.csv: the exact solver on the rail's surface"},
     settings_kind("rollers", "wheels on rollers"),
     settings_kind("materials", "wheel and rail of different materials"),
@@ -94,6 +99,11 @@ constexpr Kind kinds[] = {
     settings_kind("out_of_round", "wheels that are not round"),
     settings_kind("flat", "a wheel with a measured flat"),
     settings_kind("track", "rails that change along the track; also at the reference's height"),
+    {"run",
+     nullptr,
+     compare::compare_runs,
+     {{{"--cell", &Options::cell}, {"--step", &Options::step}, {"--exact", &Options::exact_every}}},
+     "those of track: each rail in small steps under the load of its first case, no reference needed"},
 };
 
 void usage(FILE* to) {
@@ -114,10 +124,14 @@ void usage(FILE* to) {
       "--setting NAME: resolution of the wheel on a rail, as in --setting 'real time' [default]\n"
       "--list: every case as well, with its error and forces\n"
       "--smoothing MM (wheelset): wave length for measured profiles with noise [4.5]\n"
-      "--cell MM (exact-wheel; rollers to track): cells of the exact solver [0.2]\n"
+      "--cell MM (exact-wheel; rollers to track; run): cells of the exact solver [0.2]\n"
       "rollers to track have the columns of tests/data/README.md, geometry beside FILE, and --only "
       "wrc_contact_wrench (the\n"
-      "        default), wrc_exact_wrench\n");
+      "        default), wrc_exact_wrench\n"
+      "run: -60 to 460 mm within each rail's sections, at 13 lateral places 1 mm apart:\n"
+      "--step MM: from place to place [1]\n"
+      "--exact MM: the exact solver beside it every so many mm [never]\n"
+      "--keep FILE: notes of lines and places done; a run that was ended goes on from them\n");
 }
 
 /// Refuses the command line.
@@ -144,6 +158,13 @@ bool number(const std::string& word, double& value) {
   char* end = nullptr;
   value = std::strtod(word.c_str(), &end);
   return end != word.c_str() && *end == '\0';
+}
+
+/// The length of a kind by its name on the command line; nullptr: it takes none of that name.
+const Length* length_of(const Kind& kind, const std::string& word) {
+  for (const Length& length : kind.lengths.each)
+    if (length.name && word == length.name) return &length;
+  return nullptr;
 }
 
 }  // namespace
@@ -179,9 +200,11 @@ int main(int argc, char** argv) {
         if (!number(word, value)) return misused("'" + word + "' is no number of a case");
         options.cases.push_back(static_cast<long>(value));
       }
-    } else if (kind->length.name && words[i] == kind->length.name && has_value) {
+    } else if (words[i] == "--keep" && kind->cases == compare::compare_runs && has_value) {
+      options.keep = words[++i];
+    } else if (const Length* const length = length_of(*kind, words[i]); length && has_value) {
       if (!number(words[++i], value)) return misused("'" + words[i] + "' is no length in mm");
-      options.*kind->length.value = 1e-3 * value;
+      options.*length->value = 1e-3 * value;
     } else {
       return misused("'" + words[i] + "' is no option of " + words[0] + ", or lacks its value");
     }

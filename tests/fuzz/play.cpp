@@ -229,10 +229,15 @@ class Case {
   /// A wheel over films: sources, passages and friction of any numbers; books balance, friction is some.
   void films() {
     where_ = "films";
-    std::vector<wrc_surface_bin> rail_bin(1 + choices_.below(30)), wheel_bin(1 + choices_.below(30));
+    std::vector<wrc_surface_bin> rail_bin, wheel_bin;
+    double across[WRC_FILM_NUMBERS(WRC_MOST_FILM_ROWS, WRC_MOST_FILM_ROWS)];
     wrc_surface rail = wrc_surface_default(), wheel = wrc_surface_default();
     for (const auto& [surface, bins] : {std::pair{&rail, &rail_bin}, std::pair{&wheel, &wheel_bin}}) {
-      surface->count = static_cast<std::uint32_t>(bins->size());
+      surface->count = static_cast<std::uint32_t>(1 + choices_.below(30));
+      if (choices_.one_in(2))
+        surface->rows = static_cast<std::uint32_t>(choices_.below(WRC_MOST_FILM_ROWS + 1));
+      surface->row_first = choices_.between(-0.1, 0.1);
+      bins->resize(std::size_t{surface->count} * std::max(1U, surface->rows));
       surface->length = choices_.magnitude(1e-3, 1e4);
       surface->first = choices_.signed_magnitude(1e-3, 1e3);
       surface->closed = choices_.below(2);
@@ -255,6 +260,9 @@ class Case {
       passage.wheel_from = choices_.signed_magnitude(1e-3, 1e4);
       passage.wheel_to = passage.wheel_from + choices_.signed_magnitude(1e-6, 1e3);
       passage.energy = choices_.one_in(12) ? choices_.poison() : choices_.magnitude(1e-9, 1e9);
+      passage.film_rows = across;
+      passage.film_numbers = static_cast<std::uint32_t>(std::size(across));
+      passage.contact = choices_.one_in(6) ? nullptr : contact_;
       wrc_friction friction = wrc_friction_default();
       wrc_surface* const rolls = choices_.one_in(6) ? nullptr : &wheel;
       film_status(wrc_surface_friction(&rail, rolls, &laws, &passage, nullptr, &friction, sentence_,

@@ -71,6 +71,10 @@ class Strips {
     }
     SurfaceRollingInput strips;
     strips.count = count;
+    RailStrips rail;
+    rail.s = rail_place_;
+    rail.ranges = 1;
+    rail.range[0] = {0, most, 0.0, 0.0, 0.0};
     strips.place = place_;
     strips.width = width_;
     strips.half_length = half_length_;
@@ -89,7 +93,7 @@ class Strips {
     const RememberingInput step{strips,
                                 along_,
                                 number_,
-                                rail_place_,
+                                rail,
                                 theory_,
                                 travel,
                                 rolled,

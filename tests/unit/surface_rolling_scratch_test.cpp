@@ -135,10 +135,11 @@ TEST(RollingScratch, ArraysLieApart) {
   constexpr int count = 5;
   std::vector<double> memory(static_cast<std::size_t>(rolling_doubles<double>(count)), 0.0);
   Arena arena(memory.data());
-  const RollingArrays r = cut_rolling_arrays<double>(arena, count);
+  const RollingArrays r = cut_rolling_arrays<double>(arena, count, count);
   std::vector<double*> arrays(std::begin(r.mean), std::end(r.mean));
-  for (double* p : {r.load, r.link, r.pivot, r.c11, r.c22, r.c23, r.own, r.bound, r.growth_x, r.growth_y,
-                    r.curvature, r.slip_x, r.slip_y, r.elastic, r.turn_x, r.turn_y, r.edge_x, r.edge_y})
+  for (double* p :
+       {r.load, r.link, r.pivot, r.c11, r.c22, r.c23, r.own, r.bound, r.growth_x, r.growth_y, r.curvature,
+        r.slip_x, r.slip_y, r.elastic, r.turn_x, r.turn_y, r.edge_x, r.edge_y, r.across})
     arrays.push_back(p);
   for (double* p : arrays) std::for_each(p, p + count, [](double& x) { x += 1.0; });
   EXPECT_EQ(std::count(memory.begin(), memory.end(), 1.0),

@@ -41,6 +41,30 @@ def test_bands_are_pickled_and_merged():
     assert copy.total("FILM") == 2.0 * rail.total("FILM")
 
 
+def test_rows_across():
+    rail, tread = wrc.Band(6, 1.0, width=6e-3, rows=10, row_first=-0.037), wrc.Band(24, 2.89 / 24, width=6e-3, closed=True, rows=10, row_first=-0.043)
+    rail.row(0).add("LUBRICANT", 0.05, 1.0, 5.0)
+    grease = rail.values("LUBRICANT")
+    assert grease.shape == (10, 6) and grease[0, 2] == pytest.approx(0.05) and not grease[1:].any()
+    assert pickle.loads(pickle.dumps(rail)).values("LUBRICANT")[0, 2] == grease[0, 2]
+    with pytest.raises(IndexError, match="row 10 of 10"):
+        rail.row(10)
+    contact, laws = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}).contact(), wrc.surface_laws()
+    data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=60e3, wheel={"velocity": (20.0, 0.0, 0.0), "pitch_rate": -20.0 / 0.46 * 0.95})
+    step, friction = wrc.SurfacePassage(rail_from=3.0, rail_to=3.5, wheel_to=0.5), {}
+    for shift in (0.0, 6.8e-3):  # tread and flange
+        data.wheel.y = shift
+        data.friction = wrc.surface_friction(rail, tread, laws, step)
+        wrench = contact.wrench(data)
+        friction[shift] = -wrench.force[0] / wrench.normal_force
+    assert friction[0.0] == pytest.approx(0.3, abs=1e-3) and 0.08 < friction[6.8e-3] < 0.2
+    with pytest.raises(wrc.Error, match="contact"):
+        wrc.surface_pass(rail, tread, laws, step)
+    step.energy = 100.0
+    wrc.surface_pass(rail, tread, laws, step, contact)
+    assert tread.total("LUBRICANT") > 0.0 and rail.total("LUBRICANT", "CARRIED") == -tread.total("LUBRICANT", "CARRIED")
+
+
 def test_a_sentence_says_why():
     rail, tread, laws, _ = passed()
     with pytest.raises(wrc.Error, match="a source puts on"):
@@ -103,3 +127,11 @@ def test_the_curve_comes_back_higher(example, tmp_path):
     assert found == pytest.approx(printed("curve")[1:], abs=0.00051)
     assert (np.diff(found) > 0.0).all()
     example.draw_curve(rig).savefig(tmp_path / "curve.png")
+
+
+def test_grease_goes_from_the_gauge_corner_to_the_tread(example, tmp_path):
+    rail, places, shifts, powers = example.lubricator(axles=9)
+    grease = rail.values("LUBRICANT")
+    assert (grease[1:3, 30] > 1e-6).all() and grease[1, 30] > grease[2, 30] > grease[4, 30] and grease[:, 0].max() < 1e-9
+    assert powers[8, places > 35.0].mean() < 0.9 * powers[0, places > 35.0].mean()  # the ninth axle finds grease 30 m on
+    example.draw_lubricator((rail, places, shifts, powers)).savefig(tmp_path / "lubricator.png")

@@ -24,6 +24,7 @@ ALL_REGIONS = -1
 DAMAGE_SUMS = 8
 CREEP_PARAMETERS = 10
 SURFACE_QUANTITIES = 6
+MOST_FILM_ROWS = 16
 SURFACE_BOOKS = 6
 
 
@@ -41,7 +42,7 @@ class Status(s.Choice):
     FLAG_BEYOND_GAP = 8, 'beyond what the gap or the profiles carry: continued with the last stiffness'
     FLAG_CLIMBING = 9, 'friction on a steep face lets no height carry the load, or several'
     FLAG_BEYOND_SECTIONS = 10, 'the rail has no section that far along the track: the nearest is used'
-    FLAG_DISSIMILAR_MATERIALS = 11, "different materials: Kalker's K, which couples pressure and traction, is left out"
+    FLAG_DISSIMILAR_MATERIALS = 11, "different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4"
     FLAG_SUM_OVERFLOW = 12, 'a sum of bins passed its range: what they hold is worthless'
     FLAG_FORCE_JUMPS = 13, 'a planar normal method on a patch of several lowest points: forces jump where the lowest changes'
     FLAG_ROTATION_TRANSPOSED = 14, 'the angular velocity lies along the axle of the transposed rotation: was its transpose given?'
@@ -80,7 +81,8 @@ class Flags(enum.IntFlag):
     BEYOND_GAP: beyond what the gap or the profiles carry: continued with the last stiffness
     CLIMBING: friction on a steep face lets no height carry the load, or several
     BEYOND_SECTIONS: the rail has no section that far along the track: the nearest is used
-    DISSIMILAR_MATERIALS: different materials: Kalker's K, which couples pressure and traction, is left out
+    DISSIMILAR_MATERIALS: different materials: of Kalker's K only the leading part is taken, or none: theory
+        manual, section 4
     SUM_OVERFLOW: a sum of bins passed its range: what they hold is worthless
     FORCE_JUMPS: a planar normal method on a patch of several lowest points: forces jump where the lowest
         changes
@@ -712,9 +714,9 @@ assert c.sizeof(Profile) == 80
 
 class Material(s.Struct):
     """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
-        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in
-        real time. Then Status.FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section
-        4.
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction,
+        Contact.wrench() takes the leading part (TangentialMethod.STRIP_FASTSIM without memory), else none.
+        Then Status.FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4.
 
     Members:
       shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)
@@ -827,7 +829,7 @@ class RailSection(s.Struct):
         continuously differentiable in the distance. Marks divide that length: points of equal mark belong
         together. A surface is there from its first section to its last; where the whole rail begins or ends
         its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
-        to 3 mm high. Height and force are continuous there, but up to 60 % too stiff:
+        to 14 mm high. Height and force are continuous there, the peak pressure is not solved:
         Status.FLAG_PATCH_AT_EDGE. A hollow that is curved more than the wheel is met on one of its sides:
         force and place leap where that changes. Theory manual, section 9.
 
@@ -1260,6 +1262,9 @@ class Friction(s.Struct):
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
       slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
           TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
+      film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills them;
+          of Contact.wrench() (-1e30 .. 1e30; default None)
+      film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)
     """
 
     _c_name_ = 'wrc_friction'
@@ -1287,6 +1292,8 @@ class Friction(s.Struct):
     layer_hardening: float
     adhesion_reduction: float
     slip_reduction: float
+    film_rows: Optional[np.ndarray] = s.Pointer('film_rows', 'film_numbers')  # type: ignore[assignment]
+    film_numbers: int = s.Count('film_numbers')  # type: ignore[assignment]
     _units_ = {'fall_rate': 's/m', 'half_speed': 'm/s', 'cold_temperature': 'degC', 'hot_temperature': 'degC', 'zone_y': 'm', 'layer_thickness': 'm', 'layer_modulus': 'Pa', 'layer_yield': 'Pa', 'layer_hardening': 'Pa/m'}
     _defaults_ = {'coefficient': 0.3, 'kinetic_ratio': 0.4, 'fall_rate': 0.6, 'half_speed': 1.0, 'hot_ratio': 0.5, 'hot_temperature': 400.0, 'slope_reduction': 1.0, 'slope_limit': 0.02, 'adhesion_reduction': 1.0, 'slip_reduction': 1.0}
     _fields_ = [
@@ -1313,7 +1320,10 @@ class Friction(s.Struct):
         ('layer_hardening', c.c_double),
         ('adhesion_reduction', c.c_double),
         ('slip_reduction', c.c_double),
-        ('_reserved', c.c_double * 6),
+        ('_film_rows', c.POINTER(c.c_double)),
+        ('_film_numbers', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('_reserved', c.c_double * 4),
     ]
 assert c.sizeof(Friction) == 240
 
@@ -3568,10 +3578,12 @@ class Surface(s.Struct):
       count: bins (1 .. 10000000; default 0)
       first [m]: distance at which the first bin begins (-1e9 .. 1e9; default 0)
       length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)
-      width [m]: of the running band (1e-3 .. 0.5; default 0.02)
+      width [m]: of the running band, or in y of each row (1e-3 .. 0.5; default 0.02)
       closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1;
           default 0)
-      bins: count of the caller, zeroed before the first use
+      bins: count of each row of the caller, one row behind the other, zeroed before the first use
+      rows: rows across; 0 or 1: one band that has the whole contact, wherever it is (0 .. 16; default 0)
+      row_first [m]: profile's y at which the first of several rows begins (-1 .. 1; default 0)
     """
 
     _c_name_ = 'wrc_surface'
@@ -3582,7 +3594,9 @@ class Surface(s.Struct):
     width: float
     closed: int
     bins: Optional[SurfaceBin] = s.Reference('bins', size='bin_size')  # type: ignore[assignment]
-    _units_ = {'first': 'm', 'length': 'm', 'width': 'm'}
+    rows: int
+    row_first: float
+    _units_ = {'first': 'm', 'length': 'm', 'width': 'm', 'row_first': 'm'}
     _defaults_ = {'width': 0.02}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -3593,8 +3607,11 @@ class Surface(s.Struct):
         ('closed', c.c_uint32),
         ('_bin_size', c.c_uint32),
         ('_bins', c.POINTER(SurfaceBin)),
+        ('rows', c.c_uint32),
+        ('_reserved0', c.c_uint32),
+        ('row_first', c.c_double),
     ]
-assert c.sizeof(Surface) == 48
+assert c.sizeof(Surface) == 64
 
 
 class Substance(s.Struct):
@@ -3728,6 +3745,9 @@ class SurfacePassage(s.Struct):
           default 0)
       wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)
       energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)
+      film_rows: memory of the caller for films in rows; None: none, for one row (default None)
+      film_numbers: numbers of film_rows (0 or 13 .. 1288; default 0)
+      contact: whose last wrench passes, for surface_pass() with rows; None: one row (default None)
     """
 
     _c_name_ = 'wrc_surface_passage'
@@ -3737,6 +3757,9 @@ class SurfacePassage(s.Struct):
     wheel_from: float
     wheel_to: float
     energy: float
+    film_rows: Optional[np.ndarray] = s.Pointer('film_rows')  # type: ignore[assignment]
+    film_numbers: int
+    contact: Any
     _units_ = {'rail_from': 'm', 'rail_to': 'm', 'wheel_from': 'm', 'wheel_to': 'm', 'energy': 'J'}
     _fields_ = [
         ('_struct_size', c.c_uint32),
@@ -3746,8 +3769,12 @@ class SurfacePassage(s.Struct):
         ('wheel_from', c.c_double),
         ('wheel_to', c.c_double),
         ('energy', c.c_double),
+        ('_film_rows', c.POINTER(c.c_double)),
+        ('film_numbers', c.c_uint32),
+        ('_reserved1', c.c_uint32),
+        ('contact', c.c_void_p),
     ]
-assert c.sizeof(SurfacePassage) == 48
+assert c.sizeof(SurfacePassage) == 72
 
 
 class SurfaceExchange(s.Struct):
@@ -3757,7 +3784,7 @@ class SurfaceExchange(s.Struct):
       carried [kg]: by SurfaceQuantity: from rail to wheel, less that from wheel to rail
       rail_energy [J]: frictional energy booked in the rail's bins
       wheel_energy [J]: the same in the wheel's bins
-      beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None
+      beside_energy [J]: the rest: beyond a rail's ends, of a wheel that is None, of a wrench without work
     """
 
     _c_name_ = 'wrc_surface_exchange'
@@ -3912,15 +3939,15 @@ class ContactCalls(_l.Handle):
         C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
             inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
             _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile, or of
-            a surface along the track. Or it lies more than 60 mm ahead or behind, where it is not looked for.
-            _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
-            config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
-            take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
-            planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
-            _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
-            zones in a contact frame; friction over temperature of a method without tractions; with
-            config.surface.memory friction over temperature and a layer.
+            a surface along the track. Or it lies more than 160 mm ahead or behind, where it is not looked
+            for. _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower
+            than 0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED:
+            with config.surface.memory the wheel moved, since the committed step, 1 mm further than its
+            velocities take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. -
+            _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or Status.ERROR_NULL,
+            _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model
+            without profiles; zones in a contact frame; friction over temperature of a method without
+            tractions; with config.surface.memory friction over temperature and a layer.
         """
         if out is None:
             out = Wrench._new()
@@ -3974,7 +4001,7 @@ class ContactCalls(_l.Handle):
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
         C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more strips in
-            contact than there is room for: 120 of the default widths, 80 at "real time".
+            contact than there is room for: 84 of the default widths, 56 at "real time".
         """
         if wrench is None:
             wrench = Wrench._new()
@@ -4588,6 +4615,7 @@ __all__ = [
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
     'SURFACE_QUANTITIES',
+    'MOST_FILM_ROWS',
     'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',

@@ -20,6 +20,7 @@ ALL_REGIONS: int
 DAMAGE_SUMS: int
 CREEP_PARAMETERS: int
 SURFACE_QUANTITIES: int
+MOST_FILM_ROWS: int
 SURFACE_BOOKS: int
 STATUS_TEXTS: Dict[int, str]
 STRUCTS: Dict[str, Type[s.Struct]]
@@ -53,7 +54,8 @@ class Status(s.Choice):
     FLAG_BEYOND_SECTIONS = 10
     """the rail has no section that far along the track: the nearest is used"""
     FLAG_DISSIMILAR_MATERIALS = 11
-    """different materials: Kalker's K, which couples pressure and traction, is left out"""
+    """different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4
+    """
     FLAG_SUM_OVERFLOW = 12
     """a sum of bins passed its range: what they hold is worthless"""
     FLAG_FORCE_JUMPS = 13
@@ -114,7 +116,8 @@ class Flags(enum.IntFlag):
     BEYOND_SECTIONS = 1024
     """the rail has no section that far along the track: the nearest is used"""
     DISSIMILAR_MATERIALS = 2048
-    """different materials: Kalker's K, which couples pressure and traction, is left out"""
+    """different materials: of Kalker's K only the leading part is taken, or none: theory manual, section 4
+    """
     SUM_OVERFLOW = 4096
     """a sum of bins passed its range: what they hold is worthless"""
     FORCE_JUMPS = 8192
@@ -610,9 +613,9 @@ class ProfileDict(TypedDict, total=False):
 
 class Material(s.Struct):
     """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
-        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K, which couples pressure and traction, is left out in
-        real time. Then Status.FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section
-        4.
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction,
+        Contact.wrench() takes the leading part (TangentialMethod.STRIP_FASTSIM without memory), else none.
+        Then Status.FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4.
     """
     shear_modulus: float
     """shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)"""
@@ -709,7 +712,7 @@ class RailSection(s.Struct):
         continuously differentiable in the distance. Marks divide that length: points of equal mark belong
         together. A surface is there from its first section to its last; where the whole rail begins or ends
         its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
-        to 3 mm high. Height and force are continuous there, but up to 60 % too stiff:
+        to 14 mm high. Height and force are continuous there, the peak pressure is not solved:
         Status.FLAG_PATCH_AT_EDGE. A hollow that is curved more than the wheel is met on one of its sides:
         force and place leap where that changes. Theory manual, section 9.
     """
@@ -1209,9 +1212,19 @@ class Friction(s.Struct):
     """slip_reduction: Polach's k_S: that factor where the patch slips, at most adhesion_reduction; of
         TangentialMethod.POLACH, which refuses 0 (0 or 0.001 .. 1; default 1)
     """
-    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> None:
+    @property
+    def film_rows(self) -> Optional[NDArray[np.float64]]:
+        """film_rows: films in rows across rail and wheel, film_numbers of them, as surface_friction() fills
+            them; of Contact.wrench() (-1e30 .. 1e30; default None)
+        """
+    @film_rows.setter
+    def film_rows(self, value: Optional[s.Floats]) -> None: ...
+    @property
+    def film_numbers(self) -> int:
+        """film_numbers: numbers of film_rows; 0: no rows (0 .. 1288; default 0)"""
+    def __init__(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ...) -> Friction:  # type: ignore[override]
+    def set(self, *, coefficient: float = ..., speed_law: FrictionSpeedLawLike = ..., temperature_law: FrictionTemperatureLawLike = ..., kinetic_ratio: float = ..., fall_rate: float = ..., half_speed: float = ..., hot_ratio: float = ..., cold_temperature: float = ..., hot_temperature: float = ..., bulk: Union[BulkTemperatures, BulkTemperaturesDict] = ..., slope_reduction: float = ..., slope_limit: float = ..., slope_fall: float = ..., zone_y: Optional[s.Floats] = ..., zone_coefficients: Optional[s.Floats] = ..., zone_frame: ZoneFrameLike = ..., layer_thickness: float = ..., layer_modulus: float = ..., layer_yield: float = ..., layer_hardening: float = ..., adhesion_reduction: float = ..., slip_reduction: float = ..., film_rows: Optional[s.Floats] = ...) -> Friction:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class FrictionDict(TypedDict, total=False):
@@ -1238,6 +1251,7 @@ class FrictionDict(TypedDict, total=False):
     layer_hardening: float
     adhesion_reduction: float
     slip_reduction: float
+    film_rows: Optional[s.Floats]
 
 class WheelState(s.Struct):
     """Where a wheel or wheelset is and how it moves, against the ground."""
@@ -3582,16 +3596,20 @@ class Surface(s.Struct):
     length: float
     """length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)"""
     width: float
-    """width [m]: of the running band (1e-3 .. 0.5; default 0.02)"""
+    """width [m]: of the running band, or in y of each row (1e-3 .. 0.5; default 0.02)"""
     closed: int
     """closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1; default
         0)
     """
     bins: Optional[SurfaceBin]
-    """bins: count of the caller, zeroed before the first use"""
-    def __init__(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> None:
+    """bins: count of each row of the caller, one row behind the other, zeroed before the first use"""
+    rows: int
+    """rows: rows across; 0 or 1: one band that has the whole contact, wherever it is (0 .. 16; default 0)"""
+    row_first: float
+    """row_first [m]: profile's y at which the first of several rows begins (-1 .. 1; default 0)"""
+    def __init__(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ..., rows: int = ..., row_first: float = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ...) -> Surface:  # type: ignore[override]
+    def set(self, *, count: int = ..., first: float = ..., length: float = ..., width: float = ..., closed: int = ..., bins: Optional[SurfaceBin] = ..., rows: int = ..., row_first: float = ...) -> Surface:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class SurfaceDict(TypedDict, total=False):
@@ -3602,6 +3620,8 @@ class SurfaceDict(TypedDict, total=False):
     width: float
     closed: int
     bins: Optional[SurfaceBin]
+    rows: int
+    row_first: float
 
 class Substance(s.Struct):
     """Laws of one substance: friction, layer, removal. With all members zero it lies there and has no effect.
@@ -3739,9 +3759,18 @@ class SurfacePassage(s.Struct):
     """wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)"""
     energy: float
     """energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)"""
-    def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> None:
+    @property
+    def film_rows(self) -> Optional[NDArray[np.float64]]:
+        """film_rows: memory of the caller for films in rows; None: none, for one row (default None)"""
+    @film_rows.setter
+    def film_rows(self, value: Optional[s.Floats]) -> None: ...
+    film_numbers: int
+    """film_numbers: numbers of film_rows (0 or 13 .. 1288; default 0)"""
+    contact: Any
+    """contact: whose last wrench passes, for surface_pass() with rows; None: one row (default None)"""
+    def __init__(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ..., contact: Any = ...) -> None:
         """The defaults, and what is given."""
-    def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ...) -> SurfacePassage:  # type: ignore[override]
+    def set(self, *, rail_from: float = ..., rail_to: float = ..., wheel_from: float = ..., wheel_to: float = ..., energy: float = ..., film_rows: Optional[s.Floats] = ..., film_numbers: int = ..., contact: Any = ...) -> SurfacePassage:  # type: ignore[override]
         """Sets members by name, nested structs by dicts of theirs, and gives the struct itself."""
 
 class SurfacePassageDict(TypedDict, total=False):
@@ -3751,6 +3780,9 @@ class SurfacePassageDict(TypedDict, total=False):
     wheel_from: float
     wheel_to: float
     energy: float
+    film_rows: Optional[s.Floats]
+    film_numbers: int
+    contact: Any
 
 class SurfaceExchange(s.Struct):
     """Amounts and energies that a passage moved."""
@@ -3764,7 +3796,8 @@ class SurfaceExchange(s.Struct):
     wheel_energy: float
     """wheel_energy [J]: the same in the wheel's bins"""
     beside_energy: float
-    """beside_energy [J]: the rest: share of a rail beyond its ends, and of a wheel that is None"""
+    """beside_energy [J]: the rest: beyond a rail's ends, of a wheel that is None, of a wrench without work
+    """
     def __init__(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> None:
         """The defaults, and what is given."""
     def set(self, *, carried: s.Floats = ..., rail_energy: float = ..., wheel_energy: float = ..., beside_energy: float = ...) -> SurfaceExchange:  # type: ignore[override]
@@ -3902,15 +3935,15 @@ class ContactCalls(_l.Handle):
         C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
             inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
             _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile, or of
-            a surface along the track. Or it lies more than 60 mm ahead or behind, where it is not looked for.
-            _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
-            config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
-            take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
-            planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
-            _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
-            zones in a contact frame; friction over temperature of a method without tractions; with
-            config.surface.memory friction over temperature and a layer.
+            a surface along the track. Or it lies more than 160 mm ahead or behind, where it is not looked
+            for. _MORE_PATCHES: more regions or strips than there is room for. - _CREEPAGES_LIMITED: slower
+            than 0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED:
+            with config.surface.memory the wheel moved, since the committed step, 1 mm further than its
+            velocities take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. -
+            _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or Status.ERROR_NULL,
+            _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model
+            without profiles; zones in a contact frame; friction over temperature of a method without
+            tractions; with config.surface.memory friction over temperature and a layer.
         """
     def mark(self) -> None:
         """Marks the contact's last solution of a wheel as accepted. Calls with Start.MARK start from it until
@@ -3943,7 +3976,7 @@ class ContactCalls(_l.Handle):
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
         C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more strips in
-            contact than there is room for: 120 of the default widths, 80 at "real time".
+            contact than there is room for: 84 of the default widths, 56 at "real time".
         """
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
         """One region of the contact's last solution: of the last Contact.wrench() or of the last stages of
@@ -4287,6 +4320,7 @@ __all__ = [
     'DAMAGE_SUMS',
     'CREEP_PARAMETERS',
     'SURFACE_QUANTITIES',
+    'MOST_FILM_ROWS',
     'SURFACE_BOOKS',
     'linear_coefficients',
     'shakedown_limit',

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _interface as i
 from . import _library as _l
+from .contact import Contact
 
 
 def _call(function: Callable[..., int], *arguments: Any) -> int:
@@ -24,14 +25,27 @@ class Band:
     """Running band of a rail along the track, or of a wheel round its tread (closed): wrc_surface of the C interface.
 
     count, length, first: bins, the length of one [m], distance at which the first begins [m]
-    width: of the band [m]; closed: the last bin is beside the first
+    width: of the band, or of each row [m]; closed: the last bin is beside the first
+    rows: across; 1: one band that has the whole contact; row_first: profile's y at which the first of several rows begins [m]
     """
 
-    def __init__(self, count: int, length: float, first: float = 0.0, width: float = 0.02, closed: bool = False):
-        self._told = count, length, first, width, closed
+    def __init__(self, count: int, length: float, first: float = 0.0, width: float = 0.02, closed: bool = False, rows: int = 1,
+                 row_first: float = 0.0):
+        self._told = count, length, first, width, closed, rows, row_first
         kind: Any = i.SurfaceBin
-        self._bins = (kind * count)()
-        self.struct = i.Surface(count=count, length=length, first=first, width=width, closed=int(closed), bins=self._bins)
+        self._bins = (kind * (count * rows))()
+        self.struct = i.Surface(count=count, length=length, first=first, width=width, closed=int(closed), bins=self._bins, rows=rows, row_first=row_first)
+
+    def row(self, number: int) -> "Band":
+        """One of the rows as a band over the same bins: for a source, or to read it."""
+        one, (count, length, first, width, closed, rows, _) = Band.__new__(Band), self._told
+        if not 0 <= number < rows:
+            raise IndexError(f"row {number} of {rows}")
+        kind: Any = i.SurfaceBin
+        one._told = count, length, first, width, closed, 1, 0.0
+        one._bins = (kind * count).from_buffer(self._bins, number * count * c.sizeof(kind))
+        one.struct = i.Surface(count=count, length=length, first=first, width=width, closed=int(closed), bins=one._bins)
+        return one
 
     @property
     def places(self) -> NDArray[np.float64]:
@@ -44,10 +58,10 @@ class Band:
         return self
 
     def values(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> NDArray[np.float64]:
-        """One column of the books of each bin, by default the amount, per area [kg/m^2, heat J/m^2]."""
+        """One column of the books of each bin, by default the amount, per area [kg/m^2, heat J/m^2]; of several rows an array each."""
         found = np.zeros(len(self._bins))
         _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), found, None)
-        return found
+        return found.reshape(self.struct.rows, -1) if self.struct.rows > 1 else found
 
     def total(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> float:
         """The same, summed over all bins [kg, heat J]."""
@@ -88,14 +102,25 @@ def surface_laws(name: str = "low adhesion", **members: Any) -> i.SurfaceLaws:
 
 def surface_friction(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage,
                      base: Optional[i.Friction] = None, out: Optional[i.Friction] = None) -> i.Friction:
-    """Friction and layer at the beginning of a passage, for wrc.WheelInput.friction. base: of clean, dry bodies."""
+    """Friction and layer at the beginning of a passage, for wrc.WheelInput.friction. base: of clean, dry bodies; it may have zones."""
     found = i.Friction() if out is None else out
+    rows = [band.struct.rows for band in (rail, wheel) if band is not None]
+    if max(rows) == 1 and (base is None or base.zone_count == 0):
+        _call(i._wrc_surface_friction, rail.struct, wheel and wheel.struct, laws, passage, base, found)
+        return found
+    across = np.zeros(8 + 5 * int(np.prod(rows)))
+    passage.film_rows, passage.film_numbers = across, across.size
     _call(i._wrc_surface_friction, rail.struct, wheel and wheel.struct, laws, passage, base, found)
+    passage.film_rows, passage.film_numbers = None, 0
+    found.film_rows = across  # which keeps it
     return found
 
 
-def surface_pass(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage) -> i.SurfaceExchange:
-    """A wheel passes and changes both bands. Gives the amounts and energies that were moved."""
+def surface_pass(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage,
+                 contact: Optional[Contact] = None) -> i.SurfaceExchange:
+    """A wheel passes and changes both bands. Gives the amounts and energies that were moved. contact: whose last wrench it is, for rows."""
     found = i.SurfaceExchange._new()
+    passage.contact = None if contact is None else contact._handle
     _call(i._wrc_surface_pass, rail.struct, wheel and wheel.struct, laws, passage, found)
+    passage.contact = None
     return found

@@ -826,7 +826,10 @@ struct Description<wrc_friction> {
       {.name = "layer_hardening", .offset = offsetof(wrc_friction, layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
       {.name = "adhesion_reduction", .offset = offsetof(wrc_friction, adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "slip_reduction", .offset = offsetof(wrc_friction, slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "film_rows", .offset = offsetof(wrc_friction, film_rows), .type = Type::pointer, .rule = Rule::range, .low = -1e30, .high = 1e30, .counted_by = offsetof(wrc_friction, film_numbers), .by_caller = true},
+      {.name = "film_numbers", .offset = offsetof(wrc_friction, film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1288},
+      {.name = "reserved0", .offset = offsetof(wrc_friction, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "reserved", .offset = offsetof(wrc_friction, reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_friction) == 240, "run tools/interface/describe.py");
@@ -983,7 +986,10 @@ struct Description<wrc_wheel_input> {
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_wheel_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
       {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_wheel_input, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slip_reduction", .offset = offsetof(wrc_wheel_input, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "friction.film_rows", .offset = offsetof(wrc_wheel_input, friction.film_rows), .type = Type::pointer, .rule = Rule::range, .low = -1e30, .high = 1e30, .counted_by = offsetof(wrc_wheel_input, friction.film_numbers), .by_caller = true},
+      {.name = "friction.film_numbers", .offset = offsetof(wrc_wheel_input, friction.film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1288},
+      {.name = "friction.reserved0", .offset = offsetof(wrc_wheel_input, friction.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "friction.reserved", .offset = offsetof(wrc_wheel_input, friction.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "vertical_load", .offset = offsetof(wrc_wheel_input, vertical_load), .type = Type::real, .rule = Rule::range, .low = 1e2, .high = 1e6, .unit = "N", .negative = "the load is positive where the rail pushes the wheel upwards", .too_small = "did you pass kN? near lift-off prescribe the height instead", .too_large = "did you pass a pressure, or grams?", .not_set = "was it set? WRC_PRESCRIBE_VERTICAL_LOAD needs it, and its default is 0", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_VERTICAL_LOAD, .otherwise = "no vertical load is prescribed, but the height or another quantity (set prescribed to use it); it is read with WRC_PRESCRIBE_VERTICAL_LOAD only: leave it 0"},
       {.name = "damping", .offset = offsetof(wrc_wheel_input, damping), .type = Type::real, .rule = Rule::range, .low = 0, .high = 10, .unit = "s/m", .negative = "damping takes energy out", .too_large = "it is not a viscous constant: that over 3/2 of the force it was found at", .asked = offsetof(wrc_wheel_input, prescribed), .asked_for = WRC_PRESCRIBE_HEIGHT, .otherwise = "a prescribed load is the whole load; it is read with WRC_PRESCRIBE_HEIGHT only: leave it 0"},
       {.name = "distance", .offset = offsetof(wrc_wheel_input, distance), .type = Type::real, .rule = Rule::range, .low = -1e7, .high = 1e7, .unit = "m", .too_small = "did you pass mm?", .too_large = "did you pass mm?"},
@@ -1439,7 +1445,10 @@ struct Description<wrc_planar_input> {
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_planar_input, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
       {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_planar_input, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slip_reduction", .offset = offsetof(wrc_planar_input, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "friction.film_rows", .offset = offsetof(wrc_planar_input, friction.film_rows), .type = Type::pointer, .rule = Rule::range, .low = -1e30, .high = 1e30, .counted_by = offsetof(wrc_planar_input, friction.film_numbers), .by_caller = true},
+      {.name = "friction.film_numbers", .offset = offsetof(wrc_planar_input, friction.film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1288},
+      {.name = "friction.reserved0", .offset = offsetof(wrc_planar_input, friction.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "friction.reserved", .offset = offsetof(wrc_planar_input, friction.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
   };
 };
 static_assert(!pointers_of_64_bits || sizeof(wrc_planar_input) == 456, "run tools/interface/describe.py");
@@ -2224,7 +2233,10 @@ struct Description<wrc_creep_curve> {
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_creep_curve, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
       {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_creep_curve, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slip_reduction", .offset = offsetof(wrc_creep_curve, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_creep_curve, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "friction.film_rows", .offset = offsetof(wrc_creep_curve, friction.film_rows), .type = Type::pointer, .rule = Rule::range, .low = -1e30, .high = 1e30, .counted_by = offsetof(wrc_creep_curve, friction.film_numbers), .by_caller = true},
+      {.name = "friction.film_numbers", .offset = offsetof(wrc_creep_curve, friction.film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1288},
+      {.name = "friction.reserved0", .offset = offsetof(wrc_creep_curve, friction.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "friction.reserved", .offset = offsetof(wrc_creep_curve, friction.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "parameters", .offset = offsetof(wrc_creep_curve, parameters), .type = Type::uint32, .rule = Rule::range, .low = 1, .high = 1023},
       {.name = "scatter", .offset = offsetof(wrc_creep_curve, scatter), .type = Type::int32, .rule = Rule::one_of, .enumeration = &enumerations::wrc_scatter},
       {.name = "max_iterations", .offset = offsetof(wrc_creep_curve, max_iterations), .type = Type::int32, .rule = Rule::range, .low = 1, .high = 1000},
@@ -2279,7 +2291,10 @@ struct Description<wrc_creep_fit> {
       {.name = "friction.layer_hardening", .offset = offsetof(wrc_creep_fit, friction.layer_hardening), .type = Type::real, .rule = Rule::range, .low = -1e13, .high = 1e14, .unit = "Pa/m"},
       {.name = "friction.adhesion_reduction", .offset = offsetof(wrc_creep_fit, friction.adhesion_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
       {.name = "friction.slip_reduction", .offset = offsetof(wrc_creep_fit, friction.slip_reduction), .type = Type::real, .rule = Rule::range, .low = 0.001, .high = 1, .or_zero = true, .too_large = "clean bodies have 1; did you pass per cent?"},
-      {.name = "friction.reserved", .offset = offsetof(wrc_creep_fit, friction.reserved), .type = Type::real, .elements = 6, .rule = Rule::zero},
+      {.name = "friction.film_rows", .offset = offsetof(wrc_creep_fit, friction.film_rows), .type = Type::pointer, .rule = Rule::range, .low = -1e30, .high = 1e30, .counted_by = offsetof(wrc_creep_fit, friction.film_numbers), .by_caller = true},
+      {.name = "friction.film_numbers", .offset = offsetof(wrc_creep_fit, friction.film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1288},
+      {.name = "friction.reserved0", .offset = offsetof(wrc_creep_fit, friction.reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "friction.reserved", .offset = offsetof(wrc_creep_fit, friction.reserved), .type = Type::real, .elements = 4, .rule = Rule::zero},
       {.name = "value", .offset = offsetof(wrc_creep_fit, value), .type = Type::real, .elements = 16, .rule = Rule::none},
       {.name = "deviation", .offset = offsetof(wrc_creep_fit, deviation), .type = Type::real, .elements = 16, .rule = Rule::none},
       {.name = "low", .offset = offsetof(wrc_creep_fit, low), .type = Type::real, .elements = 16, .rule = Rule::none},
@@ -2599,9 +2614,12 @@ struct Description<wrc_surface> {
       {.name = "closed", .offset = offsetof(wrc_surface, closed), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 1},
       {.name = "bin_size", .offset = offsetof(wrc_surface, bin_size), .type = Type::uint32, .rule = Rule::range, .low = first_size<wrc_surface_bin>(832), .high = 4096, .too_small = "say sizeof(wrc_surface_bin)", .too_large = "say sizeof(wrc_surface_bin)", .not_set = "was it set? its default is 0"},
       {.name = "bins", .offset = offsetof(wrc_surface, bins), .type = Type::pointer, .rule = Rule::none},
+      {.name = "rows", .offset = offsetof(wrc_surface, rows), .type = Type::uint32, .rule = Rule::range, .low = 0, .high = 16},
+      {.name = "reserved0", .offset = offsetof(wrc_surface, reserved0), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "row_first", .offset = offsetof(wrc_surface, row_first), .type = Type::real, .rule = Rule::range, .low = -1, .high = 1, .unit = "m"},
   };
 };
-static_assert(!pointers_of_64_bits || sizeof(wrc_surface) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface) == 64, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_substance> {
@@ -2753,9 +2771,13 @@ struct Description<wrc_surface_passage> {
       {.name = "wheel_from", .offset = offsetof(wrc_surface_passage, wheel_from), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
       {.name = "wheel_to", .offset = offsetof(wrc_surface_passage, wheel_to), .type = Type::real, .rule = Rule::range, .low = -1e9, .high = 1e9, .unit = "m"},
       {.name = "energy", .offset = offsetof(wrc_surface_passage, energy), .type = Type::real, .rule = Rule::range, .low = 0, .high = 1e9, .unit = "J", .negative = "frictional energy is wrc_wrench.power times the duration"},
+      {.name = "film_rows", .offset = offsetof(wrc_surface_passage, film_rows), .type = Type::pointer, .rule = Rule::none},
+      {.name = "film_numbers", .offset = offsetof(wrc_surface_passage, film_numbers), .type = Type::uint32, .rule = Rule::range, .low = 13, .high = 1288, .or_zero = true},
+      {.name = "reserved1", .offset = offsetof(wrc_surface_passage, reserved1), .type = Type::uint32, .rule = Rule::zero},
+      {.name = "contact", .offset = offsetof(wrc_surface_passage, contact), .type = Type::pointer, .rule = Rule::none},
   };
 };
-static_assert(!pointers_of_64_bits || sizeof(wrc_surface_passage) == 48, "run tools/interface/describe.py");
+static_assert(!pointers_of_64_bits || sizeof(wrc_surface_passage) == 72, "run tools/interface/describe.py");
 
 template <>
 struct Description<wrc_surface_exchange> {

@@ -236,10 +236,12 @@ inline void find_largest(StripOverX<double>& strip, double low, double high, Lar
 /// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
 /// A strip of overlap d and curvature kappa touches over root(d / kappa) to each side in a round contact.
 /// Shorter chords follow kinks of flats better, longer ones the curvature of crossings (accuracy_method.md).
+inline constexpr double contact_share = 0.75, least_contact_depth = 2e-6;  // [-], [m]
 template <class Number>
 Number half_contact(const Number& depth, const Number& curvature) {
-  constexpr double share = 0.75, least_depth = 2e-6, longest = 12e-3;  // [-], [m]
-  return smaller(root(share * (larger(depth, Number(0.0)) + least_depth)) / root(curvature), Number(longest));
+  constexpr double longest = 12e-3;  // [m]
+  return smaller(root(contact_share * (larger(depth, Number(0.0)) + least_contact_depth)) / root(curvature),
+                 Number(longest));
 }
 
 /// The overlap of a strip as a parabola: through the largest, and those half a contact to both sides of it.
@@ -253,6 +255,54 @@ void fit_parabola(const Number& largest, const Number& ahead, const Number& behi
   o.depth = largest + 0.5 * curvature * off * off;
   o.centre += off;
   o.curvature = curvature;
+}
+
+/// A strip of which the surface ends under the contact. Its overlap at t into the surface is d0 - s t - k/2
+/// t^2.
+template <class Number>
+struct OverlapAtEnd {
+  Number depth, slope, curvature;  ///< d0 [m], s [-], k [1/m]
+};
+
+/// Where and how a strip is pressed that its surface's end cuts off, as a whole strip of the same load. Plane
+/// contact of a length a from a sharp end on has the pressure E*/2 root((a - t) / t) (s + k (a/2 + t)). That
+/// gives the centre and the load of
+///     t_c = a/4 (s + k a) / (s + 3/4 k a),      curvature 4 s / a + 3 k at the half length a/2,
+/// which the whole contact has for s = -k a/2. `share`: that of half_contact(), which finds a from the
+/// overlap d0 - s a/4 at t_c.
+template <class Number>
+struct CutStrip {
+  Number middle, curvature;  ///< t_c [m], [1/m]
+  bool cut;                  ///< false: the contact ends before the surface does
+};
+template <class Number>
+CutStrip<Number> cut_strip(const OverlapAtEnd<Number>& o) {
+  const Number steep = (1.0 + 0.25 * contact_share) * o.slope, bent = 0.75 * o.curvature;
+  const Number deep = contact_share * (larger(o.depth, Number(0.0)) + least_contact_depth);
+  const Number length = 2.0 * deep / (steep + root(steep * steep + 4.0 * bent * deep));
+  const Number end = o.slope + o.curvature * length, load = o.slope + bent * length;
+  return {0.25 * length * end / load, 4.0 * load / length,
+          value_of(o.slope) > -0.5 * value_of(o.curvature) * value_of(length)};
+}
+
+/// Cuts a strip's parabola off at the end of its surface, `room` from the parabola's top; `way`: 1 ahead, -1
+/// behind. `steep`: by which the overlap falls from there into the surface where it is largest at the end
+/// [-]; the parabola then is that of the mirror image, through the overlap at `half` [m]. `least`: curvature
+/// [1/m].
+template <class Number>
+void cut_at_end(double way, const Number& room, const Number& steep, const Number& half, const Number& least,
+                StripOverlap<Number>& o) {
+  const Number curvature = larger(o.curvature - 2.0 * steep / half, least);
+  const OverlapAtEnd<Number> at_end{o.depth - 0.5 * curvature * room * room, steep - curvature * room,
+                                    curvature};
+  const CutStrip<Number> strip = cut_strip(at_end);
+  if (!strip.cut) return;
+  const Number t = strip.middle;
+  o.centre += way * (room - t);
+  o.depth = at_end.depth - t * (at_end.slope + 0.5 * curvature * t);
+  o.curvature = strip.curvature;
+  o.grade =
+      o.grade + way * (at_end.slope + curvature * t);  // the wheel's lean: it rolls over an end that rests
 }
 
 /// The end of a ray with its derivatives: two steps of Newton's method from the plain one.
@@ -319,8 +369,10 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
     depth_at(plain, found.x + way * value_of(half), there);
     side[k] = carried(s, s.start(x + way * half), there).depth;
   }
-  const Number room_ahead = smaller((Number(high) - x) / half, Number(1.0)),
-               room_behind = smaller((x - low) / half, Number(1.0));
+  const Number moved = value_of(distance) - distance;  // the ends, as the wheel sees them
+  const Number to_end[2] = {high + moved - x, x - low - moved};
+  const Number room_ahead = smaller(to_end[0] / half, Number(1.0)),
+               room_behind = smaller(to_end[1] / half, Number(1.0));
   const Number ahead = side[1] + room_ahead * (side[0] - side[1]),
                behind = side[0] + room_behind * (side[1] - side[0]);
   o.centre = x;
@@ -329,31 +381,43 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   o.wy = from.y + end.depth * s.ny;
   o.wz = from.z + end.depth * s.nz;
   o.grade = s.ny * from.slope_y + s.nz * from.slope_z;
-  if (at_end) o.grade = o.grade + over.slope;  // the wheel's lean: it rolls over an edge that rests
   fit_parabola(end.depth, ahead, behind, half, over.own, o);
+  const bool is_ahead = value_of(to_end[0]) < value_of(to_end[1]);
+  const Number room = is_ahead ? to_end[0] : to_end[1];
+  if (value_of(room) < value_of(half)) {
+    const double way = is_ahead ? 1.0 : -1.0;
+    const Number steep = at_end ? way * over.slope : Number(0.0);
+    cut_at_end(way, room - way * (o.centre - x), steep, half, least_curvature_left * over.own, o);
+  }
   return over.profile_y;
 }
 
-/// A place to begin at, and the overlap there.
+/// A place to begin at, and the overlap there [m].
 struct FirstLook {
-  double x, depth;       ///< [m]
-  double farther = 0.0;  ///< where there may be contact farther than farthest_along; 0: nowhere [m]
+  double x, depth;
 };
 
-/// As far ahead a flange is above the rail [m].
-inline constexpr double flange_above = 160e-3;
+/// Farther from the wheel than this the parabola below the axle is no guide: by 20 mm a flange has risen by
+/// less than half a millimetre [m].
+inline constexpr double near_axle = 20e-3;
 
-/// Is there contact farther along the track than farthest_along? `end`: of a ray of the strip below the
-/// wheel.
-inline bool touches_farther(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
-                            const RelativePose& pose, std::int32_t strip, const StripOverlap<double>& o,
-                            const FirstLook& look, const RayEnd<double>& end) {
-  const std::int32_t face = face_of(rail, strip);
-  const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
-  StripOverX<double> s{rail, wheel, pose, strip, placed.distance, placed.blend[face], o.ny, o.nz};
-  LargestOverlap found{look.farther, end};
-  find_largest(s, larger(extent.begin, -flange_above), smaller(extent.end, flange_above), found);
-  return magnitude(found.x) > farthest_along && found.end.depth > 0.0;
+/// The best of places 10 mm apart along the track, by rays from place to place from below the axle to `from`
+/// and on from there as long as the overlap grows, else back. `end`: of the ray below the axle.
+inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
+                                  RayEnd<double> end) {
+  const double way = from < 0.0 ? -1.0 : 1.0;
+  for (double x = near_axle; x < magnitude(from); x += near_axle) depth_at(strip, way * x, end);
+  LargestOverlap found{from, end};
+  depth_at(strip, from, found.end);
+  for (const double step : {way * place_apart, -way * place_apart}) {
+    end = found.end;
+    for (double x = from + step; x >= low && x <= high; x += step) {
+      if (!(depth_at(strip, x, end) > found.end.depth)) break;
+      found = {x, end};
+    }
+    if (found.x != from) break;
+  }
+  return found;
 }
 
 /// The place where the overlap is largest of those along the track, or between these, by the strip's
@@ -379,23 +443,15 @@ inline FirstLook look_along(const PlacedRail& placed, const VaryingRail& rail, s
     depth[k] = depth_at_place(place);
     if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
   }
+  // a face may end nearer to the wheel than those are
+  for (const PlaceWeights& end : placed.end[face]) {
+    if (!(magnitude(end.x) < farthest_along)) continue;
+    const double here = depth_at_place(end);
+    if (best < 0 || here > depth[best]) return {end.x, here};
+  }
   if (best < 0) return {middle, depth_at_place(place_at(rail, rail.face[face], placed.distance, middle))};
   const double at = placed.place[face][best].x;
-  if (best == 0 || best + 1 == track_places) {
-    // and on, as long as the overlap grows
-    const double step = best == 0 ? -place_apart : place_apart;
-    const FaceExtent extent = extent_of(rail, rail.face[face], placed.distance);
-    FirstLook look{at, depth[best]};
-    double x = at, farther = depth[best];
-    while (magnitude(x + step) < flange_above && extent.holds(x + step)) {
-      const double next = depth_at_place(place_at(rail, rail.face[face], placed.distance, x + step));
-      if (!(next > farther)) break;
-      farther = next;
-      x += step;
-    }
-    if (x != at && farther > 0.0) look.farther = x;
-    return look;
-  }
+  if (best == 0 || best + 1 == track_places) return {at, depth[best]};
   // top of the parabola through the three
   const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
                bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];

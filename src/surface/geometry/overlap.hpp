@@ -58,8 +58,7 @@ using RelativePose = RelativePoseOf<double>;
 /// Strips that may be in contact, by increasing arc length, each in its own frame: the table above.
 struct Overlaps {
   std::int32_t capacity = 0, count = 0;
-  bool full = false;    ///< more strips than `capacity` may overlap
-  bool beyond = false;  ///< some may overlap farther along the track than is looked (along_track.hpp)
+  bool full = false;              ///< more strips than `capacity` may overlap
   std::int32_t* strip = nullptr;  ///< number of the rail's strip
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;

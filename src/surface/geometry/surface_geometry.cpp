@@ -57,10 +57,9 @@ struct FollowedStrip : StripOverlap<double> {
   RayEnd<double> end;
 };
 
-/// Adds all that varies to the overlap of one strip. Returns whether it is deeper than -margin then. `beyond`
-/// becomes true where contact lies farther along the track than is solved.
+/// Adds all that varies to the overlap of one strip. Returns whether it is deeper than -margin then.
 bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                  std::int32_t strip, double angle, double margin, FollowedStrip& o, bool& beyond) {
+                  std::int32_t strip, double angle, double margin, FollowedStrip& o) {
   const Curve& wheel = surfaces.wheel.curve;
   const bool round = surfaces.out_of_round.rows == 0;
   double y = 0.0;
@@ -68,10 +67,13 @@ bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const
     // strips that stay clear of the margin by a first look are no candidates
     constexpr double looks_within = 0.2e-3;  // [m]
     const FirstLook look = look_along(rail, surfaces.varying, strip, o);
-    beyond = beyond || (look.farther != 0.0 &&
-                        touches_farther(rail, surfaces.varying, wheel, pose, strip, o, look, o.end));
-    if (!(look.depth > -margin - looks_within - surfaces.out_of_round.largest)) return false;
     LargestOverlap found{look.x, {o.end.piece, o.end.u, look.depth}};
+    if (magnitude(look.x) > near_axle) {
+      const std::int32_t face = face_of(surfaces.varying, strip);
+      StripOverX<double> s{surfaces.varying, wheel, pose, strip, rail.distance, rail.blend[face], o.ny, o.nz};
+      found = climb_along(s, rail.low[face], rail.high[face], look.x, o.end);
+    }
+    if (!(found.end.depth > -margin - looks_within - surfaces.out_of_round.largest)) return false;
     y = follow_rail<double>(rail, surfaces.varying, wheel, pose, strip, rail.distance, found, o);
     o.end = found.end;
   } else if (!round) {
@@ -98,7 +100,7 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   for (std::int32_t i = 0; i < o.count; ++i) {
     FollowedStrip s{strip_of(o, i), {o.piece[i], o.u[i], o.depth[i]}};
     s.grade = 0.0;
-    if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s, o.beyond)) continue;
+    if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s)) continue;
     o.strip[kept] = o.strip[i];
     o.piece[kept] = s.end.piece;
     o.u[kept] = s.end.u;

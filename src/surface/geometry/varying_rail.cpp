@@ -387,6 +387,8 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   for (std::int32_t k = 0; k < track_places; ++k) {
     placed.place[f][k] = place_at(rail, face, placed.distance, place_apart * (k - places_to_a_side));
   }
+  placed.end[f][0] = place_at(rail, face, placed.distance, placed.low[f]);
+  placed.end[f][1] = place_at(rail, face, placed.distance, placed.high[f]);
 }
 
 /// The most that overlaps of a face's strips grow along the track, of a wheel that may be nearest up to
@@ -394,18 +396,48 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
 void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, PlacedRail& placed,
                 double* gain) {
   constexpr std::int32_t every = 16;
-  constexpr double askew = 15e-3;  // [m]
+  constexpr double askew = 15e-3, apart = 2.0 * place_apart;  // [m]
+  // steeper strips meet no wheel that far ahead, where the flange's tip has risen: normal's vertical part [-]
+  constexpr double steepest_far = 0.2;
   const RailFace& face = rail.face[f];
   const std::int32_t end = face.first + face.strips;
+  constexpr double last = (places_to_a_side - 0.5) * place_apart;  // [m]
+  // the flange's root is hollow: far from the axle overlaps grow as a gauge corner slides along it
+  constexpr double hollow = 13e-3, corner = 0.9,
+                   most_hollow = 2e-3;  // radius [m]; vertical part of normals; [m]
+  const auto gain_at = [&](std::int32_t j, const PlaceWeights& place) {
+    // rise of the strip along its normal, less that of the wheel; the way along its tangent
+    const double off = larger(magnitude(place.x) - askew, 0.0), raised = 0.5 * off * off / wheel_radius;
+    const double y = place_of(rail, place, j, 0) - placed.y[j], z = place_of(rail, place, j, 1) - placed.z[j];
+    const double ty = placed.ty[j], tz = placed.tz[j];
+    const double along = ty * y + tz * (z + raised);
+    const double deeper = ty > steepest_far && ty < corner && magnitude(place.x) > last
+                              ? smaller(0.5 * along * along / hollow, most_hollow)
+                              : 0.0;
+    return tz * y - ty * z - larger(ty, 0.0) * raised + deeper;
+  };
+  // a face that is not below the axle counts from its nearer end on
+  const double low = placed.low[f], high = placed.high[f];
+  const double nearest = smaller(larger(0.0, low), high);
   const auto gain_of = [&](std::int32_t j) {
-    double most = 0.0;
-    for (const PlaceWeights& place : placed.place[f]) {
-      if (place.x < placed.low[f] - place_apart || place.x > placed.high[f] + place_apart) continue;
-      // rise of the strip along its normal, less that of the wheel
-      const double off = larger(magnitude(place.x) - askew, 0.0);
-      const double rise = placed.tz[j] * (place_of(rail, place, j, 0) - placed.y[j]) -
-                          placed.ty[j] * (place_of(rail, place, j, 1) - placed.z[j]);
-      most = larger(most, rise - 0.5 * larger(placed.ty[j], 0.0) * off * off / wheel_radius);
+    double most = nearest == 0.0 ? 0.0 : -1e300, at = nearest;
+    const auto count = [&](const PlaceWeights& place) {
+      const double here = gain_at(j, place);
+      if (!(here > most)) return;
+      most = here;
+      at = place.x;
+    };
+    for (const PlaceWeights& place : placed.place[f])
+      if (place.x >= low && place.x <= high) count(place);
+    for (const PlaceWeights& place : placed.end[f])
+      if (magnitude(place.x) < farthest_along) count(place);
+    // and on from the last place, as long as it grows
+    const double step = at < 0.0 ? -apart : apart;
+    if (magnitude(at) < last || placed.ty[j] < steepest_far) return most;
+    for (double x = at + step; x > low && x < high; x += step) {
+      const double here = gain_at(j, place_at(rail, face, placed.distance, x));
+      if (!(here > most)) break;
+      most = here;
     }
     return most;
   };

@@ -2,6 +2,7 @@
 /// Anderson's method, and kept from running away.
 #pragma once
 
+#include "base/number.hpp"
 #include "surface/pressure/pressure.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 
@@ -11,6 +12,11 @@ inline constexpr double any_change = 1e300;  ///< for `farthest` and `in_contact
 
 /// Strips that a limit counts at least: small contacts may take more iterations than others.
 inline constexpr double fewest_budgeted = 9.0;
+
+/// Strips that a limit over those in contact counts: up to 1.3 times as many, for 1.7 times the iterations.
+inline double budgeted_in_contact(double strips) {
+  return larger(strips, smaller(1.3 * strips, fewest_budgeted));
+}
 
 inline constexpr std::int32_t usual_iterations = 40;  ///< that nearly every solve ends in
 

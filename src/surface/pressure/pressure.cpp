@@ -28,7 +28,7 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
   StripSet& s = w.fine;
   bool started = false;
   s.count = o.count;
-  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
+  for (std::int32_t i = 0; i < o.count; ++i) {
     const std::int32_t j = o.strip[i];
     s.place[i] = rail.s[j];
     s.width[i] = rail.width[j];
@@ -39,14 +39,14 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
     s.nz[i] = o.nz[i];
     // Candidates that were not in contact then have L = 0 and may enter.
     s.L[i] = s.shift[i] = w.depth_before[i] = 0.0;
-    if (from == StartFrom::overlaps) continue;
-    while (b < start.count && start.strip[b] < j) ++b;
-    if (b == start.count || start.strip[b] != j) continue;
+  }
+  if (from == StartFrom::overlaps) return false;
+  for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
     s.L[i] = start.length_squared[b];
     s.shift[i] = start.shift[b];
     w.depth_before[i] = start.depth[b];
     started = started || s.L[i] > 0.0;
-  }
+  });
   return started;
 }
 
@@ -93,12 +93,11 @@ PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) 
 }
 
 /// Iterations over the strips in contact that a solve may take: many may overlap where few are in contact.
-double most_in_contact(const PressureOptions& options) { return 2.0 * options.max_iterations; }
+double most_in_contact(const PressureOptions& options) { return 1.9 * options.max_iterations; }
 
 /// Is too little work left for another attempt, which takes several iterations?
 bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
-  const double several = 8.0 * w.active.count * w.active.count,
-               most = larger(w.active.count, fewest_budgeted);
+  const double several = 8.0 * w.active.count * w.active.count, most = budgeted_in_contact(w.active.count);
   return w.work + several > smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
 }
 
@@ -153,6 +152,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   const PressureProblem problem{
       model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
   PressureResult result;
+  if (from == StartFrom::solution) extrapolate_start(rail, o, start);
   bool started = load_strips(rail, o, start, from, w);
   if (o.count == 0) {
     result.converged = true;

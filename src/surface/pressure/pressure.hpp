@@ -48,6 +48,13 @@ struct PressureModel {
   double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
 };
 
+/// Changes up to a solution from an earlier one, by its strips: 0 of those that were not in contact in both.
+struct SolutionChange {
+  const double* length_squared = nullptr;  ///< L [m^2]
+  const double* shift = nullptr;           ///< c less the overlap's centre [m]
+  const double* depth = nullptr;           ///< overlap [m]
+};
+
 /// A solution over the strips that overlapped, from which a later solve may start: `count` of them by
 /// increasing number.
 struct PressureStart {
@@ -56,7 +63,20 @@ struct PressureStart {
   double* shift = nullptr;           ///< c less the overlap's centre [m]
   double* depth = nullptr;           ///< overlap it was found at [m]
   std::int32_t count = 0;
+  SolutionChange change{};  ///< that led to it, until a solve has gone on along it; NULL: not known
 };
+
+/// Calls each(i, b) for the strips that two lists share, both by increasing number: i and b are their places
+/// there.
+template <class Number, class Other, class Each>
+void for_shared_strips(std::int32_t count, const Number* strip, std::int32_t others, const Other* other,
+                       const Each& each) {
+  for (std::int32_t i = 0, b = 0; i < count; ++i) {
+    while (b < others && other[b] < strip[i]) ++b;
+    if (b == others) return;
+    if (other[b] == strip[i]) each(i, b);
+  }
+}
 
 /// Where a solve starts.
 enum class StartFrom {

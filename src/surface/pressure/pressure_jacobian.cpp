@@ -53,7 +53,7 @@ struct Scratch {
   double *l, *dl_dL;                                  ///< [m], [1/m]; 0 where l is the least one
   double* q_dl_dL;                                    ///< [Pa]
   double *edge_lambda, *edge_shift, *lambda, *shift;  ///< asked for by edges; smoothed [Pa/m], [m]
-  simd::SurfaceSlopes seen;                           ///< influence at a point, and its derivatives
+  simd::SurfaceSlopes seen[2];                        ///< influence at points, and its derivatives
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -71,8 +71,8 @@ Scratch cut(Arena& arena, std::int32_t most) {
   w.row = arena.take<const double*>(summands);
   w.direction = arena.take(padded * directions);
   arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
-             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.seen.value, w.seen.by_length,
-             w.seen.by_x);
+             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift);
+  for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
   return w;
 }
 
@@ -118,21 +118,20 @@ struct Displacement {
 };
 
 /// Fills the row of the displacement's derivatives by q, L and c, seen from a point that belongs to strip a;
-/// w.seen holds the influences there.
+/// `seen` holds the influences there.
 ///
 ///     u = sum_b J_b q_b (n_a . n_b),   J_b of l_b and x - c_b
 Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scratch& w, std::int32_t a,
-                      double* row) {
+                      const simd::SurfaceSlopes& seen, double* row) {
   Displacement u;
   const std::int32_t n = s.count;
   const double ny = w.ny[a], nz = w.nz[a];
-  double sum[directions];  // sums of J q times each element of `direction`
-  kernels.surface.slopes_row({n, w.seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
+  double sum[simd::SlopesRowTask::sums];  // see slopes_row
+  kernels.surface.slopes_row({n, seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
-  double* const by_c = row + 2 * n;
-  for (std::int32_t b = 0; b < n; ++b) u.by_x -= by_c[b];
-  by_c[a] += u.by_x;
+  u.by_x = ny * sum[directions] + nz * sum[directions + 1];
+  row[2 * n + a] += u.by_x;
   // n_a . sum of J q n_b, and the product rule for its directions.
   const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
   const double *const own_y = w.direction + a * directions + 2, *const own_z = own_y + inputs;
@@ -183,8 +182,9 @@ void fill_contact(const Seeing& seeing, const PressedStrips& s, const Size& size
   double* const row = w.matrix + (size.first + a) * size.stride;
   std::fill_n(row, size.stride, 0.0);
   double* const by_q = row + size.first;
-  seeing.kernels.surface.influence_slopes(seeing.tables, seeing.sources, {w.place[a], w.centre[a]}, w.seen);
-  const Displacement middle = fill_row(seeing.kernels, s, w, a, by_q);
+  seeing.kernels.surface.influence_slopes(seeing.tables, seeing.sources, {w.place[a], w.centre[a]},
+                                          w.seen[0]);
+  const Displacement middle = fill_row(seeing.kernels, s, w, a, w.seen[0], by_q);
   by_q[2 * s.count + a] -= strip.depth_by_c;
   double* const right = row + size.contact + size.rows;
   for (std::int32_t k = 0; k < inputs; ++k) right[k] = strip.deeper[k] - middle.turned[k];
@@ -247,13 +247,11 @@ void fill_edges(const Seeing& seeing, const PressedStrips& s, const Size& size, 
   for (double* const row : {w.leading, w.trailing}) std::fill_n(row, size.stride, 0.0);
 
   // Rows of u+ at c + l and u- at c - l; these points move with L, too.
-  const auto see = [&](double x, double* row) {
-    kernels.surface.edge_slopes(seeing.tables, seeing.sources, {w.place[a], x}, w.seen);
-    return fill_row(kernels, s, w, a, row + size.first);
-  };
-  const Displacement leading = see(w.centre[a] + l, w.leading);
+  const double x[2] = {w.centre[a] + l, w.centre[a] - l};
+  kernels.surface.edge_slopes(seeing.tables, seeing.sources, w.place[a], x, w.seen);
+  const Displacement leading = fill_row(kernels, s, w, a, w.seen[0], w.leading + size.first);
   w.leading[size.contact + a] += leading.by_x * w.dl_dL[a];
-  const Displacement trailing = see(w.centre[a] - l, w.trailing);
+  const Displacement trailing = fill_row(kernels, s, w, a, w.seen[1], w.trailing + size.first);
   w.trailing[size.contact + a] -= trailing.by_x * w.dl_dL[a];
 
   // lambda* = q kappa / (2 drop) and shift* = (u- - u+) / (2 l kappa), as read_edges() of edge_condition.cpp
@@ -338,11 +336,12 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   const double spread = y2 * per - mean_y * mean_y + least_line_spread;
   const double slope = line ? (yv * per - mean_y * mean) / spread : 0.0;
   r.value = mean - mean_y * slope;
+  const double pull = line ? mean_y / spread : 0.0, held = pull * slope * least_line_spread;
   for (std::int32_t i = 0; i < r.count; ++i) {
-    const double aside = y[i] - mean_y, lever = line ? 1.0 - mean_y * aside / spread : 1.0;
+    const double aside = y[i] - mean_y, lever = 1.0 - pull * aside, share = near[i] * per;
     const double off = edge[r.from + i] - mean - slope * aside;
-    r.by_value[i] = near[i] * s.line_load[r.from + i] * per * lever;
-    r.by_load[i] = near[i] * per * (off * lever + mean_y * slope * least_line_spread / spread);
+    r.by_value[i] = share * s.line_load[r.from + i] * lever;
+    r.by_load[i] = share * (off * lever + held);
   }
 }
 
@@ -400,11 +399,11 @@ void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, co
 }
 
 /// Right-hand sides of a row less its derivatives by L and c, from a column on, times their changes.
-void take_known(const double* row, std::int32_t from, const Size& size, const Scratch& w,
-                double (&sum)[inputs]) {
+void take_known(const Kernels& kernels, const double* row, std::int32_t from, const Size& size,
+                const Scratch& w, double (&sum)[inputs]) {
+  static_assert(inputs == 4, "as the kernel takes them");
   std::copy_n(row + size.rows, inputs, sum);
-  for (std::int32_t c = from; c < 2 * size.strips; ++c)
-    pairwise::add<inputs>(-row[c], w.x + static_cast<std::int64_t>(c) * inputs, sum);
+  kernels.surface.take_known(row, from, 2 * size.strips, w.x, sum);
 }
 
 /// Solves the equations of L and c for all inputs: w.x.
@@ -419,7 +418,7 @@ void solve_lengths(const Kernels& kernels, const Size& size, const Scratch& w) {
   for (std::int32_t i = size.rows - 1; i >= 0; --i) {
     const double* const row = w.lengths + i * size.reduced;
     double sum[inputs];
-    take_known(row, i + 1, size, w, sum);
+    take_known(kernels, row, i + 1, size, w, sum);
     double* const x = w.x + static_cast<std::int64_t>(i) * inputs;
     for (std::int32_t k = 0; k < inputs; ++k) x[k] = sum[k] * row[i];
   }
@@ -455,7 +454,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, cons
   };
   for (std::int32_t a = 0; a < n; ++a) {
     double load[inputs];
-    take_known(w.by_lengths + a * size.reduced, 0, size, w, load);
+    take_known(model.kernels, w.by_lengths + a * size.reduced, 0, size, w, load);
     s.line_load_dual[a] = dual(s.line_load[a], load);
     s.length_squared_dual[a] = dual(s.length_squared[a], w.x + static_cast<std::int64_t>(a) * inputs);
     s.centre_dual[a] = dual(s.centre[a], w.x + (static_cast<std::int64_t>(n) + a) * inputs);

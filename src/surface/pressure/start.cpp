@@ -13,6 +13,7 @@ constexpr double farthest_followed = 0.5;
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
+constexpr double farthest_extrapolated = 2.0;  ///< most of the earlier change that a start goes on
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
 void pair_up(const Overlaps& o, PressureScratch& w) {
@@ -76,6 +77,28 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
   const std::int32_t spent = iterate(problem, w.coarse, on_pairs, w).iterations;
   interpolate_pairs(w);
   return spent;
+}
+
+void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart& start) {
+  const SolutionChange change = start.change;
+  start.change = {};
+  if (!change.depth) return;
+  // The share of the change: growth of the overlaps since, projected on their growth in it, weighted by
+  // areas.
+  double along = 0.0, squared = 0.0;
+  for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
+    const double weight = rail.width[o.strip[i]] * start.length_squared[b] * change.depth[b];
+    along += weight * (o.depth[i] - start.depth[b]);
+    squared += weight * change.depth[b];
+  });
+  if (!(squared > 0.0)) return;
+  const double share = smaller(larger(along / squared, -farthest_extrapolated), farthest_extrapolated);
+  for (std::int32_t b = 0; b < start.count; ++b) {
+    double& L = start.length_squared[b];
+    L = smaller(larger(L + share * change.length_squared[b], 0.25 * L), 4.0 * L);
+    start.shift[b] += share * change.shift[b];
+    start.depth[b] += share * change.depth[b];
+  }
 }
 
 bool follow_overlaps(PressureScratch& w) {

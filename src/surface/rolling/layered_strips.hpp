@@ -9,9 +9,10 @@
 namespace wrc::surface {
 
 /// Strip j by its arrays, which fill_arrays() of strip_numbers.hpp has filled.
-template <class Number>
+template <class Number, class Layer>
 tangential::LayeredStripAt<Number> layered_strip(const SurfaceRollingInputOf<Number>& in,
-                                                 const RollingArraysOf<Number>& a, std::int32_t j) {
+                                                 const RollingArraysOf<Number>& a, const Layer& layer,
+                                                 std::int32_t j) {
   using Of = tangential::LayeredNumbers;
   const Number l = larger(in.half_length[j], Number(least_strip_length));
   tangential::LayeredStripAt<Number> strip;
@@ -19,7 +20,7 @@ tangential::LayeredStripAt<Number> layered_strip(const SurfaceRollingInputOf<Num
   auto& n = strip.numbers.of;
   // Displacements by the bound over the half length: under the parabola half
   // the slip at its edge.
-  const Number spring = in.layer.flexibility * strip.bound / l;
+  const Number spring = layer.flexibility * strip.bound / l;
   n[Of::bodies_x] = 0.5 * a.edge_x[j];
   n[Of::bodies_y] = 0.5 * a.edge_y[j];
   n[Of::spring_x] = spring;
@@ -37,7 +38,7 @@ tangential::LayeredStripAt<Number> layered_strip(const SurfaceRollingInputOf<Num
                                                       spring, in.slip_y[j]);
   n[Of::stick_turn] = tangential::slip_in_series<Number>(
       n[Of::bodies_y], 2.0 * (n[Of::bodies_y] * a.curvature[j]), spring, n[Of::slip_turn]);
-  set_yield(in.layer, Number(1.0), l, strip);
+  set_yield(layer, Number(1.0), l, strip);
   return strip;
 }
 

@@ -13,12 +13,6 @@ using tangential::PastStrip;
 
 constexpr double least_force = 1e-290;  // [N]
 
-/// From 0 to 1 over t from 0 to 1.
-double smooth_step(double t) {
-  const double within = std::clamp(t, 0.0, 1.0);
-  return within * within * (3.0 - 2.0 * within);
-}
-
 /// Half-spaces yield beside a patch, too: humps that have met yield together, but for a neck between them.
 constexpr LobeLimits joint{0.0, 0.3, true};
 
@@ -34,6 +28,7 @@ struct Scratch {
   patch::Strips region;                    ///< part
   tangential::RememberingStrip *shared, *of_part, *scratch;  ///< all strips; part: of those, PatchStrips
   PastStrip *written, *steady;                               ///< part; all strips in steady rolling
+  const PastStrip **past, **past_of_part;                    ///< those of all strips; PatchStrips
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -46,6 +41,7 @@ Scratch cut(Arena& arena, std::int32_t most) {
   s.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   arena.each(most, s.shared, s.of_part, s.scratch);
   arena.each(most, s.written, s.steady);
+  arena.each(most, s.past, s.past_of_part);
   return s;
 }
 
@@ -76,7 +72,6 @@ class Rememberer {
     std::int32_t first, end;
     double share;
     const PartMeans& means;
-    bool at_low_end, at_high_end;  ///< where its run ends
   };
 
   /// Parts that carry load and have friction.
@@ -85,7 +80,7 @@ class Rememberer {
     parts_.for_each(
         [&](std::int32_t first, std::int32_t end, double share, const LobeCut* low, const LobeCut* high) {
           const PartMeans m = parts_.take_part(first, end, low, high);
-          if (m.load > 0.0 && m.friction > 0.0) take(Part{first, end, share, m, !low, !high});
+          if (m.load > 0.0 && m.friction > 0.0) take(Part{first, end, share, m});
         });
   }
 
@@ -104,7 +99,11 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
+    // both lists by increasing numbers
+    const PastStrip *past = in_.past, *const past_end = in_.past + in_.past_count;
     for (std::int32_t j = 0; j < count; ++j) {
+      while (past != past_end && past->y < in_.number[j]) ++past;
+      scratch_.past[j] = past != past_end && past->y == in_.number[j] ? past : nullptr;
       PastStrip& strip = written()[j];
       strip = {};
       strip.y = in_.number[j];
@@ -118,32 +117,58 @@ class Rememberer {
     from_now_ = tangential::forgets(in_.rolled, longest_);
   }
 
-  /// The forces of strips that left the contact beside a part. Those between two runs go over from one to the
-  /// other half way.
+  /// The face of the rail that a strip in contact is of.
+  const FaceStrips& face_of(std::int32_t j) const {
+    std::int32_t r = 0;
+    while (in_.number[j] >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
+    return in_.rail.range[r];
+  }
+
+  /// Friction limit of a strip [N].
+  double limit_of(std::int32_t j) const {
+    return strips_.friction[j] * (0.5 * pi) * strips_.peak[j] * strips_.half_length[j] * strips_.width[j];
+  }
+
+  /// The most that the cells of a strip bear, whose bounds have another form than its pressure [N].
+  double borne_by_cells(std::int32_t j) const {
+    double sum = 0.0;
+    for (const double bound : scratch_.shared[j].bound) sum += bound;
+    return sum * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
+  }
+
+  /// Share of a strip's width within the part taken last.
+  double inside(std::int32_t j) const { return parts_.width_inside(j) / strips_.width[j]; }
+
+  /// Forces of the strips beside a part, on its face, as far as these bear them no more: all of those that
+  /// left. By a force at a distance r beyond a half-space is displaced as b / r, and turned as (b / r)^2.
   tangential::LeftStrips left_beside(const Part& part) const {
+    double square = 0.0;  // b^2, twice that of an ellipse with the load's second moment: no strip is beyond
+    for (std::int32_t j = part.first; j < part.end; ++j) {
+      const double y = strips_.place[j] - part.means.place, own = strips_.width[j];
+      square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
+    }
     tangential::LeftStrips left;
-    const double* const numbers = in_.number;
-    const auto beyond = [&](double number, std::int32_t before, std::int32_t behind) {
-      if (before < 0 || behind == strips_.count) return before < 0 ? 1.0 : 0.0;
-      const double t = (number - numbers[before]) / (numbers[behind] - numbers[before]);
-      return smooth_step(2.0 * t - 0.5);
-    };
+    const FaceStrips& face = face_of(part.first);
+    std::int32_t j = 0;  // the first strip in contact from the number on
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
-      double weight = 0.0;
-      if (part.at_low_end && strip.y < numbers[part.first]) {
-        if (part.first > 0 && strip.y <= numbers[part.first - 1]) continue;
-        weight = beyond(strip.y, part.first - 1, part.first);
-      } else if (part.at_high_end && strip.y > numbers[part.end - 1]) {
-        if (part.end < strips_.count && strip.y >= numbers[part.end]) continue;
-        weight = 1.0 - beyond(strip.y, part.end - 1, part.end);
+      if (strip.y < face.first || strip.y >= face.first + face.count) continue;
+      while (j < strips_.count && in_.number[j] < strip.y) ++j;
+      double lost = 1.0;
+      if (j < strips_.count && in_.number[j] == strip.y) {
+        // what is not within the part goes as far as it exceeds the bounds of its cells
+        lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
+        if (!(lost > 0.0)) continue;
+        const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
+        lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
       }
-      const double fx = weight * in_.direction * strip.force[0], fy = weight * strip.force[1];
+      const double y = in_.rail.s[static_cast<std::int32_t>(strip.y)] - part.means.place;
+      const double near = y * y > square ? std::sqrt(square / (y * y)) : 1.0;
+      const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
       left.fx += fx;
       left.fy += fy;
-      left.mz += weight * in_.direction * strip.force[2];
-      left.turn += in_.direction * strip.centre * fy -
-                   (in_.rail_place[static_cast<std::int32_t>(strip.y)] - part.means.place) * fx;
+      left.mz += lost * near * in_.direction * strip.force[2];
+      left.turn += near * near * (in_.direction * strip.centre * fy - y * fx);
     }
     return left;
   }
@@ -161,7 +186,8 @@ class Rememberer {
       region.peak[k] = strips_.peak[j];
       scratch_.shares[k] = strips_.friction[j] / m.friction;
       scratch_.number[k] = in_.number[j];
-      scratch_.inside[k] = region.width[k] / strips_.width[j];
+      scratch_.past_of_part[k] = scratch_.past[j];
+      scratch_.inside[k] = inside(j);
       if (shared) scratch_.of_part[k] = shared[j];
       region.count = k + 1;
     });
@@ -172,9 +198,10 @@ class Rememberer {
             scratch_.written,
             scratch_.scratch,
             scratch_.number,
+            scratch_.past_of_part,
             scratch_.inside,
             shared ? scratch_.of_part : nullptr,
-            left_beside(part),
+            shared ? left_beside(part) : tangential::LeftStrips{},
             longest_};
   }
 
@@ -289,13 +316,11 @@ class Rememberer {
       const double of_cells[3] = {strip.force[0], strip.force[1], moment_of(j, strip.force)};
       const auto& steady = scratch_.steady[j].force;
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
-      const PastStrip* const past = tangential::past_of_number(in_.past, in_.past_count, strip.y);
+      const PastStrip* const past = scratch_.past[j];
       // a strip about to leave keeps no more of it than its friction
-      const double limit =
-          strips_.friction[j] * (0.5 * pi) * strips_.peak[j] * strips_.half_length[j] * strips_.width[j];
       const double kept =
           past ? std::sqrt(past->added[0] * past->added[0] + past->added[1] * past->added[1]) : 0.0;
-      const double held = std::min(1.0, limit / std::max(kept, least_force));
+      const double held = std::min(1.0, limit_of(j) / std::max(kept, least_force));
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
@@ -331,7 +356,6 @@ class Rememberer {
   void stay_within_friction() {
     for_each_part([&](const Part& part) {
       double fx = 0.0, fy = 0.0;
-      const auto inside = [&](std::int32_t j) { return parts_.width_inside(j) / strips_.width[j]; };
       for_each_strip(part, [&](std::int32_t j, std::int32_t) {
         fx += inside(j) * forces_.fx[j];
         fy += inside(j) * forces_.fy[j];
@@ -357,17 +381,19 @@ class Rememberer {
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
-      for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
-      for (std::int32_t i = 0; i < memory_cells; ++i) {
-        strip.px[i] *= energy.scale;
-        strip.py[i] *= energy.scale;
+      if (energy.scale < 1.0) {
+        for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
+        for (std::int32_t i = 0; i < memory_cells; ++i) {
+          strip.px[i] *= energy.scale;
+          strip.py[i] *= energy.scale;
+        }
+        for (double& f : strip.force) f *= energy.scale;
       }
-      for (double& f : strip.force) f *= energy.scale;
       strip.added[0] = forces_.fx[j] - strip.force[0];
       strip.added[1] = forces_.fy[j] - strip.force[1];
       strip.added[2] = forces_.mz[j] - moment_of(j, strip.force);
       strip.energy = energy.left / count;
-      strip = tangential::turned(strip, in_.direction);
+      if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
     return energy.dissipated;
   }

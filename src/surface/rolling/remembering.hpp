@@ -3,6 +3,7 @@
 ///
 ///  - A strip's past is found by its number: it is the same strip in every step. One that was not in contact
 ///    begins without tractions. Tractions of one that leaves are gone, and the half-spaces yield by that.
+///    Faces of a rail are bodies of their own: strips of one that is left do not make another yield.
 ///  - A strip's displacement over the step is its own: slip velocities of the rigid bodies times the time.
 ///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both
 ///    are solved from the same past, and tractions and forces are their means by shares.
@@ -12,6 +13,7 @@
 
 #include "base/arena.hpp"
 #include "base/fault.hpp"
+#include "surface/geometry/rail_strips.hpp"
 #include "surface/rolling/surface_rolling.hpp"
 #include "tangential/methods/patch_memory.hpp"
 
@@ -21,7 +23,7 @@ struct RememberingInput {
   const SurfaceRollingInput& strips;  ///< slips as seen along the direction of rolling
   const double* along;                ///< x of the strips' middles, seen likewise [m]
   const double* number;               ///< numbers of the rail's strips, increasing
-  const double* rail_place;           ///< arc lengths of all the rail's strips [m]
+  const RailStrips& rail;             ///< where the wheel is
   const theory::SdecTable& linear_theory;
   double travel = 0.0;                          ///< displacement of a slip of 1 over the step [m]
   double rolled = 0.0;                          ///< amount of the distance rolled [m]

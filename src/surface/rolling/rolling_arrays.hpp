@@ -44,19 +44,21 @@ struct RollingArraysOf : RollingMeans {
   Number* mean[means];
   Number *c11, *c22, *c23;  ///< coefficients [-] (strip_coefficients.hpp)
   Number* own;              ///< local part of the longitudinal slip times gain [-]
+  Number* pressed;          ///< longitudinal slip by pressure, of unlike bodies alone [-]
   /// Members of SurfaceStripsTask of the same names (tangential/simd/tasks.hpp).
   Number *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
-      *edge_y;
+      *edge_y, *across;
 };
 using RollingArrays = RollingArraysOf<double>;
 
-/// Cuts the arrays of `strips` strips, or counts them.
+/// Cuts the arrays of `strips` strips, of which `at_a_time` march, or counts them.
 template <class Number>
-RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
+RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips, std::int32_t at_a_time) {
   RollingArraysOf<Number> a{};
   for (Number*& mean : a.mean) mean = arena.take<Number>(strips);
-  arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.bound, a.growth_x, a.growth_y,
-             a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x, a.turn_y, a.edge_x, a.edge_y);
+  arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.pressed);
+  arena.each(at_a_time, a.bound, a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x,
+             a.turn_y, a.edge_x, a.edge_y, a.across);
   return a;
 }
 
@@ -64,7 +66,7 @@ RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips) {
 template <class Number>
 std::int64_t rolling_doubles(std::int32_t strips) {
   Arena arena;
-  cut_rolling_arrays<Number>(arena, strips);
+  cut_rolling_arrays<Number>(arena, strips, strips);
   return arena.doubles();
 }
 

@@ -39,7 +39,8 @@ constexpr double of_peak(bool parabolic) { return parabolic ? 3.0 * pi / 8.0 : 1
 tangential::LayeredStripAt<double> layered_strip_of_springs(const SurfaceRollingInput& in,
                                                             const RollingArrays& a, std::int32_t j) {
   using Of = tangential::LayeredNumbers;
-  const double l = std::max(in.half_length[j], least_strip_length), F = in.layer.flexibility;
+  const tangential::Layer layer = layer_of(in, j);
+  const double l = std::max(in.half_length[j], least_strip_length), F = layer.flexibility;
   const tangential::Creepage slips = slips_of(in, a, j);
   const theory::Flexibility L = flexibility_of(in.shear_modulus, l, a, j);
   tangential::LayeredStripAt<double> strip{};
@@ -50,7 +51,7 @@ tangential::LayeredStripAt<double> layered_strip_of_springs(const SurfaceRolling
   n[Of::stick_turn] = n[Of::slip_turn] = slips.spin * l * (L.l22 + F) / (L.l23 + F);
   n[Of::spring_x] = (L.l11 + F) * strip.bound / l;
   n[Of::spring_y] = (L.l22 + F) * strip.bound / l;
-  set_yield(in.layer, 1.0, l, strip);
+  set_yield(layer, 1.0, l, strip);
   return strip;
 }
 
@@ -93,7 +94,7 @@ SurfaceRollingTotals march(const SurfaceRollingInput& in, const RollingArrays& a
 SurfaceRollingTotals roll_by_fastsim(const SurfaceRollingInput& in, const RollingArrays& a,
                                      const tangential::TangentialFields& fields,
                                      const SurfaceRollingForces& forces) {
-  if (!in.layer.present()) return march(in, a, false, fields, forces);
+  if (!in.layered()) return march(in, a, false, fields, forces);
   return roll_layered(in, in.parabolic, fields, forces,
                       [&](std::int32_t j) { return layered_strip_of_springs(in, a, j); });
 }

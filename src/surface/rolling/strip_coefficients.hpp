@@ -11,8 +11,6 @@
 /// with lambda.
 #pragma once
 
-#include <algorithm>
-
 #include "base/dual.hpp"
 #include "theory/kalker.hpp"
 
@@ -87,27 +85,27 @@ class StripCoefficientTable {
   StripCoefficientNodes nodes_{.low = 0.0, .step = 1.0, .node = {}};
 };
 
-/// The coefficients of a strip; those of packs of them: surface/simd/strip_numbers_kernel.hpp.
+/// The coefficients of a strip; those of packs of them: surface/simd/strip_numbers_kernel.hpp. Numbers with
+/// derivatives by more inputs than m: by m first, then by all inputs.
 template <class Number>
 StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, const Number& m) {
-  // the step m lies in, the last one for its end; t: share of the step behind the node
-  constexpr int quantities = StripCoefficientNodes::quantities;
-  const PlaceInTable<Number> place(table, m);
-  const int i = std::min(static_cast<int>(value_of(place.inside)), StripCoefficientNodes::steps - 1);
-  const Number t = place.inside - static_cast<double>(i);
-  const auto &first = table.node[i], &second = table.node[i + 1];
-  Number product[quantities];
-  for (int k = 0; k < quantities; ++k)
-    product[k] = between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
-  return coefficients_of(product, m);
-}
-
-/// Derivatives by m, then by all inputs.
-template <std::size_t n, std::enable_if_t<(n > 1), int> = 0>
-StripCoefficientsOf<Dual<n>> coefficients_at(const StripCoefficientNodes& table, const Dual<n>& m) {
-  const StripCoefficientsOf<Dual<1>> c = coefficients_at(table, Dual<1>::input(m.value, 0));
-  const auto by_inputs = [&](const Dual<1>& a) { return m.chain(a.value, a.d[0]); };
-  return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
+  if constexpr (has_more_inputs<1, Number>) {
+    using One = typename Number::template Few<1>;
+    const StripCoefficientsOf<One> c = coefficients_at(table, One::input(m.value, 0));
+    const auto by_inputs = [&](const One& a) { return m.chain(a.value, a.derivative(0)); };
+    return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
+  } else {
+    // the step m lies in, the last one for its end; t: share of the step behind the node
+    constexpr int quantities = StripCoefficientNodes::quantities, last = StripCoefficientNodes::steps - 1;
+    const PlaceInTable<Number> place(table, m);
+    const int whole = static_cast<int>(value_of(place.inside)), i = whole < last ? whole : last;
+    const Number t = place.inside - static_cast<double>(i);
+    const auto &first = table.node[i], &second = table.node[i + 1];
+    Number product[quantities];
+    for (int k = 0; k < quantities; ++k)
+      product[k] = between_nodes(first[k][0], first[k][1], second[k][0], second[k][1], t, place.beyond);
+    return coefficients_of(product, m);
+  }
 }
 
 }  // namespace wrc::surface

@@ -8,6 +8,7 @@
 #include "base/elementary.hpp"
 #include "patch/material.hpp"
 #include "surface/rolling/rolling_arrays.hpp"
+#include "tangential/methods/slip_across.hpp"
 
 namespace wrc::surface::strip_numbers {
 
@@ -21,37 +22,24 @@ inline constexpr double edge_slip = 32.0 / 9.0;
 
 using Mean = RollingMeans::Mean;
 
-/// Place of a strip's numbers in the arrays: one strip, or (simd/strip_numbers_kernel.hpp) as many as a pack
-/// has lanes.
-template <class Any>
-struct OneStrip {
-  using Number = Any;
-  std::int32_t strip;
-
-  template <class Each>
-  const Each& get(const Each* of) const {
-    return of[strip];
-  }
-  void put(Number* of, const Number& x) const { of[strip] = x; }
-  template <class F>
-  static void each(std::int32_t count, const F& f) {
-    for (std::int32_t j = 0; j < count; ++j) f(OneStrip{j});
-  }
-  static bool positive(const Number& x) { return value_of(x) > 0.0; }
-};
-
 /// Numbers all strips have in common.
 struct Shared {
   double shear_modulus, normal_shear_modulus, poisson;
   double flexibility;  ///< F of a layer [m/Pa]
+  double coupling;     ///< K over G, of unlike bodies [1/Pa]
   const StripCoefficientNodes* coefficients;
   const SurfaceCalibration* calibration;
 };
 
 template <class Number>
 Shared shared(const SurfaceRollingInputOf<Number>& in) {
-  return {in.shear_modulus,     in.normal_shear_modulus,   in.coefficients->poisson(),
-          in.layer.flexibility, &in.coefficients->nodes(), in.calibration};
+  return {in.shear_modulus,
+          in.normal_shear_modulus,
+          in.coefficients->poisson(),
+          in.layer.flexibility,
+          in.coupling / in.normal_shear_modulus,
+          &in.coefficients->nodes(),
+          in.calibration};
 }
 
 /// Loads of the strips, coupling of neighbours and pivots of the means' equations
@@ -83,48 +71,63 @@ void link(const SurfaceRollingInputOf<Element>& in, const RollingArraysOf<Elemen
   });
   // Pivots N_j + link_j + the part of link_{j-1} that elimination leaves of it: no differences, so that none
   // of them cancels. Strips without load and links have the inverse 0.
-  Element before = 0.0;
+  using One = typename At::OneStrip;
+  using Plain = typename One::Number;
+  Plain before = 0.0;
   for (std::int32_t j = 0; j < n; ++j) {
-    if (j + 1 == n) a.link[j] = 0.0;
-    const Element held = a.load[j] + before, pivot = held + a.link[j];
-    a.pivot[j] = At::positive(pivot) ? Element(1.0) / pivot : Element(0.0);
-    before = a.link[j] * (held * a.pivot[j]);
+    const One at{j};
+    if (j + 1 == n) at.put(a.link, 0.0);
+    const Plain held = at.get(a.load) + before, link = at.get(a.link), pivot = held + link;
+    const Plain inverse = value_of(pivot) > 0.0 ? 1.0 / pivot : Plain(0.0);
+    at.put(a.pivot, inverse);
+    before = link * (held * inverse);
   }
 }
 
 /// Replaces the quantities `first` .. `end` - 1, which are N a, by their means A.
 template <class At, int first, int end, class Element>
 void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
+  using One = typename At::OneStrip;
+  using Plain = typename One::Number;
   // forwards: the right side with the share that comes over from the strips before
-  Element flow[end - first] = {};
-  for (std::int32_t j = 0; j < count; ++j)
+  Plain flow[end - first];
+  for (Plain& each : flow) each = 0.0;
+  for (std::int32_t j = 0; j < count; ++j) {
+    const One at{j};
+    const Plain pivot = at.get(a.pivot), link = at.get(a.link);
     for (int k = first; k < end; ++k) {
-      Element* const m = a.mean[k];
-      m[j] = (m[j] + flow[k - first]) * a.pivot[j];
-      flow[k - first] = a.link[j] * m[j];
+      const Plain m = (at.get(a.mean[k]) + flow[k - first]) * pivot;
+      at.put(a.mean[k], m);
+      flow[k - first] = link * m;
     }
-  // backwards: A_j takes its share of A_{j+1}
-  for (std::int32_t j = count - 1; j-- > 0;)
+  }
+  // backwards: A_j takes its share of A_{j+1}, which flows from strip to strip
+  if (count == 0) return;
+  for (int k = first; k < end; ++k) flow[k - first] = One{count - 1}.get(a.mean[k]);
+  for (std::int32_t j = count - 1; j-- > 0;) {
+    const One at{j};
+    const Plain pivot = at.get(a.pivot), link = at.get(a.link);
     for (int k = first; k < end; ++k) {
-      Element* const m = a.mean[k];
-      m[j] += a.pivot[j] * (a.link[j] * m[j + 1]);
+      Plain& m = flow[k - first];
+      m = at.get(a.mean[k]) + pivot * (link * m);
+      at.put(a.mean[k], m);
     }
+  }
 }
 
 /// Gain g of the local part of slip along x in full adhesion [-]: with it an ellipse under spin has C33 of
 /// linear theory. Fitted to C33 for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
+  // by u first, then by all inputs
+  if constexpr (has_more_inputs<1, Number>) {
+    using One = typename Number::template Few<1>;
+    const One g = gain(One::input(u.value, 0), poisson);
+    return u.chain(g.value, g.derivative(0));
+  }
   const Number u2 = u * u;
   const double off = poisson - 0.25;
   return (1.218 - 1.751 * off + 0.2043 * u - (0.696 + 0.760 * off) * u2) / (1.0 - 0.7343 * u2);
-}
-
-/// The derivative by u, then by all inputs.
-template <std::size_t n, std::enable_if_t<(n > 1), int> = 0>
-Dual<n> gain(const Dual<n>& u, double poisson) {
-  const Dual<1> g = gain(Dual<1>::input(u.value, 0), poisson);
-  return u.chain(g.value, g.d[0]);
 }
 
 /// lambda: peak pressure over half length [Pa/m].
@@ -138,6 +141,23 @@ Number peak_per_length(const Number& peak, const Number& half_length) {
 template <class Number>
 Number held_slenderness(const Number& u) {
   return smaller(larger(u, Number(-largest_slenderness)), Number(largest_slenderness));
+}
+
+/// Longitudinal slip by which unlike bodies that are pressed together roll as like ones do, 0.53 K (1 - u) /
+/// G times the pressure's mean (theory.md, dissimilar materials).
+template <class At, class Element>
+void pressed_slip(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
+                  const RollingArraysOf<Element>& a) {
+  using Number = typename At::Number;
+  if (shared.coupling == 0.0) return;
+  At::each(in.count, [&](const At& at) {
+    at.put(a.mean[Mean::longitudinal], 0.53 * shared.coupling * at.get(in.peak) * at.get(a.load));
+  });
+  take_means<At, Mean::longitudinal, Mean::longitudinal + 1>(in.count, a);
+  At::each(in.count, [&](const At& at) {
+    const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
+    at.put(a.pressed, (1.0 - u) * at.get(a.mean[Mean::longitudinal]));
+  });
 }
 
 /// Coefficients of linear theory, forces of each strip by it, and the means over neighbours.
@@ -171,6 +191,7 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     at.put(a.mean[Mean::location], at.get(in.place) * N);
   });
   take_means<At, Mean::slip, Mean::longitudinal>(in.count, a);
+  pressed_slip<At>(in, shared, a);
   // With W and u known: the local part g (w_x - W) of slip along x, the force of both parts
   // x N = (2/pi) G C11 (W + g (w_x - W)) l h [N], and squared distances from the mean place [m^2].
   At::each(in.count, [&](const At& at) {
@@ -178,7 +199,9 @@ void linear_theory(const SurfaceRollingInputOf<Element>& in, const Shared& share
     const Number u = held_slenderness<Number>(at.get(a.mean[Mean::slender]));
     const Number own = gain(u, poisson) * (at.get(in.slip_x) - shared_slip);
     at.put(a.own, own);
-    at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * (shared_slip + own) * area_of(at, N));
+    Number both = shared_slip + own;
+    if (shared.coupling != 0.0) both = both + at.get(a.pressed);
+    at.put(a.mean[Mean::longitudinal], 2.0 / pi * G * at.get(a.c11) * both * area_of(at, N));
     const Number from_middle = at.get(in.place) - at.get(a.mean[Mean::location]);
     at.put(a.mean[Mean::variance], from_middle * from_middle * N);
   });
@@ -219,10 +242,26 @@ struct Fitted {
 template <class Number>
 Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const Number& x, const Number& e,
                    const Number& s, const Number& limit2) {
+  Fitted<Number> fitted;
+  // derivatives by these five first, then by all inputs, which are more
+  if constexpr (has_more_inputs<5, Number>) {
+    using Five = typename Number::template Few<5>;
+    const Fitted<Five> few =
+        fit(calibration, Five::input(u.value, 0), Five::input(x.value, 1), Five::input(e.value, 2),
+            Five::input(s.value, 3), Five::input(limit2.value, 4));
+    const auto by_inputs = [&](const Five& a) {
+      Number all(a.value);
+      const Number* const of[] = {&u, &x, &e, &s, &limit2};
+      for (std::size_t i = 0; i < 5; ++i) all.add_derivatives(a.derivative(i), *of[i]);
+      return all;
+    };
+    fitted.per_size = by_inputs(few.per_size);
+    for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
+    return fitted;
+  }
   const Number Q = limit2 + x * x + e * e + s * s;
   const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
   // quantity = sum of constants times terms; zeros, which most of them are, are left out
-  Fitted<Number> fitted;
   fitted.per_size = Number(1.0) / root(Q);
   for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
     Number sum = 0.0;
@@ -243,25 +282,6 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const
   return fitted;
 }
 
-/// Derivatives by the five numbers of the fit, then by all inputs, which are more.
-template <std::size_t n, std::enable_if_t<(n > 5), int> = 0>
-Fitted<Dual<n>> fit(const SurfaceCalibration& calibration, const Dual<n>& u, const Dual<n>& x,
-                    const Dual<n>& e, const Dual<n>& s, const Dual<n>& limit2) {
-  using Few = Dual<5>;
-  const Fitted<Few> few = fit(calibration, Few::input(u.value, 0), Few::input(x.value, 1),
-                              Few::input(e.value, 2), Few::input(s.value, 3), Few::input(limit2.value, 4));
-  const auto by_inputs = [&](const Few& a) {
-    Dual<n> all(a.value);
-    const Dual<n>* const of[] = {&u, &x, &e, &s, &limit2};
-    for (std::size_t i = 0; i < 5; ++i) pairwise::add<n>(a.d[i], of[i]->d.data(), all.d.data());
-    return all;
-  };
-  Fitted<Dual<n>> fitted;
-  fitted.per_size = by_inputs(few.per_size);
-  for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
-  return fitted;
-}
-
 /// Fills the arrays that the kernel reads of every strip: numbers relative to the half length l and, growths,
 /// to the bound mu p over l.
 template <class At, class Element>
@@ -278,10 +298,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const auto& held = at.get(a.mean[Mean::friction]);
     Number limit2 = held * held + least_limit2;
     // a layer takes F / (F + L) of the slip, L = 8 l / (3 G C11): contact saturates later by as much
-    if (shared.flexibility > 0.0) {
-      const Number later = 1.0 + (0.375 * shared.shear_modulus * shared.flexibility) * at.get(a.c11) / l;
+    const double modulus = 0.375 * shared.shear_modulus;
+    const auto saturate_later = [&](const auto& of_layer) {
+      const Number later = 1.0 + of_layer * at.get(a.c11) / l;
       limit2 = limit2 * (later * later);
-    }
+    };
+    if (in.flexibility != nullptr)
+      saturate_later(modulus * at.get(in.flexibility));
+    else if (shared.flexibility > 0.0)
+      saturate_later(modulus * shared.flexibility);
     const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],
@@ -298,7 +323,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number none = 0.0, stiff = inverse_or_none(soft);
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
-    at.put(a.growth_x, stiff * c11 * (at.get(a.mean[Mean::slip]) / by_x + at.get(a.own) / by_spin_x));
+    // Unlike bodies: the slip by pressure counts less in the stick zone as that shrinks towards the leading
+    // edge, and turns the traction of what slips with its mean over the load.
+    Number common = at.get(a.mean[Mean::slip]), pressed = none;
+    if (shared.coupling != 0.0) {
+      pressed = at.get(a.pressed);
+      const Number S = (x * x + e * e + s * s) * (fitted.per_size * fitted.per_size);
+      common = common + (1.0 - S * S) * pressed;
+    }
+    at.put(a.growth_x, stiff * c11 * (common / by_x + at.get(a.own) / by_spin_x));
     at.put(a.growth_y, stiff * c22 * slip_y / by_y);
     at.put(a.curvature, 16.0 / (3.0 * pi) * stiff * at.get(a.c23) * at.get(in.spin) * l / by_spin_y);
     at.put(a.elastic, tangential::creepage_area * (soft_x - soft_y));
@@ -313,9 +346,15 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number across = (at.get(in.place) - at.get(a.mean[Mean::location])) /
                           root(5.0 * larger(at.get(a.mean[Mean::variance]), Number(least_variance)));
     const Number elastic = at.get(a.mean[Mean::edge]) * fitted.per_size;
-    at.put(a.slip_x, at.get(in.slip_x) + elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
+    at.put(a.slip_x, at.get(in.slip_x) + 1.3 * pressed +
+                         elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
+    // Spread of the slip across the contact, of fields, which have no derivatives.
+    const auto size = value_of(fitted.per_size), t = value_of(across);
+    const tangential::SlipAcross<std::decay_t<decltype(t)>> factor(value_of(u), value_of(x) * size,
+                                                                   value_of(e) * size, value_of(s) * size);
+    at.put(a.across, Number(factor.at(t)));
   });
 }
 

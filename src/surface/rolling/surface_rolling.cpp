@@ -24,6 +24,7 @@ SurfaceRollingTotals roll_by_strip_fastsim(const SurfaceRollingInput& in, const 
   task.turn_y = a.turn_y;
   task.edge_x = a.edge_x;
   task.edge_y = a.edge_y;
+  task.across = a.across;
   // power is force times rigid slip: elastic slip from the tractions beside takes none
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;
@@ -42,7 +43,7 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
                                      const tangential::TangentialFields& fields,
                                      const SurfaceRollingForces& forces) {
   Arena arena(workspace);
-  const RollingArrays a = cut_rolling_arrays<double>(arena, in.count);
+  const RollingArrays a = cut_rolling_arrays<double>(arena, in.count, in.count);
   const strip_numbers::Shared shared = strip_numbers::shared(in);
   // Loads, coefficients and means serve all methods; the rest of the arrays strip FASTSIM alone.
   in.grid->kernels->surface.strip_numbers(
@@ -55,8 +56,9 @@ SurfaceRollingTotals roll_on_surface(const SurfaceRollingInput& in, void* worksp
     case SurfaceRollingMethod::fastrip:
       return roll_by_fastrip(in, a, fields, forces);
   }
-  if (in.layer.present())
-    return roll_layered(in, false, fields, forces, [&](std::int32_t j) { return layered_strip(in, a, j); });
+  if (in.layered())
+    return roll_layered(in, false, fields, forces,
+                        [&](std::int32_t j) { return layered_strip(in, a, layer_of(in, j), j); });
   return roll_by_strip_fastsim(in, a, fields, forces);
 }
 

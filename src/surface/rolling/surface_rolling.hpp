@@ -61,14 +61,26 @@ struct SurfaceRollingInputOf {
   const Number* friction = nullptr;     ///< coefficient of every strip [-], >= 0
   double shear_modulus = 0.0;           ///< G, times the slope reduction of a layer between the bodies [Pa]
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
+  double coupling = 0.0;                ///< Kalker's K of unlike bodies [-]
   tangential::Layer layer{};            ///< between the bodies
+  const Number* flexibility = nullptr;  ///< films in rows have layers: F of every strip in place of `layer`,
+  const double* yield = nullptr;        ///< and its tau_0
+  const double* hardening = nullptr;    ///< and k
   const StripCoefficientTable* coefficients = nullptr;  ///< table of the bodies' Poisson ratio
   const tangential::MarchGrid* grid = nullptr;          ///< cells along each strip
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;
   bool parabolic = false;  ///< bound of FASTSIM
   const SurfaceCalibration* calibration = &fitted_surface_calibration;
+
+  bool layered() const { return layer.present() || flexibility != nullptr; }
 };
 using SurfaceRollingInput = SurfaceRollingInputOf<double>;
+
+/// The layer of strip j.
+inline tangential::Layer layer_of(const SurfaceRollingInput& in, std::int32_t j) {
+  return in.flexibility == nullptr ? in.layer
+                                   : tangential::Layer{in.flexibility[j], in.yield[j], in.hardening[j]};
+}
 
 /// Forces on the wheel in each strip's own axes (x, and y along the surface) and moments about the strip's
 /// normal through its middle: arrays of the caller.

@@ -37,5 +37,19 @@ inline void blend_rows_kernel(const BlendRowsTask& task) {
   blend_groups<1>(task, first);
 }
 
+/// SurfaceKernels::take_known.
+inline void take_known_kernel(const double* row, std::int32_t first, std::int32_t end, const double* x,
+                              double* right) {
+  constexpr std::int32_t vectors = 4 / abreast;
+  Columns left[vectors];
+  for (std::int32_t k = 0; k < vectors; ++k) left[k] = load_columns(right + k * abreast);
+  for (std::int32_t c = first; c < end; ++c) {
+    const Columns share = in_all_columns(row[c]);
+    for (std::int32_t k = 0; k < vectors; ++k)
+      left[k] = left[k] - share * load_columns(x + 4 * c + k * abreast);
+  }
+  for (std::int32_t k = 0; k < vectors; ++k) store_columns(right + k * abreast, left[k]);
+}
+
 }  // namespace
 }  // namespace wrc::simd

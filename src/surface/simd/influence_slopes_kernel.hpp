@@ -103,11 +103,11 @@ inline Sloped row_place(Pack distance, Pack inverse_length) {
 }
 
 /// line_potential_at() of the same, xi >= 0.
-inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const Sloped& xi) {
+inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const LineRows& rows,
+                                    const Sloped& xi) {
   constexpr normal::OctaveAxis axis = normal::InfluenceTables::from_end;
   constexpr double least = axis.node(0);
   // Bilinear in (row, from_end = xi - 1); the axis of columns is of |xi - 1| + least, hence the sign.
-  const LineRows rows = line_rows_at(row.v);
   const Pack from_end = xi.v - 1.0, sign = with_sign(1.0, from_end);
   const BetweenColumns j = between_columns(tables, rows, from_end);
   const Pack per_distance =
@@ -117,31 +117,33 @@ inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row
   return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_row * row.x + by_xi * xi.x};
 }
 
-/// A pack of sources with their distances from a point, in half lengths.
+/// A pack of sources with their distances from points of a place, in half lengths.
 struct SeenSources {
-  Sloped tau, xi, half_width, factor;
+  Sloped tau, half_width, factor;
   Sloped row;  ///< place on the rows' axis
   Mask own;
 };
 
-inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t first,
-                                const SurfacePoint& point) {
+inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t first, double place) {
   // a / l has the derivative -a / l^2 by l.
   const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
   const auto over_length = [&](Pack a) { return Sloped{a * inverse, zero - a * inverse * inverse, zero}; };
   SeenSources s;
-  const Pack distance = magnitude(load_pack(sources.place + first) - Pack(point.place));
+  const Pack distance = magnitude(load_pack(sources.place + first) - Pack(place));
   s.tau = over_length(distance);
   s.row = row_place(distance, inverse);
-  // |x - c| / l has the sign of x - c in its derivative by x.
-  const Pack offset = Pack(point.x) - load_pack(sources.centre + first);
-  s.xi = over_length(magnitude(offset));
-  s.xi.x = select(offset < zero, zero - inverse, inverse);
   const Pack half = load_pack(sources.half_width + first), factor = load_pack(sources.factor + first);
   s.half_width = {half, zero - half * inverse, zero};
   s.factor = {factor, zero - factor * inverse, zero};
   s.own = s.tau.v <= 0.0;
   return s;
+}
+
+/// |x - c| / l of a pack of sources, with the sign of x - c in its derivative by x.
+inline Sloped seen_along(const SurfaceSources& sources, std::int32_t first, double x) {
+  const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
+  const Pack offset = Pack(x) - load_pack(sources.centre + first), distance = magnitude(offset) * inverse;
+  return {distance, zero - distance * inverse, select(offset < zero, zero - inverse, inverse)};
 }
 
 inline void store_sloped(const Sloped& a, std::int32_t first, const SurfaceSlopes& to) {
@@ -155,15 +157,17 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
                                      const SurfacePoint& point, const SurfaceSlopes& slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
     // On the middle plane, and beside it where xi is not small: line_potential_near() of the values.
-    const SeenSources s = seen_sources(sources, first, point);
+    const SeenSources s = seen_sources(sources, first, point.place);
+    const Sloped xi = seen_along(sources, first, point.x);
     const Sloped tau = select(s.own, 1.0, s.tau);
     const MiddlePlane<Sloped> middle = read_middle_plane(tables.line, tau);
     const Sloped towards_line = middle.inverse_to_end * middle.inverse_to_end;
-    const Sloped y = s.xi * s.xi * towards_line;
+    const Sloped y = xi * xi * towards_line;
     const Sloped close = near_middle_plane(middle.potential, towards_line, y);
     Sloped seen = close;
     if (any(y.v > beside_middle_plane))
-      seen = close + part_off_middle_plane(y) * (line_potential_sloped(tables.line, s.row, s.xi) - close);
+      seen = close + part_off_middle_plane(y) *
+                         (line_potential_sloped(tables.line, s.row, line_rows_at(s.row.v), xi) - close);
     // The width of near sources, and the mean over the width for the point's own.
     const Mask is_near = s.tau.v < near_strip * s.half_width.v;
     if (any(is_near)) {
@@ -176,14 +180,18 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
 }
 
 /// SurfaceKernels::edge_slopes.
-inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSources& sources,
-                                const SurfacePoint& point, const SurfaceSlopes& slopes) {
+inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSources& sources, double place,
+                                const double* x, const SurfaceSlopes* slopes) {
   for (std::int32_t first = 0; first < sources.count; first += lanes) {
-    const SeenSources s = seen_sources(sources, first, point);
     // J(tau, xi); the mean over its own width where the point is an edge of the source.
-    Sloped seen = line_potential_sloped(tables.line, s.row, s.xi);
-    if (any(s.own)) seen = select(s.own, read_sloped(tables.line.edge_under, s.half_width), seen);
-    store_sloped(s.factor * seen, first, slopes);
+    const SeenSources s = seen_sources(sources, first, place);
+    const LineRows rows = line_rows_at(s.row.v);
+    const bool any_own = any(s.own);
+    const Sloped own = any_own ? read_sloped(tables.line.edge_under, s.half_width) : Sloped(0.0);
+    for (std::int32_t edge = 0; edge < 2; ++edge) {
+      const Sloped far = line_potential_sloped(tables.line, s.row, rows, seen_along(sources, first, x[edge]));
+      store_sloped(s.factor * (any_own ? select(s.own, own, far) : far), first, slopes[edge]);
+    }
   }
 }
 

@@ -15,6 +15,8 @@ namespace wrc::simd::WRC_SET {
 extern const SurfaceKernels surface_kernels;
 constexpr SurfaceKernels surface_kernels = {
     .strip_numbers = strip_numbers_kernel,
+    .strip_means_slopes = strip_means_slopes_kernel,
+    .strip_arrays_slopes = strip_arrays_slopes_kernel,
     .influence = surface_influence,
     .own_influence = surface_own_influence,
     .edges = surface_edges,
@@ -22,6 +24,7 @@ constexpr SurfaceKernels surface_kernels = {
     .edge_slopes = sloped::surface_edge_slopes,
     .slopes_row = slopes_row_kernel,
     .blend_rows = blend_rows_kernel,
+    .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
     .section_strips = section_strips_kernel,
     .outline = outline_kernel,

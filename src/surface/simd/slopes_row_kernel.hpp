@@ -23,16 +23,24 @@ inline void slopes_row_kernel(const SlopesRowTask& task) {
     store(load_pack(task.seen.by_length + first) * cosine * q_dl_dL, row + n, count);
     store(-(load_pack(task.seen.by_x + first) * cosine * q), row + 2 * n, count);
   }
-  // Sums of q J with each element of the directions and of their derivatives by the inputs.
-  Native sum[vectors];
-  for (std::int32_t k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
+  // Sums of q J with each element of the directions and of their derivatives by the inputs; of q dJ/dx with
+  // the direction alone, which are the first two numbers.
+  constexpr std::int32_t alone = (2 + native_lanes - 1) / native_lanes;
+  Native sum[vectors], by_x[alone];
+  for (Native& each : sum) each = broadcast(0.0);
+  for (Native& each : by_x) each = broadcast(0.0);
   for (std::int32_t b = 0; b < n; ++b) {
     const Native weight = broadcast(task.line_load[b] * task.seen.value[b]);
+    const Native slope = broadcast(task.line_load[b] * task.seen.by_x[b]);
     const double* const direction = task.direction + b * directions;
-    for (std::int32_t k = 0; k < vectors; ++k)
-      sum[k] = sum[k] + weight * load_lanes(direction + k * native_lanes);
+    for (std::int32_t k = 0; k < vectors; ++k) {
+      const Native of_source = load_lanes(direction + k * native_lanes);
+      sum[k] = sum[k] + weight * of_source;
+      if (k < alone) by_x[k] = by_x[k] + slope * of_source;
+    }
   }
   for (std::int32_t k = 0; k < vectors; ++k) store_lanes(task.sum + k * native_lanes, sum[k]);
+  for (std::int32_t k = 0; k < alone; ++k) store_lanes(task.sum + directions + k * native_lanes, by_x[k]);
 }
 
 }  // namespace

@@ -3,15 +3,26 @@
 #pragma once
 
 #include "base/pack.hpp"
+#include "base/pack_dual.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
 
+/// Places of strips' numbers in the arrays (strip_numbers.hpp): of one strip.
+struct PlainStrip {
+  using Number = double;
+  std::int32_t strip;
+
+  double get(const double* of) const { return of[strip]; }
+  void put(double* of, double x) const { of[strip] = x; }
+};
+
 /// A pack's strips.
 struct StripLanes {
   using Number = Pack;
+  using OneStrip = PlainStrip;
   std::int32_t first, count;
 
   Pack get(const double* of) const { return load(of, first, count, 1.0); }
@@ -21,7 +32,23 @@ struct StripLanes {
     for (std::int32_t first = 0; first < count; first += lanes)
       f(StripLanes{first, count - first < lanes ? count - first : lanes});
   }
-  static bool positive(double x) { return x > 0.0; }
+};
+
+/// One strip with derivatives, which fill the lanes.
+struct DualStrip {
+  using Element = StripNumbersSlopesTask::Number;
+  using Number = PackDual<StripNumbersSlopesTask::inputs>;
+  using OneStrip = DualStrip;
+  static_assert(sizeof(Element) == (1 + Number::inputs) * sizeof(double), "value and derivatives");
+  std::int32_t strip;
+
+  double get(const double* of) const { return of[strip]; }
+  Number get(const Element* of) const { return Number::load(reinterpret_cast<const double*>(of + strip)); }
+  void put(Element* of, const Number& x) const { x.store(reinterpret_cast<double*>(of + strip)); }
+  template <class F>
+  static void each(std::int32_t count, const F& f) {
+    for (std::int32_t j = 0; j < count; ++j) f(DualStrip{j});
+  }
 };
 
 inline surface::StripCoefficientsOf<Pack> coefficients_at(const surface::StripCoefficientNodes& table,
@@ -50,6 +77,17 @@ inline void strip_numbers_kernel(const StripNumbersTask& task) {
   surface::strip_numbers::link<StripLanes>(in, a);
   surface::strip_numbers::linear_theory<StripLanes>(in, *task.shared, a);
   if (task.for_strip_fastsim) surface::strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
+}
+
+/// SurfaceKernels::strip_means_slopes.
+inline void strip_means_slopes_kernel(const StripNumbersSlopesTask& task) {
+  surface::strip_numbers::link<DualStrip>(*task.in, *task.arrays);
+  surface::strip_numbers::linear_theory<DualStrip>(*task.in, *task.shared, *task.arrays);
+}
+
+/// SurfaceKernels::strip_arrays_slopes.
+inline void strip_arrays_slopes_kernel(const StripNumbersSlopesTask& task) {
+  surface::strip_numbers::fill_arrays<DualStrip>(*task.in, *task.shared, *task.arrays);
 }
 
 }  // namespace

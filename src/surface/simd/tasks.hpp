@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "base/dual.hpp"
 #include "normal/simd/tasks.hpp"
 #include "surface/geometry/outline.hpp"
 
@@ -67,8 +68,8 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, and
-/// the sums of J q with the sources' directions.
+/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, the
+/// sums of J q with the sources' directions, and of dJ/dx q with the first of these numbers.
 struct SlopesRowTask {
   std::int32_t count;
   SurfaceSlopes seen;
@@ -77,9 +78,9 @@ struct SlopesRowTask {
   const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
   const double* direction;            ///< each source: `directions` numbers
   double* row;                        ///< by q, by L and by centre, `count` of each
-  double* sum;                        ///< sums of q J direction over the sources
+  double* sum;                        ///< sums of q J direction over the sources; behind them of q dJ/dx
 
-  static constexpr std::int32_t directions = 16;
+  static constexpr std::int32_t directions = 16, sums = directions + 8;
 };
 
 /// to = sum of share_i row_i; columns: whole groups of eight.
@@ -128,6 +129,17 @@ struct StripNumbersTask {
   const surface::strip_numbers::Shared* shared;
   const surface::RollingArraysOf<double>* arrays;
   bool for_strip_fastsim;  ///< its arrays, too
+};
+
+/// The same of numbers that carry derivatives by as many inputs as a wrench has in the
+/// rail's axes (surface/wrench/wrench_jacobian.hpp).
+struct StripNumbersSlopesTask {
+  static constexpr std::size_t inputs = 13;
+  using Number = Dual<inputs>;
+
+  const surface::SurfaceRollingInputOf<Number>* in;
+  const surface::strip_numbers::Shared* shared;
+  const surface::RollingArraysOf<Number>* arrays;
 };
 
 }  // namespace wrc::simd

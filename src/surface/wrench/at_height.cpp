@@ -61,18 +61,18 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
             "mm for input.wheel.y, or another gauge?");
 }
 
-/// Flags contact farther along the track than is looked, found or seen to be there.
+/// Flags contact at the farthest place along the track that is looked at.
 Fault beyond_search(const Overlaps& o) {
-  bool beyond = o.beyond;
+  bool beyond = false;
   for (std::int32_t i = 0; i < o.count; ++i) beyond = beyond || magnitude(o.centre[i]) >= farthest_along;
   if (!beyond) return {};
   return Fault::patch_at_edge("place of contact along the track",
-                              "a surface that moves aside nears the wheel's flange more than 60 mm ahead or "
+                              "a surface that moves aside nears the wheel's flange more than 160 mm ahead or "
                               "behind, where contact is not looked for");
 }
 
-/// Flags a solution that reaches where a surface begins or ends along the track: there strips are solved with
-/// its mirror image beyond the end.
+/// Flags a solution that reaches where a surface begins or ends along the track: there strips are cut off
+/// (cut_at_end()).
 Fault ends_along(const WheelProblem& problem, const WheelSolution& s) {
   const VaryingRail& varying = problem.model.varying;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
@@ -84,8 +84,8 @@ Fault ends_along(const WheelProblem& problem, const WheelSolution& s) {
       return Fault::patch_at_edge(
           {"config.rail_sections: contact at the end of surface", f},
           {extent.holds(behind) ? ahead : behind, "m", problem.rail.low[f], problem.rail.high[f]},
-          "its pressure is that of a mirror image beyond: let surfaces begin and end "
-          "where no wheel touches them");
+          "the peak of its pressure, which has no bound at a sharp end, is not solved: let surfaces begin "
+          "and end where no wheel touches them");
   }
   return {};
 }

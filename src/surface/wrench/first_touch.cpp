@@ -38,35 +38,52 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
   return (top - lowest) / motion.cosine;
 }
 
-/// The vertical distance between the wheel's outline, raised as its circle rises along the track, and the
-/// nearest of the rail's places along it [m]: to some tenths of a millimetre. `outline` is that of `motion`.
-double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
+/// The vertical distance between the wheel's outline, raised as its circle rises along the track, and every
+/// so many of a surface's strips at a place along it [m].
+double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
+                     const PlaceWeights& place, std::int32_t every) {
   const SurfaceModel& model = problem.model;
-  const RailStrips strips = strips_before(model, motion.pose, problem.rail);
-  const double per_circle = 0.5 / model.wheel_radius;
+  const double rise = 0.5 * place.x * place.x / model.wheel_radius;
+  double nearest = 1e300;
+  std::int32_t k = 1;
+  for (std::int32_t j = range.first; j < range.first + range.count; j += every) {
+    const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
+    // the chord of the outline above the strip
+    while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
+    while (k > 1 && outline.y[k - 1] > y) --k;
+    const double left = outline.y[k - 1], right = outline.y[k];
+    if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
+      continue;
+    const double share = (y - left) / (right - left);
+    const double above = outline.z[k - 1] + share * (outline.z[k] - outline.z[k - 1]);
+    nearest = smaller(nearest, z - above + rise);
+  }
+  return nearest;
+}
+
+/// The vertical distance to the nearest of the rail's places along the track [m]: to some tenths of a
+/// millimetre. `outline` is that of `motion`.
+double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
+  constexpr double apart = 2.0 * place_apart, far = places_to_a_side * place_apart + apart;  // [m]
+  constexpr std::int32_t every = 4;                                                          // strips, there
+  const VaryingRail& varying = problem.model.varying;
+  const RailStrips strips = strips_before(problem.model, motion.pose, problem.rail);
   double nearest = 1e300;
   for (std::int32_t r = 0; r < strips.ranges; ++r) {
     const FaceStrips& range = strips.range[r];
-    const std::int32_t face = face_of(model.varying, range.first);
-    for (const PlaceWeights& place : problem.rail.place[face]) {
-      // a face that ends between two places counts at both
-      if (place.x < problem.rail.low[face] - place_apart || place.x > problem.rail.high[face] + place_apart)
-        continue;
-      const double rise = per_circle * place.x * place.x;
-      std::int32_t k = 1;
-      for (std::int32_t j = range.first; j < range.first + range.count; ++j) {
-        const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
-        // the chord of the outline above the strip
-        while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
-        while (k > 1 && outline.y[k - 1] > y) --k;
-        const double left = outline.y[k - 1], right = outline.y[k];
-        if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
-          continue;
-        const double share = (y - left) / (right - left);
-        const double above = outline.z[k - 1] + share * (outline.z[k] - outline.z[k - 1]);
-        nearest = smaller(nearest, z - above + rise);
-      }
-    }
+    const std::int32_t face = face_of(varying, range.first);
+    // a face that ends between two places counts at both
+    const double low = problem.rail.low[face], high = problem.rail.high[face];
+    for (const PlaceWeights& place : problem.rail.place[face])
+      if (place.x >= low - place_apart && place.x <= high + place_apart)
+        nearest = smaller(nearest, fall_at_place(problem, outline, range, place, 1));
+    for (const double way : {-1.0, 1.0})
+      for (double x = far; x < farthest_along + place_apart; x += apart)
+        if (way * x >= low - apart && way * x <= high + apart)
+          nearest = smaller(
+              nearest,
+              fall_at_place(problem, outline, range,
+                            place_at(varying, varying.face[face], problem.rail.distance, way * x), every));
   }
   return nearest / motion.cosine;
 }

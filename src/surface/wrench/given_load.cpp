@@ -65,15 +65,12 @@ void predict_lengths(const Lengths& before, double last, double height, const Wh
   if (start.from == StartFrom::overlaps || before.count == 0 || before.height == last) return;
   start.from = StartFrom::extrapolation;
   const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
-  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
-    const std::int32_t j = o.strip[i];
-    // strips of both, each by increasing number; those that were not in contact twice stay as they are
-    while (b < before.count && before.strip[b] < j) ++b;
-    if (b == before.count) break;
-    if (before.strip[b] != j || !(squared[i] > 0.0) || !(before.squared[b] > 0.0)) continue;
+  for_shared_strips(o.count, o.strip, before.count, before.strip, [&](std::int32_t i, std::int32_t b) {
+    // those that were not in contact twice stay as they are
+    if (!(squared[i] > 0.0) || !(before.squared[b] > 0.0)) return;
     start.solution.length_squared[i] =
         larger(squared[i] + share * (squared[i] - before.squared[b]), 0.5 * squared[i]);
-  }
+  });
 }
 
 /// The wrench at the height that carries the load given, searched from `height`, between those that `search`
@@ -110,9 +107,10 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     predict_lengths(before, last, height, solver.solution, solver.start);
     before.keep(last, solver.solution);
 
-    // a secant leaves about this of the last two; and the one after that should be as good
-    const double expected = 0.2 * miss * miss_before;
-    tolerance = larger(smaller(0.2 * miss * expected, coarse), exact);
+    // a secant leaves about this of the last two; and the one after that should be as good, where this load
+    // is known as well: to a fifth of its residual
+    const double expected = 0.2 * miss * miss_before, known = 0.2 * solver.out.residual;
+    tolerance = larger(smaller(larger(0.2 * miss * expected, known), coarse), exact);
     if (expected < met) tolerance = exact;
     miss_before = miss;
   }
@@ -268,16 +266,12 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;
-  for (std::int32_t i = 0, b = 0; i < o.count; ++i) {
-    const std::int32_t j = o.strip[i];
-    while (b < earlier.count && earlier.strip[b] < j) ++b;
-    if (b == earlier.count) break;
-    if (earlier.strip[b] != j) continue;
+  for_shared_strips(o.count, o.strip, earlier.count, earlier.strip, [&](std::int32_t i, std::int32_t b) {
     const double down = downwards(s.motion, o.ny[i], o.nz[i]);
-    const double spring = problem.rail.width[j] * earlier.length_squared[b] * down;
+    const double spring = problem.rail.width[o.strip[i]] * earlier.length_squared[b] * down;
     grown += spring * (o.depth[i] - earlier.depth[b]);
     stiffness += spring * down;
-  }
+  });
   double change = stiffness > 0.0 ? -grown / stiffness : 0.0;
   // And the change of the load, straightened as the search has it.
   const double asked = straightened(problem.in.vertical_load);

@@ -5,11 +5,17 @@
 
 namespace wrc::surface {
 
-/// The law's coefficient of overlap i at rest, a mean over its width on the profile that zones lie on, and
-/// its derivative by the strip's place on the wheel's profile [1/m].
+/// The law's coefficient of overlap i at rest, a mean over its width on the profile that zones and films lie
+/// on, the layer of films, and derivatives by the strip's place on the wheel's profile [1/m].
 struct FrictionAtRest {
   double value, by_wheel_y;
+  tangential::Layer layer{}, layer_by_wheel_y{};
 };
+
+/// Does a strip's friction at rest change with its place on the wheel?
+inline bool moves_with_wheel(const WheelOnRail& in) {
+  return in.zones_on_wheel || (in.films != nullptr && in.films->wheel.count > 1.0);
+}
 FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& overlaps, std::int32_t i);
 
 /// The law's factor of the sliding speed of the k-th strip in contact: the root mean square of its rigid slip
@@ -17,7 +23,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& ove
 double strip_speed_factor(const tangential::FrictionLaw& law, const ContactArrays& strips, std::int32_t k,
                           double speed);
 
-/// Fills the coefficients of cold strips: over their widths, at their sliding speeds.
+/// Fills the coefficients of cold strips: over their widths, at their sliding speeds; and their layers.
 void set_cold_friction(const WheelProblem& problem, const Overlaps& overlaps, double speed,
                        const ContactStrips& strips);
 

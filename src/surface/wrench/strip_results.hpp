@@ -24,16 +24,19 @@ struct StripColumns {
   Column slip_x = {}, slip_y = {};  ///< rigid slips [-]
   Column spin = {};                 ///< [1/m]
   Column friction = {};             ///< coefficient [-]
+  Column flexibility = {};          ///< F of a layer that differs from strip to strip [m/Pa]
+  Column yield = {};                ///< tau_0 of that layer [Pa]
+  Column hardening = {};            ///< k of that layer [Pa/m]
   Column fx = {}, fy = {};          ///< tangential forces without the factor [N]
   Column mz = {};                   ///< about each strip's own middle, without the factor [N m]
   Column power = {};                ///< frictional, without the factor [W]
   Column y_wheel = {};              ///< where they touch the wheel, its profile's coordinate [m]
 
-  static constexpr std::int32_t count_of_columns = 20;
+  static constexpr std::int32_t count_of_columns = 23;
   std::array<Column*, count_of_columns> columns() {
-    return {&strip,    &place,       &width,  &y,         &z,      &angle,  &half_length,
-            &peak,     &solved_peak, &centre, &curvature, &slip_x, &slip_y, &spin,
-            &friction, &fx,          &fy,     &mz,        &power,  &y_wheel};
+    return {&strip,       &place,     &width,     &y,      &z,      &angle, &half_length, &peak,
+            &solved_peak, &centre,    &curvature, &slip_x, &slip_y, &spin,  &friction,    &flexibility,
+            &yield,       &hardening, &fx,        &fy,     &mz,     &power, &y_wheel};
   }
 };
 static_assert(sizeof(StripColumns<double>) == StripColumns<double>::count_of_columns * sizeof(double));
@@ -48,6 +51,7 @@ struct StripResultsHead {
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
   double slope_reduction = 1.0;  ///< factor by a layer between the bodies
   tangential::Layer layer;       ///< that shears and yields
+  double layer_of_strips = 0.0;  ///< 1: layers are those of the strips
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
 };
 

@@ -17,6 +17,8 @@ Fault solve_one_way(const SurfaceModel& model, const WheelOnRail& in, const Cont
   const std::int32_t count = strips.count;
   auto rolls = rolling_input<double>(model, in, strips);
   rolls.peak = strips.solved_peak;
+  rolls.yield = strips.yield;
+  rolls.hardening = strips.hardening;
   rolls.method = methods.strips;
   rolls.parabolic = methods.parabolic;
 
@@ -86,11 +88,27 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
   return fault;
 }
 
+namespace {
+
+/// Scratch of steps that remember, which have no fields: behind it is that of roll_remembering().
+RollingScratch cut_remembered(Arena& arena, WorkSizes sizes, std::int32_t strips) {
+  sizes.strips = strips;
+  sizes.cells = 0;
+  return cut_rolling(arena, sizes);
+}
+
+}  // namespace
+
+void count_remembered_tractions(Arena& arena, const WorkSizes& sizes) {
+  cut_remembered(arena, sizes, sizes.strips);
+  count_remembering(arena, sizes.strips);
+}
+
 RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
                                              const ContactStrips& strips, const RememberedStep& step,
                                              Arena arena, const SurfaceRollingForces& forces) {
   const SurfaceModel& model = problem.model;
-  const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
+  const RollingScratch scratch = cut_remembered(arena, work_sizes(model), strips.count);
   auto rolls = rolling_input<double>(model, problem.in, strips);
   rolls.peak = strips.solved_peak;
   // seen along the direction of rolling
@@ -107,7 +125,7 @@ RememberingResult solve_remembered_tractions(const WheelProblem& problem, const 
   const RememberingInput in{rolls,
                             scratch.x,
                             scratch.number,
-                            problem.rail.s,
+                            problem.rail,
                             *model.methods.linear_theory,
                             step.divisor * step.time,
                             std::abs(step.rolling_speed) * step.time,

@@ -24,7 +24,9 @@ SurfaceRollingInputOf<Number> rolling_input(const SurfaceModel& model, const Whe
   rolls.friction = strips.friction;
   rolls.normal_shear_modulus = model.material.shear_modulus;
   rolls.shear_modulus = model.material.shear_modulus * in.slope_reduction;
+  rolls.coupling = model.coupling;
   rolls.layer = in.layer;
+  if (in.layer_of_strips) rolls.flexibility = strips.flexibility;
   rolls.coefficients = &model.coefficients;
   rolls.grid = model.grid;
   return rolls;
@@ -58,8 +60,10 @@ struct RememberedStep {
   tangential::PastStrip* written;
 };
 
-/// Forces of strips that remember at the end of the step, with friction as it is. Scratch is that of
-/// cut_rolling() and of roll_remembering().
+/// Counts the scratch of solve_remembered_tractions().
+void count_remembered_tractions(Arena& arena, const WorkSizes& sizes);
+
+/// Forces of strips that remember at the end of the step, with friction as it is.
 RememberingResult solve_remembered_tractions(const WheelProblem& problem, const Overlaps& overlaps,
                                              const ContactStrips& strips, const RememberedStep& step,
                                              Arena arena, const SurfaceRollingForces& forces);

@@ -23,6 +23,7 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, Strip
   head.by_region = rolls_by_region(problem.model, in) ? 1.0 : 0.0;
   head.slope_reduction = in.slope_reduction;
   head.layer = in.layer;
+  head.layer_of_strips = in.layer_of_strips ? 1.0 : 0.0;
   const Overlaps& o = s.overlaps;
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
@@ -70,19 +71,34 @@ void copy_start(const KeptStart& from, KeptStart& to) {
   std::copy_n(from.depth, count, to.depth);
 }
 
+/// The change from one solution to a later one: of strips that are in contact in both.
+void take_change(const KeptStart& before, const KeptStart& now, KeptChange& change) {
+  const auto count = static_cast<std::int32_t>(now.count);
+  const auto earlier = static_cast<std::int32_t>(before.set * before.count);
+  for (double* const each : {change.length_squared, change.shift, change.depth})
+    std::fill_n(each, count, 0.0);
+  for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
+    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) return;
+    change.length_squared[i] = now.length_squared[i] - before.length_squared[b];
+    change.shift[i] = now.shift[i] - before.shift[b];
+    change.depth[i] = now.depth[i] - before.depth[b];
+  });
+}
+
 }  // namespace
 
 namespace {
 
-/// Has the wheel been put elsewhere on the rail since the committed step? Its lateral or vertical move is
-/// then longer than its speeds times the time. The speed along the rail counts, too: irregularities move the
+/// Has the wheel been put elsewhere on the rail since the committed step? Its move in a direction is then
+/// longer than its speeds times the time. The speed along the rail counts in all: irregularities move the
 /// wheel.
 Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
   constexpr double most = 1e-3, most_at_once = 1e-5;  // [m]
   if (!(steps.committed > 0.0)) return {};
   const double y = in.wheel.position[1] - in.rail.y - steps.from[0];
   const double z = in.load_prescribed ? 0.0 : in.wheel.position[2] - in.rail.z - steps.from[1];
-  const double moved = larger(magnitude(y), magnitude(z));
+  const double along = in.distance - steps.from[2];
+  const double moved = larger(larger(magnitude(y), magnitude(z)), magnitude(along));
   if (!(in.time > 0.0) && moved > most_at_once)
     return Fault::range("input.time_step", {in.time, "s"},
                         "the wheel has moved since wrc_contact_commit: give the time since then");
@@ -99,12 +115,18 @@ Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
 
 }  // namespace
 
-void mark_solution(SurfaceState& state) { copy_start(state.last, state.mark); }
+void mark_solution(SurfaceState& state) {
+  take_change(state.mark, state.last, state.change);
+  copy_start(state.last, state.mark);
+}
 
 std::int64_t surface_state_bytes(std::int32_t remembered) {
-  const std::int64_t memory =
-      remembered > 0 ? static_cast<std::int64_t>(tangential::strip_memory_bytes(remembered)) : 0;
-  return static_cast<std::int64_t>(sizeof(SurfaceState)) + memory;
+  // the strips that are remembered, and those of the last solution
+  std::size_t memory = 0;
+  if (remembered > 0)
+    memory =
+        sizeof(tangential::Memory) + 2 * static_cast<std::size_t>(remembered) * sizeof(tangential::PastStrip);
+  return static_cast<std::int64_t>(sizeof(SurfaceState) + memory);
 }
 
 tangential::Memory& memory_of(SurfaceState& state) {
@@ -112,7 +134,8 @@ tangential::Memory& memory_of(SurfaceState& state) {
 }
 
 void make_surface_memory(SurfaceState& state, std::int32_t remembered) {
-  tangential::make_strip_memory(remembered, &memory_of(state));
+  memory_of(state) = {};
+  memory_of(state).capacity = remembered;
 }
 
 bool commit_solution(SurfaceState& state) {
@@ -122,7 +145,7 @@ bool commit_solution(SurfaceState& state) {
   memory_of(state).turn_over();
   steps.pending = 0.0;
   steps.committed = 1.0;
-  std::copy_n(steps.to, 2, steps.from);
+  std::copy_n(steps.to, 3, steps.from);
   return true;
 }
 
@@ -156,9 +179,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   if (from == SolutionStart::mark) copy_start(state.mark, last);
   const bool warm = from != SolutionStart::anew && last.set > 0.0;
   HeightStart start{
-      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count)},
+      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count), {}},
       warm ? StartFrom::solution : StartFrom::overlaps,
       warm && last.stiffness > 0.0 ? last.stiffness : 1.0};
+  if (from == SolutionStart::mark)
+    start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
@@ -180,6 +205,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
     state.steps.pending = 1.0;
     state.steps.to[0] = in.wheel.position[1] - in.rail.y;
     state.steps.to[1] = out.height - in.rail.z;
+    state.steps.to[2] = in.distance;
     keep_worst(fault, jump);
   }
 
@@ -216,6 +242,7 @@ StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, s
     WheelOnRail in;
     in.slope_reduction = results.slope_reduction;
     in.layer = results.layer;
+    in.layer_of_strips = results.layer_of_strips > 0.0;
     solve_tractions(model, in, strips, backwards, scratch, f,
                     {scratch.other_fx, scratch.other_fy, scratch.other_mz});
     if (backwards) {

@@ -20,6 +20,7 @@
 #include "surface/wrench/relative_motion.hpp"
 #include "surface/wrench/strip_results.hpp"
 #include "surface/wrench/wrench_jacobian.hpp"
+#include "tangential/friction/film_rows.hpp"
 #include "tangential/friction/friction.hpp"
 #include "tangential/methods/strip_memory.hpp"
 #include "tangential/rolling_contact.hpp"
@@ -37,6 +38,7 @@ struct WheelOnRail {
   const tangential::FrictionLaw* law =
       nullptr;                  ///< in place of the coefficient: over a profile's y and the sliding speed
   bool zones_on_wheel = false;  ///< the law's zones lie on the wheel's profile, not on the rail's
+  const tangential::FilmRows* films = nullptr;  ///< on the law's friction, with layers in place of `layer`
   double distance =
       0.0;  ///< place of the wheel's reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;  ///< turn of the wheel about its axle, right-hand rule [rad]
@@ -44,6 +46,7 @@ struct WheelOnRail {
       1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
   tangential::SlopeFall slope;             ///< its fall as slip grows
   tangential::Layer layer;                 ///< that shears and yields
+  bool layer_of_strips = false;            ///< the films' in place of it: each strip has its own
   tangential::ReductionFactors reduction;  ///< those in Polach's force law
   double damping = 0.0;                    ///< Hunt and Crossley [s/m]
   double time = 0.0;                       ///< since the committed step, of a model that remembers [s]
@@ -105,18 +108,26 @@ struct KeptStart {
   double depth[most_overlapping_strips] = {};
 };
 
-/// Steps of a contact that remembers: places of the wheel from the rail, y and z [m], as committed and as in
-/// the last solution.
+/// A change of solutions (SolutionChange), by the strips of the later one.
+struct KeptChange {
+  double length_squared[most_overlapping_strips] = {};
+  double shift[most_overlapping_strips] = {};
+  double depth[most_overlapping_strips] = {};
+};
+
+/// Steps of a contact that remembers: places of the wheel from the rail, y and z, and along a rail that
+/// varies [m], as committed and as in the last solution.
 struct RememberedSteps {
   double committed = 0.0;  ///< 1: a step has been committed
   double pending = 0.0;    ///< 1: the last solution may be committed
-  double from[2] = {}, to[2] = {};
+  double from[3] = {}, to[3] = {};
 };
 
 /// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes. Behind
 /// it, of a model that remembers, the tractions (tangential::Memory).
 struct SurfaceState {
   KeptStart last, mark;
+  KeptChange change;  ///< from the solution marked before to the marked one
   StripResults kept;
   RememberedSteps steps;
 };

@@ -4,8 +4,8 @@
 
 #include "surface/pressure/planar_pressure.hpp"
 #include "surface/rolling/region_rolling.hpp"
-#include "surface/rolling/remembering.hpp"
 #include "surface/simd/tasks.hpp"
+#include "surface/wrench/strip_rolling.hpp"
 #include "surface/wrench/wrench_jacobian.hpp"
 
 namespace wrc::surface {
@@ -57,15 +57,16 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   cut_solution(results, sizes, none);
 
   // ... the stages' scratch, all from the same mark on
-  Arena overlaps = results, pressure = results, rolling = results, jacobian = results;
+  Arena overlaps = results, pressure = results, rolling = results, remembered = results, jacobian = results;
   cut_wheel_overlaps(overlaps, sizes);
   pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)
                                            : pressure_doubles(most));
   cut_rolling(rolling, sizes);
-  if (sizes.methods.remembers) count_remembering(rolling, most);
+  if (sizes.methods.remembers) count_remembered_tractions(remembered, sizes);
   if (sizes.methods.differentiable()) count_wrench_jacobian(jacobian, sizes);
   const auto behind = [&](const Arena& stage) { return stage.bytes() - results.bytes(); };
-  return {results.bytes(), behind(overlaps), behind(pressure), behind(rolling), behind(jacobian)};
+  return {results.bytes(), behind(overlaps), behind(pressure), std::max(behind(rolling), behind(remembered)),
+          behind(jacobian)};
 }
 
 }  // namespace wrc::surface

@@ -10,6 +10,7 @@
 #include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/strip_numbers.hpp"
+#include "surface/simd/tasks.hpp"
 #include "surface/wrench/strip_friction.hpp"
 #include "surface/wrench/strip_mechanics.hpp"
 #include "surface/wrench/strip_rolling.hpp"
@@ -19,6 +20,7 @@ namespace wrc::surface {
 namespace {
 
 using Number = RailFrameDual;
+static_assert(frame_inputs == simd::StripNumbersSlopesTask::inputs);
 
 Number frame_number(const PlaceDual& a) {
   Number n = a.value;
@@ -37,7 +39,7 @@ struct LoadedStrips {
   Number friction_factor = 1.0;  ///< on the friction of all
   std::int32_t* pressed;         ///< number among the strips in contact
   double *place, *width;         ///< [m]
-  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction;
+  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *flexibility;
   Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
 };
 
@@ -49,10 +51,12 @@ struct DualForces {
 /// Plain numbers of differences, under friction over temperature and with memory.
 struct DifferencesScratch {
   double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *x, *friction, *fx, *fy, *mz;
+  double *flexibility, *yield, *hardening;
   double* share;                        ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
   RollingScratch rolling;               ///< friction over temperature
-  Arena remembering;                    ///< scratch of steps that remember
+  tangential::PastStrip* written;       ///< strips of steps that remember
+  Arena remembering;                    ///< scratch of these steps
 };
 
 struct Scratch {
@@ -65,6 +69,7 @@ struct Scratch {
   DifferencesScratch differences;  ///< its memory is that of the three above
 };
 
+constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< that march
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
@@ -84,21 +89,25 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   s.pressed = arena.take<std::int32_t>(most);
   arena.each(most, s.place, s.width);
   arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
-             s.friction, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
-  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory, whose
-  // step has the scratch of the solution's.
+             s.friction, s.flexibility, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
+  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory.
   Arena differences = arena;
-  w.rolling = cut_rolling_arrays<Number>(arena, most);
-  w.values = arena.take(most * kernel_numbers);
-  w.slopes = arena.take(most * 3 * simd::strip_inputs);
+  w.rolling = cut_rolling_arrays<Number>(arena, most, strips_at_a_time);
+  w.values = arena.take(strips_at_a_time * kernel_numbers);
+  w.slopes = arena.take(strips_at_a_time * 3 * simd::strip_inputs);
   DifferencesScratch& h = w.differences;
   differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
-                   h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
-  h.remembering = differences;
+                   h.flexibility, h.yield, h.hardening, h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy,
+                   h.base_mz);
   WorkSizes rolling = sizes;
-  if (!sizes.methods.remembers) rolling.strips = most;
-  h.rolling = cut_rolling(differences, rolling);
-  if (sizes.methods.remembers) count_remembering(differences, sizes.strips);
+  rolling.strips = most;
+  if (sizes.methods.remembers) {
+    h.written = differences.take<tangential::PastStrip>(most);
+    h.remembering = differences;
+    count_remembered_tractions(differences, rolling);
+  } else {
+    h.rolling = cut_rolling(differences, rolling);
+  }
 
   // whichever of them is largest
   const std::int64_t behind = std::max(pressures.bytes(), differences.bytes()) - arena.bytes();
@@ -278,8 +287,11 @@ void differentiate_friction(const Differentiation& d, const Number& speed) {
     s.friction[k] =
         s.friction_factor *
         (at_rest.value * sliding.chain(falls, tangential::speed_factor_slope(law, sliding.value)));
-    if (d.problem.in.zones_on_wheel)
-      s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
+    s.flexibility[k] = at_rest.layer.flexibility;
+    if (!moves_with_wheel(d.problem.in)) continue;
+    s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
+    s.flexibility[k] =
+        y_on_wheel(d.w, k).chain(at_rest.layer.flexibility, at_rest.layer_by_wheel_y.flexibility);
   }
 }
 
@@ -300,12 +312,10 @@ struct KernelArrays {
   }
 };
 
-/// Tractions of the strips by the chain rule: the kernel's Jacobian by its nine inputs times their
+/// Tractions of some strips by the chain rule: the kernel's Jacobian by its nine inputs times their
 /// derivatives.
-void differentiate_strips(const Differentiation& d, const DualForces& forces) {
-  const SurfaceModel& model = d.problem.model;
-  const LoadedStrips& s = d.w.loaded;
-  const RollingArraysOf<Number>& a = d.w.rolling;
+void differentiate_strips(const Differentiation& d, const SurfaceRollingInputOf<Number>& s,
+                          const RollingArraysOf<Number>& a, const DualForces& forces) {
   const std::int32_t n = s.count;
   // The kernel's inputs, by SurfaceStripInput: but for the spin, which it multiplies by the half length.
   const Number* const inputs[simd::strip_inputs] = {a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y,
@@ -315,9 +325,9 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   // forces and their derivatives by each input, at the values of the inputs
   simd::SurfaceStripsSlopesTask task{};
   task.strips = n;
-  task.cells = model.grid->cells;
-  task.shape = &model.grid->elliptic;
-  task.inverse_weight = model.grid->inverse_weight;
+  task.cells = s.grid->cells;
+  task.shape = &s.grid->elliptic;
+  task.inverse_weight = s.grid->inverse_weight;
   task.width = s.width;
   task.half_length = arrays.values_of(s.half_length);
   task.bound = arrays.values_of(a.bound);
@@ -334,7 +344,7 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   task.fy = arrays.take();
   task.mz = arrays.take();
   task.slopes = d.w.slopes;
-  model.grid->kernels->tangential.surface_strips_slopes(task);
+  s.grid->kernels->tangential.surface_strips_slopes(task);
 
   for (std::int32_t k = 0; k < n; ++k) {
     const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};
@@ -358,14 +368,28 @@ void differentiate_strips(const Differentiation& d, const DualForces& forces) {
   }
 }
 
+/// The layer of the k-th strip that carries load.
+tangential::LayerOf<Number> differentiate_layer(const Differentiation& d, std::int32_t k) {
+  const FrictionAtRest of = friction_at_rest(d.problem, d.solved.overlaps, d.solved.strips.candidate[k]);
+  const auto moved = [&](double value, double slope) {
+    return moves_with_wheel(d.problem.in) ? y_on_wheel(d.w, k).chain(value, slope) : Number(value);
+  };
+  return {d.w.loaded.flexibility[k], moved(of.layer.yield, of.layer_by_wheel_y.yield),
+          moved(of.layer.hardening, of.layer_by_wheel_y.hardening)};
+}
+
 /// The same with a layer: the march with derivatives by its own numbers, times the derivatives of these.
+/// `first`: number of the first strip among those that carry load.
 void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf<Number>& rolls,
+                           const RollingArraysOf<Number>& arrays, std::int32_t first,
                            const DualForces& forces) {
   constexpr std::size_t numbers = tangential::LayeredNumbers::numbers;
   using OfStrip = Dual<numbers>;
-  const tangential::MarchGrid& grid = *d.problem.model.grid;
+  const tangential::MarchGrid& grid = *rolls.grid;
   for (std::int32_t k = 0; k < rolls.count; ++k) {
-    const tangential::LayeredStripAt<Number> strip = layered_strip(rolls, d.w.rolling, k);
+    const tangential::LayeredStripAt<Number> strip =
+        d.problem.in.layer_of_strips ? layered_strip(rolls, arrays, differentiate_layer(d, first + k), k)
+                                     : layered_strip(rolls, arrays, rolls.layer, k);
     tangential::LayeredStrip<OfStrip> varied;
     for (std::size_t i = 0; i < numbers; ++i) varied.of[i] = OfStrip::input(strip.numbers.of[i].value, i);
     const tangential::LayeredSum<OfStrip> sum = march_strip(varied, grid.elliptic, grid);
@@ -396,18 +420,29 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     reverse(n, s.spin);
   }
 
-  // from slips and lengths to the inputs of the march, by the templates that plain numbers take as well
-  const RollingArraysOf<Number>& a = d.w.rolling;
-  using Each = strip_numbers::OneStrip<Number>;
+  // from slips and lengths to means over neighbours, then the march, some strips at a time
+  const RollingArraysOf<Number>& all = d.w.rolling;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
-  strip_numbers::link<Each>(rolls, a);
-  strip_numbers::linear_theory<Each>(rolls, shared, a);
-  strip_numbers::fill_arrays<Each>(rolls, shared, a);
+  const simd::SurfaceKernels& kernels = model.grid->kernels->surface;
+  kernels.strip_means_slopes({&rolls, &shared, &all});
+  for (std::int32_t first = 0; first < n; first += strips_at_a_time) {
+    SurfaceRollingInputOf<Number> some = rolls;
+    some.count = std::min(n - first, strips_at_a_time);
+    RollingArraysOf<Number> arrays = all;
+    const auto begin_there = [first](auto&... lists) { ((lists += first), ...); };
+    begin_there(some.place, some.width, some.half_length, some.peak, some.curvature, some.slip_x, some.slip_y,
+                some.spin, some.friction);
+    if (some.flexibility != nullptr) begin_there(some.flexibility);
+    begin_there(arrays.load, arrays.c11, arrays.c22, arrays.c23, arrays.own, arrays.pressed);
+    for (Number*& mean : arrays.mean) mean += first;
+    kernels.strip_arrays_slopes({&some, &shared, &arrays});
 
-  if (d.problem.in.layer.present()) {
-    differentiate_layered(d, rolls, forces);
-  } else {
-    differentiate_strips(d, forces);
+    const DualForces found{forces.fx + first, forces.fy + first, forces.mz + first};
+    if (rolls.layered()) {
+      differentiate_layered(d, some, arrays, first, found);
+    } else {
+      differentiate_strips(d, some, arrays, found);
+    }
   }
   if (backwards)
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);
@@ -436,6 +471,9 @@ class StripsAlongInput {
     strips_.spin = h_.spin;
     strips_.x = h_.x;
     strips_.friction = h_.friction;
+    strips_.flexibility = h_.flexibility;
+    strips_.yield = h_.yield;
+    strips_.hardening = h_.hardening;
     for (int a = 0; a < numbers; ++a)
       for (std::int32_t k = 0; k < s_.count; ++k) size_[a] = larger(size_[a], magnitude(from_[a][k].value));
     // slips and spin share a size, so that a slip of zero has one
@@ -472,9 +510,12 @@ class StripsAlongInput {
       friction[k] = in.friction * factor;
       if (in.law == nullptr) continue;
       const FrictionAtRest cold = friction_at_rest(d_.problem, d_.solved.overlaps, strips_.candidate[k]);
-      double mu = cold.value;
-      if (in.zones_on_wheel)
-        mu = larger(cold.value + step * cold.by_wheel_y * y_on_wheel(d_.w, k).d[input], 0.0);
+      const double way = moves_with_wheel(in) ? step * y_on_wheel(d_.w, k).d[input] : 0.0;
+      const double mu = larger(cold.value + way * cold.by_wheel_y, 0.0);
+      const tangential::Layer &layer = cold.layer, &slope = cold.layer_by_wheel_y;
+      strips_.flexibility[k] = layer.flexibility + way * slope.flexibility;
+      strips_.yield[k] = layer.yield + way * slope.yield;
+      strips_.hardening[k] = layer.hardening + way * slope.hardening;
       friction[k] = mu * (strip_speed_factor(*in.law, strips_, k, speed) * factor);
     }
     return speed;
@@ -588,7 +629,7 @@ class RememberedDifferences : StripsAlongInput {
     const double divisor = go(input, step, h_.friction);
     solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,
                                {rolling_speed_.value + step * rolling_speed_.d[input], divisor,
-                                time_.value + step * time_.d[input], d_.problem.memory->list(2)},
+                                time_.value + step * time_.d[input], h_.written},
                                h_.remembering, {h_.fx, h_.fy, h_.mz});
   }
 

@@ -16,13 +16,15 @@
 namespace wrc::tangential {
 
 /// Without padding: part of a contact's saved state.
-struct Layer {
-  double flexibility = 0.0;  ///< F [m/Pa]
-  double yield = 0.0;        ///< tau_0; 0: it does not yield [Pa]
-  double hardening = 0.0;    ///< k; < 0: it softens [Pa/m]
+template <class Number>
+struct LayerOf {
+  Number flexibility = 0.0;  ///< F [m/Pa]
+  Number yield = 0.0;        ///< tau_0; 0: it does not yield [Pa]
+  Number hardening = 0.0;    ///< k; < 0: it softens [Pa/m]
 
   bool present() const { return flexibility > 0.0 || yield > 0.0; }
 };
+using Layer = LayerOf<double>;
 
 /// Share of tau_0 that softening leaves.
 inline constexpr double least_yield = 0.1;

@@ -95,8 +95,9 @@ struct LayerSpring {
     bodies_y = cell.elastic * strip.of[Of::bodies_y];
     stiff_x = bodies_x + strip.of[Of::spring_x] + tiny;
     stiff_y = bodies_y + strip.of[Of::spring_y] + tiny;
-    per_x = 1.0 / stiff_x;
-    per_y = 1.0 / stiff_y;
+    const Number per_both = 1.0 / (stiff_x * stiff_y);
+    per_x = stiff_y * per_both;
+    per_y = stiff_x * per_both;
     // spin alone displaces by half its growth times u v, the parabola
     const Number radius = limit * (reach - ((reach - 1.0) / cell.bound) * limit), most = inside * radius;
     const Number of_spin = (-0.5 * cell.elastic * cell.bound) * (strip.of[Of::stick_turn] * per_y);
@@ -128,26 +129,27 @@ struct LayerSpring {
 /// Traction of full adhesion for a displacement: on the way from the centre to the circle, or on it.
 template <class Number>
 struct LayerTrial {
-  Number px, py, size;
+  Number px, py, size, per_size;
   Number reached;  ///< displacement over that of the circle; from 1 on the traction stays there
 
   LayerTrial(const LayerSpring<Number>& spring, const Number& ux, const Number& uy) {
     // direction and size of the displacement beyond that of spin, over that per traction at the bound
     const Number one = 1.0, zero = 0.0;
     const Number dx = ux * spring.per_x, dy = uy * spring.per_y - spring.centre;
-    const Number square = dx * dx + dy * dy + spring.tiny, per_square = one / square;
-    const Number per_ray = square / spring.ray(dy, square);  // size over ray
-    const Number xx = dx * dx * per_square, yy = one - xx;
+    const Number xx = dx * dx, yy = dy * dy + spring.tiny, square = xx + yy;
+    reached = square / spring.ray(dy, square);  // size over ray
+    // both sides times the size squared
     const Number bodies = spring.bodies_x * xx + spring.bodies_y * yy;
     const Number all = spring.stiff_x * xx + spring.stiff_y * yy;
     // size all = t ray (bodies (2 - t) + spring): the smaller root t
-    reached = per_ray;
     const Number b = all + bodies;
     const Number under = root(larger(zero, b * b - 4.0 * (bodies * all) * smaller(one, reached)));
-    const Number part = select(value_of(reached) < 1.0, 2.0 * all / (b + under), one / reached);
+    const auto short_of_end = value_of(reached) < 1.0;
+    const Number part = select(short_of_end, 2.0 * all, one) / select(short_of_end, b + under, reached);
     px = dx * part;
     py = spring.centre + dy * part;
     size = root(px * px + py * py + spring.tiny);
+    per_size = one / size;
   }
 };
 
@@ -160,7 +162,7 @@ void slide(const LayeredStrip<Number>& strip, const LayerCell& cell, const Layer
   const Number zero = 0.0, one = 1.0, bound = cell.bound;
   // Excess of displacement over that of the bound in the trial's direction. As much flows as lets the bound
   // rise to meet it; where tau has just fallen below mu p within the cell, in part of the cell.
-  const Number per_size = one / trial.size, nx = trial.px * per_size, ny = trial.py * per_size;
+  const Number nx = trial.px * trial.per_size, ny = trial.py * trial.per_size;
   Number held_x, held_y;
   spring.displace(cell, spring.limit * nx, spring.limit * ny, held_x, held_y);
   const Number over_x = ux - held_x, over_y = uy - held_y;
@@ -178,7 +180,8 @@ void slide(const LayeredStrip<Number>& strip, const LayerCell& cell, const Layer
   // Direction: that of the trial where slip sets in within the step, that before it where there was slip; it
   // turns against the slip over the rest of the step.
   const Number gap = give * larger(zero, smaller(spring.limit - s.size, spring.limit - cell.grows * s.size));
-  const Number part = over / (over + gap), anew = gap / (gap + (0.05 * cell.step) * s.motion);
+  const Number all = over + gap, fresh = gap + (0.05 * cell.step) * s.motion, per_both = one / (all * fresh);
+  const Number part = over * fresh * per_both, anew = gap * all * per_both;
   const Number across = (cell.elastic * strip.of[Of::turn_x] + strip.of[Of::spring_x]) * (one - nx * nx) +
                         (cell.elastic * strip.of[Of::turn_y] + strip.of[Of::spring_y]) * (one - ny * ny);
   const Number resists = across * end, ahead = part * cell.step;
@@ -215,9 +218,8 @@ auto step_layer(const LayeredStrip<Number>& strip, const LayerCell& cell, LayerS
     slip_x = select(sticks, zero, cell.per_step * (slid.ux - ux));
     slip_y = select(sticks, zero, cell.per_step * (slid.uy - uy));
   }
-  const Number per_size = 1.0 / trial.size;
-  s.ex = select(sticks, trial.px * per_size, slid.ex);
-  s.ey = select(sticks, trial.py * per_size, slid.ey);
+  s.ex = select(sticks, trial.px * trial.per_size, slid.ex);
+  s.ey = select(sticks, trial.py * trial.per_size, slid.ey);
   s.size = select(sticks, trial.size, slid.size);
   s.ux = select(sticks, ux, slid.ux);
   s.uy = select(sticks, uy, slid.uy);

@@ -45,12 +45,13 @@ Number slip_in_series(const Number& bodies, const Number& of_bodies, const Numbe
 }
 
 /// Sets yield and hardening of a strip of half length l; `factor` on tau_0.
-template <class Number, class Length>
-void set_yield(const Layer& layer, const Number& factor, const Length& l, LayeredStripAt<Number>& strip) {
+template <class Number, class Length, class OfLayer>
+void set_yield(const LayerOf<OfLayer>& layer, const Number& factor, const Length& l,
+               LayeredStripAt<Number>& strip) {
   constexpr double never = 1e30, least_bound = 1e-6;  // [-], [Pa]
   const Number per_bound = Number(1.0) / larger(strip.bound, Number(least_bound));
   strip.numbers.of[LayeredNumbers::yield] =
-      layer.yield > 0.0 ? Number(layer.yield * per_bound * factor) : Number(never);
+      value_of(layer.yield) > 0.0 ? Number(layer.yield * per_bound * factor) : Number(never);
   strip.numbers.of[LayeredNumbers::hardening] = layer.hardening * per_bound * l;
 }
 

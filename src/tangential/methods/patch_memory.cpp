@@ -21,6 +21,7 @@ constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
 constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
 constexpr double least = 1e-290;       // keeps divisions finite
+constexpr double everywhere = 1e3;     // [m], farther than anything
 
 constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
 
@@ -74,19 +75,30 @@ double left_of_step(const double* share, std::int32_t k) {
   return left;
 }
 
+/// From 0 to 1 over the middle half of a way.
+double beyond_half(double at, double way) {
+  const double within = std::clamp(2.0 * at / way - 0.5, 0.0, 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
+/// The nearest strips on either side of a place on a plane. Between two strips of a patch shares are those of
+/// a straight line; two widths beside a patch there is none.
 Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
-  // the nearest on either side; beyond the last one that alone
   Neighbours n;
   for (std::int64_t k = 0; k < count; ++k) {
     const PastStrip*& side = past[k].y <= y ? n.first : n.second;
     if (side == nullptr || std::abs(past[k].y - y) < std::abs(side->y - y)) side = &past[k];
   }
-  if (n.first && n.second) {
-    n.share = (y - n.first->y) / (n.second->y - n.first->y);
-  } else if (n.second) {
-    n.first = n.second;
-    n.second = nullptr;
-  }
+  const double gap = n.first && n.second ? n.second->y - n.first->y : everywhere;
+  const auto share_of = [&](const PastStrip* strip) {
+    if (strip == nullptr) return 0.0;
+    double width = everywhere;
+    if (strip != past) width = std::abs(strip->y - strip[-1].y);
+    if (strip != past + count - 1) width = std::min(width, std::abs(strip->y - strip[1].y));
+    return std::max(0.0, 1.0 - std::abs(strip->y - y) / std::min(gap, 2.0 * width));
+  };
+  n.of_first = share_of(n.first);
+  n.of_second = share_of(n.second);
   return n;
 }
 
@@ -161,17 +173,19 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, F
   yield_[0] = std::max(0.0, rest.x - 1.0 / (growth_x_ * area));
   yield_[1] = std::max(0.0, rest.y - 1.0 / (growth_y_ * area));
   yield_[2] = std::max(0.0, (1.0 + factors_.torsion) * turned - cells_turned);
-  take_past();
+  if (strips_.number)
+    take_past_of_rail();
+  else
+    take_past_of_plane();
   set_bounds(std::clamp(0.5 * (yield_[0] / rest.x + yield_[1] / rest.y) + factors_.share, 0.0, 0.9));
 }
 
-void PatchStep::take_past() {
+void PatchStep::take_past_of_rail() {
+  // strips by their numbers, as far as they belong to the patch; moments to the patch's centre
   const patch::Strips& region = contact_.region;
   const double sign = contact_.memory.direction;
-  const PastStrip* const past = strips_.past;
-  // A rail's strips by their numbers, as far as they belong to the patch; moments to the patch's centre.
-  for (std::int32_t j = 0; strips_.number && j < region.count; ++j) {
-    const PastStrip* const strip = past_of_number(past, strips_.past_count, strips_.number[j]);
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    const PastStrip* const strip = strips_.past_of[j];
     if (strip == nullptr) continue;
     const double fx = strips_.inside[j] * sign * strip->force[0], fy = strips_.inside[j] * strip->force[1];
     before_[0] += fx;
@@ -179,50 +193,55 @@ void PatchStep::take_past() {
     before_[2] += strips_.inside[j] * sign * strip->force[2] +
                   arm_ * ((sign * strip->centre - centre_x_) * fy - (region.y[j] - centre_y_) * fx);
   }
-  if (strips_.number) {
-    const LeftStrips& left = strips_.left;
-    before_[0] += left.fx;
-    before_[1] += left.fy;
-    before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
-    return;
-  }
-  // On a plane forces, energy and difference to strip FASTSIM of the strips remembered within the patch's
-  // width.
-  double low = 0.0, high = 0.0;
+  const LeftStrips& left = strips_.left;
+  before_[0] += left.fx;
+  before_[1] += left.fy;
+  before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
+}
+
+void PatchStep::take_past_of_plane() {
+  // the patch's borders on the plane
+  const patch::Strips& region = contact_.region;
+  const RollingMemory& memory = contact_.memory;
+  const double sign = memory.direction, centre = memory.y(centre_y_);
+  double low = everywhere, high = -everywhere;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    const double y = key(j), half = 0.5 * region.width[j];
-    low = j == 0 ? y - half : std::min(low, y - half);
-    high = j == 0 ? y + half : std::max(high, y + half);
+    const double half = 0.5 * region.width[j];
+    low = std::min(low, key(j) - half);
+    high = std::max(high, key(j) + half);
   }
+  // forces, energy and difference to strip FASTSIM of the strips remembered, half way to other patches;
+  // beside the patch less, as a half-space is displaced and turned by a force at a distance
   for (std::int64_t k = 0; k < strips_.past_count; ++k) {
-    if (past[k].y < low || past[k].y > high) continue;
-    for (int i = 0; i < 3; ++i) {
-      before_[i] += (i == 1 ? 1.0 : sign) * past[k].force[i];
-      added_[i] += (i == 1 ? 1.0 : sign) * past[k].added[i];
+    const PastStrip& strip = strips_.past[k];
+    const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
+    double weight = 1.0, near = 1.0;
+    if (strip.y > high || strip.y < low) {
+      const double other = strip.y > high ? memory.above : memory.below;
+      weight = 1.0 - beyond_half(std::abs(strip.y - border), std::abs(other - border));
+      near = std::min(1.0, std::abs(border - centre) / off);
     }
-    energy_ += past[k].energy;
+    weight *= near;
+    const double fx = weight * sign * strip.force[0], fy = weight * strip.force[1];
+    const double y = (strip.y - memory.origin) / memory.slope;
+    before_[0] += fx;
+    before_[1] += fy;
+    before_[2] += weight * sign * strip.force[2] +
+                  arm_ * near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx);
+    for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
+    energy_ += weight * strip.energy;
   }
 }
 
 Neighbours PatchStep::past_of(std::int32_t j) const {
   if (!strips_.number) return neighbours(strips_.past, strips_.past_count, key(j));
-  return {past_of_number(strips_.past, strips_.past_count, strips_.number[j]), nullptr, 0.0};
+  return {strips_.past_of[j], nullptr};
 }
 
 void PatchStep::set_bounds(double share) {
-  // friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width
+  // friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width; strips shared among patches take the
+  // blended bounds and growths
   const patch::Strips& r = contact_.region;
-  for (std::int32_t j = 0; j < r.count; ++j)
-    limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
-  // Cells turn the faster, the less of the patch slides.
-  const double used2 = (before_[0] * before_[0] + before_[1] * before_[1]) / std::max(limit_ * limit_, least);
-  const double turns = factors_.turns * std::max(0.0, 1.0 - used2);
-  // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
-  constexpr std::int32_t bins = 64;
-  double area[bins + 1] = {}, whole_area = 0.0;
-  const auto load = [&](std::int32_t j) {
-    return (bins - 1e-9) * r.peak[j] * r.half_length[j] / std::max(largest_load_, least);
-  };
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.centre = r.centre[j];
@@ -234,6 +253,26 @@ void PatchStep::set_bounds(double share) {
     strip.reach = arm_ * r.half_length[j];
     strip.growth_x = growth_x_;
     strip.growth_y = growth_y_;
+    limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
+    if (strips_.shared == nullptr) continue;
+    const RememberingStrip& shared = strips_.shared[j];
+    strip.growth_x = shared.growth_x;
+    strip.growth_y = shared.growth_y;
+    strip.turns = shared.turns;
+    std::copy_n(shared.bound, cells, strip.bound);
+  }
+  if (strips_.shared) return;
+  // Cells turn the faster, the less of the patch slides.
+  const double used2 = (before_[0] * before_[0] + before_[1] * before_[1]) / std::max(limit_ * limit_, least);
+  const double turns = factors_.turns * std::max(0.0, 1.0 - used2);
+  // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
+  constexpr std::int32_t bins = 64;
+  double area[bins + 1] = {}, whole_area = 0.0;
+  const auto load = [&](std::int32_t j) {
+    return (bins - 1e-9) * r.peak[j] * r.half_length[j] / std::max(largest_load_, least);
+  };
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
     strip.turns = turns;
     for (std::int32_t i = 0; i < cells / 2; ++i) {
       const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
@@ -249,7 +288,7 @@ void PatchStep::set_bounds(double share) {
     sum += area[bin];
     larger[bin] = std::max(0.0, 1.0 - (sum - 0.5 * area[bin]) / std::max(whole_area, least));
   }
-  // Bounds over that of the middle; the whole is the friction limit.
+  // Bounds over that of the middle, then [Pa]: the whole is the friction limit.
   double whole = 0.0;
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
@@ -263,18 +302,9 @@ void PatchStep::set_bounds(double share) {
       whole += 2.0 * strip.bound[i] * strip.area;
     }
   }
-  // bounds at the cells [Pa]; strips shared among patches take the blended bounds and growths
   const double per = limit_ / std::max(whole, least);
-  for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    for (double& bound : strip.bound) bound *= per;
-    if (strips_.shared == nullptr) continue;
-    const RememberingStrip& shared = strips_.shared[j];
-    strip.growth_x = shared.growth_x;
-    strip.growth_y = shared.growth_y;
-    strip.turns = shared.turns;
-    std::copy_n(shared.bound, cells, strip.bound);
-  }
+  for (std::int32_t j = 0; j < r.count; ++j)
+    for (double& bound : strips_.scratch[j].bound) bound *= per;
 }
 
 void PatchStep::place_strips(double done) {
@@ -284,15 +314,16 @@ void PatchStep::place_strips(double done) {
     RememberingStrip& strip = strips_.scratch[j];
     const Neighbours before = past_of(j);
     double centre = contact_.region.centre[j], half = contact_.region.half_length[j];
-    if (before.first != nullptr) {
-      const PastStrip& second = before.second ? *before.second : *before.first;
-      const double old_centre =
-          sign * (before.first->centre + before.share * (second.centre - before.first->centre));
-      const double old_half =
-          before.first->half_length + before.share * (second.half_length - before.first->half_length);
-      centre = old_centre + done * (centre - old_centre);
-      half = old_half + done * (half - old_half);
-    }
+    double move = 0.0, growth = 0.0;
+    const auto add = [&](const PastStrip* past, double share) {
+      if (past == nullptr) return;
+      move += share * (centre - sign * past->centre);
+      growth += share * (half - past->half_length);
+    };
+    add(before.first, before.of_first);
+    add(before.second, before.of_second);
+    centre -= (1.0 - done) * move;
+    half -= (1.0 - done) * growth;
     strip.centre = centre;
     strip.half_length = half;
     strip.area = contact_.region.width[j] * half * (2.0 / cells);
@@ -317,17 +348,19 @@ void PatchStep::set_own(double travel) {
 void PatchStep::bring(double h, bool first) {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& to = strips_.scratch[j];
-    std::fill_n(to.px, cells, 0.0);
-    std::fill_n(to.py, cells, 0.0);
-    // the strips it comes from, turned to the way of rolling, and their shares
-    Neighbours from{&strips_.written[j], nullptr, 0.0};
+    // the strips it comes from, turned to the way of rolling; the rest of its cells enters one by one
+    Neighbours from{&strips_.written[j], nullptr};
     if (first) from = past_of(j);
-    if (from.first == nullptr) {  // cells enter one by one
+    if (from.first == nullptr) from.of_first = 0.0;
+    const double enters = std::max(0.0, 1.0 - from.of_first - from.of_second);
+    bool adds = enters > 0.0 || from.of_first == 0.0;
+    // cells that nothing is brought to begin without tractions
+    if (adds) {
+      std::fill_n(to.px, cells, 0.0);
+      std::fill_n(to.py, cells, 0.0);
       for (std::int32_t i = 0; i < cells; ++i)
-        to.share[i] = h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0;
-      continue;
+        to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
-    std::fill_n(to.share, cells, 0.0);
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
       PastStrip mirrored;
@@ -336,8 +369,9 @@ void PatchStep::bring(double h, bool first) {
       const PastStrip& past = as_it_is ? *one : mirrored;
       contact_.grid->kernels->tangential.memory_bring(
           {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
-           one == from.second ? from.share : 1.0 - from.share},
+           one == from.second ? from.of_second : from.of_first, adds},
           to);
+      adds = true;
     }
   }
 }
@@ -526,12 +560,5 @@ EnergyLeft count_energy(double before, double work, double stored) {
 }
 
 const double* memory_places() { return places.at; }
-
-const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number) {
-  const PastStrip* const end = past + count;
-  const PastStrip* const at = std::lower_bound(
-      past, end, number, [](const PastStrip& strip, double sought) { return strip.y < sought; });
-  return at != end && at->y == number ? at : nullptr;
-}
 
 }  // namespace wrc::tangential

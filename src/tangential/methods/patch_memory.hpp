@@ -44,7 +44,7 @@ namespace wrc::tangential {
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
   double centre, half_length;  ///< [m]
-  double force[3];  ///< its cells': Fx, Fy [N], Mz about the patch's centre, on a rail about its own [N m]
+  double force[3];             ///< its cells': Fx, Fy [N], Mz about its own middle [N m]
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
@@ -73,8 +73,9 @@ struct Memory {
   }
 };
 
-/// Forces of strips that have left the contact, of the bodies rolling forwards: sums of fx, fy, the moments
-/// about their own middles, and x fy - y fx from the patch's origin. The half-spaces yield as they vanish.
+/// Forces of strips that have left a rail's patch, of the bodies rolling forwards: sums of fx, fy, the
+/// moments about their own middles, and x fy - y fx from the patch's origin. The half-spaces yield as they
+/// vanish.
 struct LeftStrips {
   double fx = 0.0, fy = 0.0, mz = 0.0, turn = 0.0;
 };
@@ -86,8 +87,9 @@ struct PatchStrips {
   PastStrip* written = nullptr;         ///< as many as the patch has
   RememberingStrip* scratch = nullptr;  ///< as many
   const double* number =
-      nullptr;  ///< numbers of a rail's strips, by which their past is found; nullptr: by the place
-  const double* inside = nullptr;  ///< share of each strip's width within the patch; with `number`
+      nullptr;  ///< numbers of a rail's strips; nullptr: a plane's, whose past is found by the place
+  const PastStrip* const* past_of = nullptr;  ///< the past of each strip, or nullptr; with `number`
+  const double* inside = nullptr;             ///< share of each strip's width within the patch; with `number`
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
   /// are the same in all patches they are of. nullptr: those of the patch.
   const RememberingStrip* shared = nullptr;
@@ -95,10 +97,10 @@ struct PatchStrips {
   double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
 };
 
-/// The remembered strips beside a place, and the share of the second.
+/// The remembered strips that one comes from, and their shares.
 struct Neighbours {
   const PastStrip *first = nullptr, *second = nullptr;
-  double share = 0.0;
+  double of_first = 1.0, of_second = 0.0;
 };
 
 /// Factors of the law, fitted by tools/calibration.
@@ -158,7 +160,8 @@ class PatchStep {
   double energy() const { return energy_; }
 
  private:
-  void take_past();
+  void take_past_of_rail();
+  void take_past_of_plane();
   void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
   void part(const double shift[3], double h, bool first, double local[3]);
@@ -209,8 +212,5 @@ EnergyLeft count_energy(double before, double work, double stored);
 
 /// A past strip as the bodies roll now: backwards it is the mirror image.
 PastStrip turned(const PastStrip& strip, double direction);
-
-/// The remembered strip of this number; nullptr: there is none.
-const PastStrip* past_of_number(const PastStrip* past, std::int64_t count, double number);
 
 }  // namespace wrc::tangential

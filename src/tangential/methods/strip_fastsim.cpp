@@ -10,6 +10,7 @@
 #include "patch/material.hpp"
 #include "patch/regularise.hpp"
 #include "tangential/layer/layered_rolling.hpp"
+#include "tangential/methods/slip_across.hpp"
 #include "tangential/methods/strip_calibration.hpp"
 #include "tangential/simd/sums.hpp"
 #include "tangential/simd/tasks.hpp"
@@ -26,14 +27,16 @@ constexpr double largest_slenderness = 0.6;  // the calibration was fitted up to
 /// The model for a patch, its load and the creepages; T carries derivatives or not.
 template <class T>
 struct Model {
-  T gx_constant, gx_by_y;  ///< growth along x of adhesion tractions: gx_constant - gx_by_y y [Pa/m]
-  T gy_constant, gy_by_x;  ///< along y: gy_constant + gy_by_x x [Pa/m]
-  T l11, l22;              ///< flexibilities of creepages in the stick zone [m/Pa]
-  double t11, t22;         ///< flexibilities of linear theory, for the turning of slip [m/Pa]
-  T turning;               ///< factor on them
-  T torsion;               ///< lateral elastic slip of a patch that spins [-]
-  double elastic;          ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
-  double B;                ///< bound of the march [Pa/m^2]
+  T gx_constant, gx_by_y;          ///< growth along x of adhesion tractions: gx_constant - gx_by_y y [Pa/m]
+  T gy_constant, gy_by_x;          ///< along y: gy_constant + gy_by_x x [Pa/m]
+  T l11, l22;                      ///< flexibilities of creepages in the stick zone [m/Pa]
+  double t11, t22;                 ///< flexibilities of linear theory, for the turning of slip [m/Pa]
+  T turning;                       ///< factor on them
+  T torsion;                       ///< lateral elastic slip of a patch that spins [-]
+  double elastic;                  ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
+  double B;                        ///< bound of the march [Pa/m^2]
+  double across_even, across_odd;  ///< m, n of slip_across.hpp
+  double middle, per_width;        ///< y of the middle [m], one over half the width [1/m], for these
 };
 
 /// The terms of the calibration; x, e, s and the limit mu N as forces [N], Q the sum of their squares.
@@ -124,6 +127,15 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
   m.B = 4.0 / (3.0 * a) * patch.pressure_per_length * c.friction.mean;
   m.elastic = m.B * creepage_area * (m.t11 - m.t22);
   m.torsion = m.B * (m.t22 * a) * (spin / root(saturation2)) * fitted(StripCalibration::torsion);
+
+  // Spread of the slip across the patch, for fields.
+  const double per_size = 1.0 / std::sqrt(value_of(saturation2));
+  const SlipAcross<double> across(u, value_of(longitudinal) * per_size, value_of(lateral) * per_size,
+                                  value_of(spin) * per_size);
+  m.across_even = across.even;
+  m.across_odd = across.odd;
+  m.middle = patch.y_stiff;
+  m.per_width = 1.0 / b;
   return m;
 }
 
@@ -158,6 +170,10 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.torsion = coefficient(m.torsion);
   task.B = m.B;
   task.elastic = m.elastic;
+  task.across_even = m.across_even;
+  task.across_odd = m.across_odd;
+  task.middle = m.middle;
+  task.per_width = m.per_width;
   return task;
 }
 

@@ -20,14 +20,17 @@ PatchStrips strips_of(Memory& memory) {
           .scratch = memory.scratch()};
 }
 
-/// Keeps the patch's strips, of bodies rolling forwards, with their parts of the energy and of the difference
-/// to strip FASTSIM.
+/// Keeps the patch's strips, of bodies rolling forwards, moments about their own middles, with their parts of
+/// the energy and of the difference to strip FASTSIM.
 void keep_strips(const RollingContact& contact, double energy, const double added[3], Memory& memory) {
   const double part = 1.0 / contact.region.count;
   PastStrip* const written = memory.other() + memory.written;
   for (std::int32_t j = 0; j < contact.region.count; ++j) {
     written[j].energy = energy * part;
     for (int i = 0; i < 3; ++i) written[j].added[i] = added[i] * part;
+    const RememberingStrip& at = memory.scratch()[j];
+    double* const force = written[j].force;
+    force[2] -= at.x * force[1] - at.y * force[0];
     written[j] = turned(written[j], contact.memory.direction);
   }
   memory.written += contact.region.count;

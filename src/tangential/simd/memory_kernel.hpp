@@ -45,14 +45,17 @@ inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) 
         between_cells(behind * Pack(per_length) - Pack(0.5), was & (behind < Pack(length)));
     const Indices cell = indices(b.first);
     const Neighbours px = pick(t.px, cell), py = pick(t.py, cell);
-    store_pack(to.px + i, load_pack(to.px + i) + weight * (b.weight * px.at + b.weight_behind * px.behind));
-    store_pack(to.py + i, load_pack(to.py + i) + weight * (b.weight * py.at + b.weight_behind * py.behind));
+    const auto add = [&](double* cells, Pack brought) {
+      store_pack(cells + i, (t.adds ? load_pack(cells + i) : none) + weight * brought);
+    };
+    add(to.px, b.weight * px.at + b.weight_behind * px.behind);
+    add(to.py, b.weight * py.at + b.weight_behind * py.behind);
     Pack share = one;
     if (t.h > 0.0) {
       const Pack met = closing > 0.0 ? one - smaller(larger(-behind / Pack(closing), none), one) : none;
       share = select(was, one, met);
     }
-    store_pack(to.share + i, load_pack(to.share + i) + weight * share);
+    add(to.share, share);
   }
 }
 

@@ -19,6 +19,7 @@
 
 #include "base/pack.hpp"
 #include "tangential/march/march_grid.hpp"
+#include "tangential/methods/slip_across.hpp"
 #include "tangential/simd/march_groups.hpp"
 #include "tangential/simd/strip_fastsim_start.hpp"
 #include "tangential/simd/strip_group.hpp"
@@ -432,44 +433,50 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
 /// Constants of the slip of a group's strips, for the fields.
 struct SlipShape {
   Pack stick;                 ///< 2 - u_s, the length of the first stick zone
-  Pack two;                   ///< 2; 0 without friction, where nothing holds the slip's direction
+  Pack twice;                 ///< twice the factor by the place across (methods/slip_across.hpp); 0 without
+                              ///< friction, where nothing holds the slip's direction
   Pack elastic_x, elastic_y;  ///< elastic slip at the leading edge along x and y
-  Pack per_even, per_odd;     ///< 2 / (v + u_s - u) in a pair of cells, the first of even index
+  Pack per_even, per_odd;     ///< twice / (v + u_s - u) in a pair of cells, the first of even index
 };
 
-inline void set_elastic(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
+inline void set_slip(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = (2.0 * task.l11) * g.slope;
   shape.elastic_y = (2.0 * task.l22) * g.slope;
+  const Pack t = (g.y - task.middle) * task.per_width;
+  shape.twice = 2.0 * tangential::slip_factor<Pack>(task.across_even, task.across_odd, t);
 }
-inline void set_elastic(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
+inline void set_slip(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = load(task.edge_x, g.first, g.count, 0.0);
   shape.elastic_y = load(task.edge_y, g.first, g.count, 0.0);
+  shape.twice = 2.0 * load(task.across, g.first, g.count, 0.0);
 }
 
 template <class Task>
 inline SlipShape slip_shape(const Task& task, const Group& g) {
   SlipShape shape;
   shape.stick = 2.0 - g.slip_end;
-  shape.two = select(g.bound > 0.0, 2.0, 0.0);
-  set_elastic(task, g, shape);
+  set_slip(task, g, shape);
+  shape.twice = select(g.bound > 0.0, shape.twice, 0.0);
   return shape;
 }
 
-/// Sets the inverses 2 / (v + u_s - u) of the pair of cells in which `cell` lies: one divide makes both.
+/// Sets the inverses 2 / (v + u_s - u), times the factor across, of the pair of cells in which `cell` lies:
+/// one divide makes both.
 inline void enter_pair(const Cell& cell, SlipShape& shape) {
   // v + (u_s - u) with v = t and u_s - u = t - (2 - u_s), at the middles of both cells
   const std::int32_t even = cell.index - (cell.index & 1);
   const double t_even = (even + 0.5) * cell.h, t_odd = (even + 1.5) * cell.h;
   const Pack of_even = t_even + larger(0.0, t_even - shape.stick);
   const Pack of_odd = t_odd + larger(0.0, t_odd - shape.stick);
-  const Pack twice = shape.two / (of_even * of_odd);
-  shape.per_even = of_odd * twice;
-  shape.per_odd = of_even * twice;
+  const Pack inverse = shape.twice / (of_even * of_odd);
+  shape.per_even = of_odd * inverse;
+  shape.per_odd = of_even * inverse;
 }
 
 /// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
 /// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times the form of Carter's
-/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u).
+/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the place
+/// across.
 inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
   const Pack zero = 0.0;
   const Pack along = g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y;

@@ -183,7 +183,8 @@ void run_films(wrc_contact* contact, Hash& hash) {
       hash.add(wrc_surface_add(&rail, quantity, 0.004, quantity, 10.0, nullptr, 0));
     for (int passing = 0; passing < 4; ++passing) {
       std::memset(wheel_bin, 0, sizeof wheel_bin);
-      wrc_surface_passage passage = {sizeof passage, 0, 0.5, 0.5, 0.0, 0.0, 0.0};
+      wrc_surface_passage passage = sized<wrc_surface_passage>();
+      passage.rail_from = passage.rail_to = 0.5;
       wrc_planar_input input = wrc_planar_input_default();
       input.load.normal_force = 60e3;
       for (int k = 0; k < 20; ++k) {
@@ -388,6 +389,59 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
     wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
     hash.add(wrc_contact_wrench_derivatives(contact, &input, nullptr, &found));
     add_derivatives(found, by_the_first, hash);
+  }
+}
+
+/// Over films in rows of rail and wheel, without and with layers, and their passages.
+void run_film_rows(wrc_contact* right, wrc_contact* left, Hash& hash) {
+  constexpr uint32_t count = 6, rows = 12;
+  for (const char* set : {"low adhesion", "low adhesion, layers"}) {
+    wrc_surface_bin bins[2][count * rows] = {};
+    wrc_surface surface[2] = {wrc_surface_default(), wrc_surface_default()};
+    double across[WRC_FILM_NUMBERS(rows, rows)], values[count * rows];
+    wrc_surface_laws laws = wrc_surface_laws_default();
+    hash.add(wrc_surface_laws_use(&laws, set, nullptr, 0));
+    for (int body = 0; body < 2; ++body) {
+      surface[body].count = count;
+      surface[body].rows = rows;
+      surface[body].length = surface[body].closed = 1;
+      surface[body].width = 6e-3;
+      surface[body].row_first = -44e-3;
+      surface[body].bins = bins[body];
+      surface[body].bin_size = sizeof bins[body][0];
+      for (uint32_t row = 0; row < rows; ++row) {
+        wrc_surface one = surface[body];
+        one.rows = 0;
+        one.bins += static_cast<std::size_t>(row) * count;
+        hash.add(wrc_surface_add(&one, static_cast<int32_t>(row + 2) % 5, 0.004, 0.3 * row, 6.0, nullptr, 0));
+      }
+    }
+    Numbers numbers(11);
+    for (int i = 0; i < 16; ++i) {
+      wrc_wheel_input input = wheel_on_rail(i, numbers);
+      wrc_contact* const contact = i % 2 == 0 ? right : left;
+      const wrc_friction base = input.friction;
+      wrc_surface_passage passage = sized<wrc_surface_passage>();
+      passage.rail_from = passage.wheel_from = 0.3 * i;
+      passage.rail_to = passage.wheel_to = 0.3 * i + 0.5;
+      passage.film_rows = across;
+      passage.film_numbers = static_cast<uint32_t>(std::size(across));
+      passage.contact = contact;
+      hash.add(wrc_surface_friction(&surface[0], &surface[1], &laws, &passage, &base, &input.friction,
+                                    nullptr, 0));
+      wrc_wrench wrench = sized<wrc_wrench>();
+      wrc_wrench_derivatives found = sized<wrc_wrench_derivatives>();
+      hash.add(wrc_contact_wrench_derivatives(contact, &input, &wrench, &found));
+      add_forces(wrench, hash);
+      add_derivatives(found, by_the_first, hash);
+      passage.energy = std::max(0.0, wrench.power) * 0.01;
+      hash.add(wrc_surface_pass(&surface[0], &surface[1], &laws, &passage, nullptr, nullptr, 0));
+    }
+    for (const wrc_surface& each : surface)
+      for (int32_t quantity = 0; quantity < WRC_SURFACE_QUANTITIES; ++quantity) {
+        hash.add(wrc_surface_values(&each, quantity, WRC_SURFACE_AMOUNT, values, nullptr, nullptr, 0));
+        for (double number : values) hash.add(number);
+      }
   }
 }
 
@@ -631,6 +685,7 @@ void add_plain_calls(Plan& plan) {
                          }});
   }
   plan.jobs.push_back({"wheel on rail, zones on the wheel", model, {}, {}, run_greased_wheels});
+  plan.jobs.push_back({"wheel on rail, films in rows", model, {}, {}, run_film_rows});
   plan.jobs.push_back({"wheel on rail, damage along the line", model, {}, {}, run_wheel_accumulation});
   plan.jobs.push_back({"wheel on rail, derivatives", model, {}, {}, run_wheel_derivatives});
   plan.jobs.push_back({"wheel on rail, aslant", model, {}, {}, run_aslant});

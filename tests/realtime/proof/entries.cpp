@@ -130,7 +130,12 @@ int32_t films(Wheel&) {
   wheel.bins = wheel_bin;
   wheel.bin_size = sizeof wheel_bin[0];
   wrc_surface_laws laws = wrc_surface_laws_default();
-  const wrc_surface_passage passage = {sizeof passage, 0, 3.0, 9.0, 1.0, 6.5, 400.0};
+  wrc_surface_passage passage = sized<wrc_surface_passage>();
+  passage.rail_from = 3.0;
+  passage.rail_to = 9.0;
+  passage.wheel_from = 1.0;
+  passage.wheel_to = 6.5;
+  passage.energy = 400.0;
   wrc_surface_exchange exchange = sized<wrc_surface_exchange>();
   wrc_friction friction{};
   const int32_t statuses[] = {

@@ -4,9 +4,10 @@
     python low_adhesion.py traction                         a locomotive of four axles looks for the slip with most adhesion
     python low_adhesion.py start                            a freight locomotive of six axles starts 1100 t on damp oxide, without and with sand
     python low_adhesion.py curve                            creep curve on a roller rig, slip up and down twice
+    python low_adhesion.py lubricator                       grease at a gauge corner, which wheels carry along the rail and onto its tread
 
 --picture FILE draws it. Steps are 1 ms. Left and right are alike: one wheel of each axle is computed, on one rail. Brakes, sanders and
-controls are simple stand-ins. examples_c/low_adhesion.c is the same in C.
+controls are simple stand-ins. examples_c/low_adhesion.c has the first four in C.
 """
 import argparse
 
@@ -187,6 +188,33 @@ def curve():
     return rig
 
 
+def lubricator(axles=32, grease=0.05):
+    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. Axles run along the flange
+    there, and swing away from it by up to 8 mm and back. Bands have rows across. Gives the rail, and along its way each axle's
+    displacement [m] and frictional power of its outer wheel [W]."""
+    model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}, preset="real time")
+    contact, speed, way, laws = model.contact(), 20.0, 0.1, wrc.surface_laws("low adhesion")
+    laws.lubricant.carry = 1.0  # a grease that wheels pick up well
+    rail = wrc.Band(40, 1.0, width=6e-3, rows=10, row_first=-37e-3)
+    data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=60e3, wheel={"velocity": (speed, 0.0, 0.0), "pitch_rate": -speed / RADIUS * 0.997})
+    dry, passage = wrc.Friction(coefficient=0.4), wrc.SurfacePassage()
+    places = np.arange(1.0, 39.0, way)
+    shifts, powers = np.zeros((2, axles, len(places)))
+    for axle in range(axles):
+        if axle % 8 == 0:
+            rail.row(0).add("LUBRICANT", grease, 4.0, 7.0)  # y from -37 to -31 mm
+        tread = wrc.Band(24, 2 * np.pi * RADIUS / 24, width=6e-3, closed=True, rows=10, row_first=-43e-3)
+        for k, at in enumerate(places):
+            shifts[axle, k] = data.wheel.y = 6.8e-3 - (1.0 + axle % 8) * 0.5e-3 * (1.0 - np.cos(2 * np.pi * max(0.0, at - 7.0) / 16.0))
+            passage.rail_from = passage.wheel_from = at
+            passage.rail_to = passage.wheel_to = at + way
+            wrc.surface_friction(rail, tread, laws, passage, dry, out=data.friction)
+            powers[axle, k] = contact.wrench(data).power
+            passage.energy = powers[axle, k] * way / speed
+            wrc.surface_pass(rail, tread, laws, passage, contact)
+    return rail, places, shifts, powers
+
+
 def at_half(rig):
     """Adhesion at half of the largest slip, on each branch of the curve."""
     return -rig.table()[3][2000::4000, 0]
@@ -232,6 +260,33 @@ def draw_curve(rig):
     return figure
 
 
+def draw_lubricator(run):
+    rail, places, shifts, powers = run
+    band = rail.struct
+    figure = wrc.plot.figure(figsize=(10, 4))
+    left, right = figure.subplots(1, 2)
+    edges = 1e3 * (band.row_first + band.width * np.arange(band.rows + 1))
+    grams = 1e3 * rail.values("LUBRICANT")
+    shown = left.pcolormesh(np.arange(band.count + 1), edges, np.maximum(grams, 1e-4), norm="log", cmap="viridis")
+    figure.colorbar(shown, ax=left, label="lubricant [g/m2]")
+    left.set(xlabel="distance [m]; lubricator from 4 to 7 m", ylabel="y on the rail [mm]; gauge corner below")
+    for axle in (0, len(powers) - 8, len(powers) - 1):
+        right.plot(places, 1e-3 * powers[axle], label=f"axle {axle + 1}, up to {1e3 * np.ptp(shifts[axle]):.0f} mm from the flange")
+    right.set(xlabel="distance [m]", ylabel="frictional power [kW]", ylim=(0, None))
+    right.legend()
+    return figure
+
+
+def print_lubricator(run):
+    rail, _, _, powers = run
+    grams = 1e3 * rail.values("LUBRICANT")
+    middles = 1e3 * (rail.struct.row_first + rail.struct.width * (np.arange(rail.struct.rows) + 0.5))
+    print("lubricant [g/m2] at y [mm]" + "".join(f"{y:10.0f}" for y in middles))
+    for place in (5, 10, 15, 35):
+        print(f"  {place:2d} to {place + 1:2d} m             " + "".join(f"{each:10.3g}" for each in grams[:, place]))
+    print("mean frictional power of axles 1, 9 and the last [kW]: " + ", ".join(f"{1e-3 * powers[axle].mean():.2f}" for axle in (0, 8, -1)))
+
+
 def print_runs(runs):
     for label, train in runs.items():
         print(f"{label}: {train.place:.0f} m, {train.time:.1f} s, {3.6 * train.speed:.1f} km/h at the end")
@@ -242,7 +297,7 @@ def print_runs(runs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     stories = parser.add_subparsers(dest="story", required=True)
-    for name in ("stop", "traction", "start", "curve"):
+    for name in ("stop", "traction", "start", "curve", "lubricator"):
         story = stories.add_parser(name)
         story.add_argument("--picture", help="file")
         if name == "stop":
@@ -257,12 +312,15 @@ def main():
     elif told.story == "curve":
         shown = curve()
         print("adhesion at 5 % slip: up {:.3f}, down {:.3f}, up again {:.3f}, down again {:.3f}".format(*at_half(shown)))
+    elif told.story == "lubricator":
+        shown = lubricator()
+        print_lubricator(shown)
     else:
         shown = {label: stop(told.speed, sand, told.cars) if told.story == "stop" else start(sand)
                  for label, sand in (("without sand", False), ("with sand", True))}
         print_runs(shown)
     if told.picture:
-        {"traction": draw_traction, "curve": draw_curve}.get(told.story, draw_runs)(shown).savefig(told.picture)
+        {"traction": draw_traction, "curve": draw_curve, "lubricator": draw_lubricator}.get(told.story, draw_runs)(shown).savefig(told.picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,74 @@
+/// Numbers with derivatives (base/dual.hpp) in the registers of the instruction set that this unit is
+/// compiled for: the same operations on every element, so that the bits are those of Dual.
+#pragma once
+
+#include "base/dual.hpp"
+#include "base/pack.hpp"
+
+namespace wrc::simd {
+namespace {
+
+template <std::size_t n>
+struct PackDual : DualOperators<PackDual<n>> {
+  static constexpr std::size_t inputs = n, vectors = n / abreast, rest = n % abreast;
+  template <std::size_t m>
+  using Few = PackDual<m>;
+
+  double value;
+  Columns wide[vectors > 0 ? vectors : 1];
+  double single[rest > 0 ? rest : 1];  ///< the derivatives behind those in vectors
+
+  PackDual() = default;
+  // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
+  PackDual(const PackDual& x) : DualOperators<PackDual>() { *this = x; }
+  PackDual& operator=(const PackDual& x) {
+    value = x.value;
+    for (std::size_t k = 0; k < vectors; ++k) wide[k] = x.wide[k];
+    for (std::size_t k = 0; k < rest; ++k) single[k] = x.single[k];
+    return *this;
+  }
+  PackDual(double constant) : value(constant) {  // NOLINT: constants mix freely
+    for (std::size_t k = 0; k < vectors; ++k) wide[k] = in_all_columns(0.0);
+    for (std::size_t k = 0; k < rest; ++k) single[k] = 0.0;
+  }
+
+  static PackDual input(double v, std::size_t k) {
+    double of[n + 1] = {};
+    of[0] = v;
+    of[k + 1] = 1.0;
+    return load(of);
+  }
+  /// The value, then the derivatives: a Dual in memory.
+  static PackDual load(const double* from) {
+    PackDual x;
+    x.value = from[0];
+    for (std::size_t k = 0; k < vectors; ++k) x.wide[k] = load_columns(from + 1 + k * abreast);
+    for (std::size_t k = 0; k < rest; ++k) x.single[k] = from[1 + vectors * abreast + k];
+    return x;
+  }
+  void store(double* to) const {
+    to[0] = value;
+    for (std::size_t k = 0; k < vectors; ++k) store_columns(to + 1 + k * abreast, wide[k]);
+    for (std::size_t k = 0; k < rest; ++k) to[1 + vectors * abreast + k] = single[k];
+  }
+  double derivative(std::size_t k) const {
+    return k < vectors * abreast ? wide[k / abreast][k % abreast] : single[k - vectors * abreast];
+  }
+
+  void add_derivatives(double factor, const PackDual& x) {
+    *this = made(
+        value, [factor](auto own, auto other) { return own + factor * other; }, *this, x);
+  }
+
+  template <class F, class... Duals>
+  static PackDual made(double value, const F& f, const Duals&... of) {
+    PackDual r;
+    r.value = value;
+    for (std::size_t k = 0; k < vectors; ++k) r.wide[k] = f(of.wide[k]...);
+    for (std::size_t k = 0; k < rest; ++k) r.single[k] = f(of.single[k]...);
+    return r;
+  }
+};
+
+}  // namespace
+}  // namespace wrc::simd

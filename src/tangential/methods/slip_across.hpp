@@ -1,0 +1,53 @@
+/// How slip is spread over the strips of a patch, over that of strip FASTSIM.
+///
+/// In strip theory the slip of a strip that mostly sticks depends on the strip's own traction alone. In a
+/// patch, strips beside it that stick hold the surfaces back, most of all towards the sides: there the
+/// singular traction at the end of the stick zone, whose square is the strip's power, falls below that of a
+/// strip on its own. Along a strip the slip keeps Carter's form. So the slip of a strip is multiplied by
+///
+///     1 + m (1/4 - t^2) + n t,   t = distance from the patch's middle over half its width,
+///
+/// 1/4 being the mean of t^2 over the power of an ellipse that sticks. m and n vanish in full slip. m grows
+/// with the slenderness, as the strips of a long patch lie closer to each other. n, which is odd under
+/// mirroring, is that of longitudinal with lateral slip or with spin. The power of the whole patch is the
+/// balance, as before.
+#pragma once
+
+#include "base/elementary.hpp"
+#include "base/number.hpp"
+
+namespace wrc::tangential {
+
+/// Fitted to the power of the strips of ellipses in exact rolling (tools/calibration/slip_across.py), a/b
+/// 0.35 to 2.8.
+inline constexpr double slip_across_constants[] = {0.421, -2.375, 0.461, 0.990, 0.849, 1.334, 0.845,
+                                                   1.431, -2.226, 0.497, 0.329, 0.190, 0.363};
+
+/// The factor at t.
+template <class Number>
+Number slip_factor(const Number& even, const Number& odd, const Number& t) {
+  const Number held = smaller(larger(t, Number(-1.0)), Number(1.0));
+  return larger(1.0 + even * (0.25 - held * held) + odd * held, Number(0.05));
+}
+
+template <class Number>
+struct SlipAcross {
+  Number even, odd;  ///< m, n [-]
+
+  /// u: slenderness; x, e, s: forces of linear theory over the root of the sum of their squares and of the
+  /// friction limit's (saturation_terms.hpp).
+  SlipAcross(const Number& u, const Number& x, const Number& e, const Number& s) {
+    const auto& c = slip_across_constants;
+    const Number held = smaller(larger(u, Number(-0.5)), Number(0.5));
+    const Number xx = x * x, ee = e * e, ss = s * s, S = xx + ee + ss, S2 = S * S;
+    // creepages and spin by their shares in S; nothing where nothing slips
+    const Number sticks = (1.0 - S) / larger(S, Number(1e-30));
+    const Number creepages = xx * (c[2] + c[3] * held) + ee * (c[4] + c[5] * held);
+    even = sticks * ((1.0 + c[0] * S2 + c[1] * (S2 * S2)) * creepages + ss * (c[6] + c[7] * held + c[8] * S));
+    odd = sticks * (x * (e * (c[9] + c[10] * S) + s * (c[11] + c[12] * held)));
+  }
+
+  Number at(const Number& t) const { return slip_factor(even, odd, t); }
+};
+
+}  // namespace wrc::tangential
