@@ -269,7 +269,7 @@ static void traction(FILE* file) {
   lay(&engine, WRC_SURFACE_WATER, 0.020);
   set_speed(&engine, 8.0);
   double wish = 0.04, change = 0.01, before = 0.0, pulled = 0.0;
-  double first[2] = {0.0}, last[2] = {0.0}; /* wished slip and pull of the second second, of the last */
+  double first[2] = {0.0}, last[2] = {0.0}; /* slip aimed at, mean pull: second second, last */
   for (long step = 0; step < 60000; ++step) {
     for (int i = 0; i < 4; ++i) { /* motor: proportional to what is missing of the slip */
       axle* one = &engine.axles[i];
@@ -281,7 +281,7 @@ static void traction(FILE* file) {
     if (step % 1000 != 999) continue;
     last[0] = wish;
     last[1] = pulled;
-    if (step == 1999) memcpy(first, last, sizeof first); /* its motors are there by then */
+    if (step == 1999) memcpy(first, last, sizeof first); /* by then the motors have reached their torque */
     if (pulled < before) change = -change;
     before = pulled;
     wish = fmin(0.5, fmax(0.005, wish + change));

@@ -46,8 +46,8 @@ typedef struct films {
   wrc_surface_laws laws;
 } films;
 
-/* Amounts of the rail and of the tread into bins. The rail's: those ahead, and `passed` of their change to
- * those behind. Status of the library. */
+/* Puts the amounts of the rail and of the tread into bins: on the rail those ahead, plus the share `passed`
+ * of their change to those behind. Gives the library's status. */
 static int32_t lay_films(const instance* of, double way, double passed, films* made, char* sentence,
                          size_t size) {
   const double* now = of->now.real;
@@ -72,8 +72,8 @@ static int32_t lay_films(const instance* of, double way, double passed, films* m
   return wrc_surface_laws_use(&made->laws, "low adhesion", sentence, size);
 }
 
-/* Friction for the library: the number, or that of films as they are at the beginning of a step: those on
- * the rail halfway from ahead to behind, as between the bins before and behind a wheel of wrc_surface.h. */
+/* Friction for the library: the number, or that of the films at the beginning of a step. Amounts on the rail
+ * are halfway between those ahead and those behind, as under a wheel of wrc_surface.h. */
 static void give_friction(instance* of) {
   of->input.friction = wrc_friction_default();
   of->input.friction.coefficient = of->now.real[SET_friction];

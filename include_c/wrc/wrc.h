@@ -323,8 +323,9 @@ typedef struct wrc_profile {
 } wrc_profile;
 
 /** Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2 and
- * nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction, wrc_contact_wrench() takes the leading part
- * (WRC_TANGENTIAL_STRIP_FASTSIM without memory), else none. Then WRC_FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4. */
+ * nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K couples pressure and traction. wrc_contact_wrench() includes its leading part with
+ * WRC_TANGENTIAL_STRIP_FASTSIM and without memory; all other calls in real time leave K out. Where K is not 0,
+ * WRC_FLAG_DISSIMILAR_MATERIALS is set when the model is made. Theory manual, section 4. */
 typedef struct wrc_material {
   double shear_modulus; /**< G, 1e8..1e12 Pa [82e9] */
   double poisson;       /**< nu, 0..0.5 [0.28] */
@@ -363,8 +364,8 @@ typedef struct wrc_config_track {
  * nose. Its sections are blended point by point of equal share of their length. The blend is twice continuously differentiable in
  * the distance. Marks divide that length: points of equal mark belong together. A surface is there from its first section to its last;
  * where the whole rail begins or ends its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its
- * edge, up to 14 mm high. Height and force are continuous there, the peak pressure is not solved: WRC_FLAG_PATCH_AT_EDGE. A hollow that is
- * curved more than the wheel is met on one of its sides: force and place leap where that changes. Theory manual, section 9. */
+ * edge, up to 14 mm high, with WRC_FLAG_PATCH_AT_EDGE. Height and force are continuous there; the peak pressure is not solved. A hollow
+ * that is curved more than the wheel is met on one of its sides: force and place leap where that changes. Theory manual, section 9. */
 typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
   double y;             /**< place of the profile's origin from that of config.rail, to the field side, -0.5..0.5 m [0] */
@@ -540,8 +541,8 @@ typedef struct wrc_friction {
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
   double slip_reduction;   /**< Polach's k_S: that factor where the patch slips, at most adhesion_reduction, 0 or 0.001..1; of
                                 WRC_TANGENTIAL_POLACH, which refuses 0 [1] */
-  const double* film_rows; /**< films in rows across rail and wheel, `film_numbers` of them, as wrc_surface_friction() fills them, -1e30..1e30;
-                                of wrc_contact_wrench() [NULL] */
+  const double* film_rows; /**< films in rows across rail and wheel, `film_numbers` of them, as wrc_surface_friction() fills them,
+                                -1e30..1e30; of wrc_contact_wrench() [NULL] */
   uint32_t film_numbers;   /**< numbers of film_rows, 0..1288; 0: no rows [0] */
   uint32_t reserved0;      /**< 0 */
   double reserved[4];      /**< 0 */
@@ -969,8 +970,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * @return WRC_OK, or the gravest flag:
  *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
- *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead or
- *    behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for.
+ *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead
+ *    or behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for.
  *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(); not with config.surface.memory.
  *  - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities take it.
  *  - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there.

@@ -29,9 +29,9 @@
  *
  * @par Rows across
  *
- * With `rows` above 1 a body has rows of bins across, of `width` each by its profile's y. Each strip of the wrench then has friction
- * and layer of the rows that it touches, and each row the energy of its own strips. Row k is a surface of its own, for a source or a
- * reading: copy the struct, set rows to 0, and add k * count * bin_size bytes to bins.
+ * With `rows` above 1 a body has rows of bins across, each of `width` in y of its profile. Each strip of the wrench then has friction
+ * and layer of the rows that it touches. Each row has the energy of its own strips. Row k alone is a surface, for a source or to be
+ * read. For it copy the struct, set rows to 0, and add k * count * bin_size bytes to bins.
  * @code
  *   double across[WRC_FILM_NUMBERS(8, 8)];
  *   step.film_rows = across;  step.film_numbers = WRC_FILM_NUMBERS(8, 8);  step.contact = contact;
@@ -64,8 +64,8 @@ enum wrc_surface_quantity {
 
 #define WRC_SURFACE_QUANTITIES 6 /**< quantities in use, of the 8 places there are */
 
-#define WRC_MOST_FILM_ROWS 16    /**< rows across a body at most */
-#define WRC_FILM_NUMBERS(rail_rows, wheel_rows) (8 + 5 * (rail_rows) * (wheel_rows)) /**< numbers of film_rows for so many rows */
+#define WRC_MOST_FILM_ROWS 16    /**< most rows across a body */
+#define WRC_FILM_NUMBERS(rail_rows, wheel_rows) (8 + 5 * (rail_rows) * (wheel_rows)) /**< numbers that film_rows needs */
 
 /** Columns of the books of a bin. Amount = put on - removed - squeezed - evaporated - carried, to the last bit. */
 enum wrc_surface_book {
@@ -94,13 +94,13 @@ typedef struct wrc_surface {
   uint32_t count;        /**< bins, 1..10000000 [0] */
   double first;          /**< distance at which the first bin begins, -1e9..1e9 m [0] */
   double length;         /**< of a bin, 1e-3..1e4 m; of a wheel its circumference / count [0] */
-  double width;          /**< of the running band, or in y of each row, 1e-3..0.5 m [0.02] */
+  double width;          /**< of the running band, or of each row in y, 1e-3..0.5 m [0.02] */
   uint32_t closed;       /**< 0..1; 1: the last bin is beside the first: a wheel, a roller, a track that is a circle [0] */
   uint32_t bin_size;     /**< sizeof(wrc_surface_bin), 832..4096 [0] */
-  wrc_surface_bin* bins; /**< `count` of each row of the caller, one row behind the other, zeroed before the first use */
-  uint32_t rows;         /**< rows across, 0..16; 0 or 1: one band that has the whole contact, wherever it is [0] */
+  wrc_surface_bin* bins; /**< of the caller, `count` for each row, row after row, zeroed before the first use */
+  uint32_t rows;         /**< rows across, 0..16; 0 or 1: one band, on which the whole contact lies [0] */
   uint32_t reserved0;    /**< 0 */
-  double row_first;      /**< profile's y at which the first of several rows begins, -1..1 m [0] */
+  double row_first;      /**< y of the profile at which the first of several rows begins, -1..1 m [0] */
 } wrc_surface;
 
 /** Laws of one substance: friction, layer, removal. With all members zero it lies there and has no effect. */
@@ -158,10 +158,10 @@ typedef struct wrc_surface_passage {
   double wheel_from;    /**< distance round the wheel at the beginning, growing as it rolls forwards, -1e9..1e9 m [0] */
   double wheel_to;      /**< the same at the end; wheel_from for a locked wheel, -1e9..1e9 m [0] */
   double energy;        /**< frictional energy: wrc_wrench.power times the duration, 0..1e9 J [0] */
-  double* film_rows;    /**< memory of the caller for films in rows; NULL: none, for one row [NULL] */
+  double* film_rows;    /**< memory of the caller for films in rows; NULL: with one row it is not needed [NULL] */
   uint32_t film_numbers; /**< numbers of film_rows, 0 or 13..1288 [0] */
   uint32_t reserved1;    /**< 0 */
-  const wrc_contact* contact; /**< whose last wrench passes, for wrc_surface_pass() with rows; NULL: one row [NULL] */
+  const wrc_contact* contact; /**< contact whose last wrench passes, for wrc_surface_pass() with rows; NULL: one row [NULL] */
 } wrc_surface_passage;
 
 /** Amounts and energies that a passage moved. */
@@ -171,7 +171,7 @@ typedef struct wrc_surface_exchange {
   double carried[8];     /**< by enum wrc_surface_quantity: from rail to wheel, less that from wheel to rail [kg] */
   double rail_energy;    /**< frictional energy booked in the rail's bins [J] */
   double wheel_energy;   /**< the same in the wheel's bins [J] */
-  double beside_energy;  /**< the rest: beyond a rail's ends, of a wheel that is NULL, of a wrench without work [J] */
+  double beside_energy;  /**< the remaining energy: beyond a rail's ends, of a wheel that is NULL, of a wrench without work [J] */
 } wrc_surface_exchange;
 
 /** @name Defaults
@@ -213,28 +213,29 @@ WRC_API int32_t wrc_surface_add(wrc_surface* surface, int32_t quantity, double a
  * of bare steel is the product of 1 - theta of all other substances. Covered steel has the mean friction of these, weighted by theta
  * times weight. So one substance alone, dry or wet, changes friction in proportion to its amount. Under frictional energy W friction
  * then recovers as 1 - exp(-tau W): Allotta, Meli, Ridolfi and Rindi, Tribology International 69 (2014).
- * Layers lie in series. With rows, or where film_rows of the passage are given, friction is the base's times a share plus an addition,
- * of the rows that a strip touches; zones of the base are then kept. Friction and layer are continuous in amounts, heat and places. They are inputs of the wrench: hold them over
- * the step and over trial steps of an integrator. Derivatives of the wrench hold at this friction.
+ * Layers lie in series. Where the passage has film_rows, a strip's friction is a mu + b, with mu of the base. Its a and b are means over
+ * the rows that it touches. Zones of the base are then kept. Friction and layer are continuous in amounts, heat and places. They are
+ * inputs of the wrench: hold them over the step and over trial steps of an integrator. Derivatives of the wrench hold at this friction.
  * @param rail the rail
  * @param wheel the wheel; NULL: it carries nothing
  * @param laws constants
  * @param passage only rail_from, wheel_from and film_rows are used; film_rows must live as long as `friction`
- * @param base friction of clean, dry bodies; its zones need film_rows; NULL: the defaults. Its laws of speed and temperature are kept. Its layer
- * lies in series with those of the substances
+ * @param base friction of clean, dry bodies; its zones need film_rows; NULL: the defaults. Its laws of speed and temperature are kept.
+ * Its layer lies in series with those of the substances
  * @param[out] friction base with coefficient, layer_... and bulk of the surfaces; base itself is not changed; defaults on failure
  * @param[out] text the sentence of a failure; NULL: not wanted
  * @param size bytes of text
  * @return WRC_OK; WRC_FLAG_BEYOND_SECTIONS (beyond an end, where the end's amounts hold); WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL,
- * _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: fewer film_numbers than rows need), _UNSUPPORTED (zones or rows without film_rows). @rt hard @thread free,
- * one at a time per surface */
+ * _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: fewer film_numbers than the rows need), _UNSUPPORTED (zones without film_rows).
+ * @rt hard @thread free, one at a time per surface */
 WRC_API int32_t wrc_surface_friction(const wrc_surface* rail, const wrc_surface* wheel, const wrc_surface_laws* laws,
                                      const wrc_surface_passage* passage, const wrc_friction* base, wrc_friction* friction,
                                      char* text, uint64_t size);
 
-/** A wheel passes. With rows each strip of passage.contact acts on the rows that it touches, with its share of the energy. It exchanges substances with the rail. Frictional energy removes them and heats both bodies. Water evaporates, and
- * substances above `kept` are pressed out of the band. A passage in shorter pieces has nearly the same outcome. Either body may go
- * backwards or stand still: a wheel that is locked, or one that spins on the spot.
+/** A wheel passes: it exchanges substances with the rail. Frictional energy removes them and heats both bodies. Water evaporates, and
+ * substances above `kept` are pressed out of the band. With rows, each strip of passage.contact acts on the rows that it touches, with
+ * its share of the energy. A passage in shorter pieces has nearly the same outcome. Either body may go backwards or stand still: a
+ * wheel that is locked, or one that spins on the spot.
  * @param[in,out] rail the rail
  * @param[in,out] wheel the wheel; NULL: it carries nothing
  * @param laws constants
@@ -259,7 +260,7 @@ WRC_API int32_t wrc_surface_pass(wrc_surface* rail, wrc_surface* wheel, const wr
  * @rt hard @thread free, one at a time per surface */
 WRC_API int32_t wrc_surface_rest(wrc_surface* surface, const wrc_surface_laws* laws, double duration, char* text, uint64_t size);
 
-/** Adds amounts and books of bins to others of the same count, rows, places, length and width.
+/** Adds amounts and books of bins to others of the same count, rows, place, length and width.
  * @param[in,out] into bins that receive the sums
  * @param from bins to add; not changed
  * @param[out] text the sentence of a failure; NULL: not wanted
@@ -272,7 +273,7 @@ WRC_API int32_t wrc_surface_merge(wrc_surface* into, const wrc_surface* from, ch
  * @param surface rail or wheel
  * @param quantity enum wrc_surface_quantity
  * @param book enum wrc_surface_book
- * @param[out] values count numbers of each row, row by row, per area of the band [kg/m^2], of heat [J/m^2]; NULL: not wanted
+ * @param[out] values surface->count numbers for each row, row after row, per area [kg/m^2], of heat [J/m^2]; NULL: not wanted
  * @param[out] total sum over all bins [kg], of heat [J]; 0 on failure; NULL: not wanted
  * @param[out] text the sentence of a failure; NULL: not wanted
  * @param size bytes of text

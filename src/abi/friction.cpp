@@ -41,7 +41,7 @@ Fault check_temperature_law(const wrc_friction& ours, const char* of,
   return check(above, of, ours.hot_temperature);
 }
 
-/// A layer goes with a method that rolls it, and is the only one. `where`: its members.
+/// Refuses a layer with a method that rolls none, or beside another layer. `where`: members for the message.
 Fault check_layer_of(const wrc_friction& ours, const char* of, const char* where,
                      const contact::TangentialMethod& method) {
   if (!method.takes_layer) {
@@ -70,7 +70,7 @@ Fault check_reduction(const wrc_friction& ours, const char* of, const contact::T
   return first_of({check(adhesion, of, ours.adhesion_reduction), check(slip, of, ours.slip_reduction)});
 }
 
-/// Rows of films lie on both profiles.
+/// Films in rows need both profiles, which planar and exact problems lack.
 Fault check_films(const wrc_friction& ours, const char* of, Films films) {
   if (films == Films::apart || ours.film_numbers == 0) return {};
   return Fault::unsupported({of, "film_numbers"}, {ours.film_numbers, ""},
@@ -123,7 +123,7 @@ Fault read_films(const wrc_friction& checked, const char* of, const contact::Tan
   films = {};
   if (checked.film_numbers == 0) return {};
   if (checked.film_rows == nullptr) return Fault::null({of, "film_rows"});
-  // the head, then the cells of as many rows as it says
+  // the head, which has the numbers of rows, then the cells
   static_assert(offsetof(tangential::FilmRows, cells) == tangential::film_head_numbers * sizeof(double));
   if (checked.film_numbers > tangential::film_head_numbers)
     std::memcpy(static_cast<void*>(&films), checked.film_rows,

@@ -9,7 +9,7 @@
 
 namespace wrc::abi {
 
-/// Rows of films are refused, or read apart by read_films().
+/// Films in rows are refused, or read by read_films().
 enum class Films { refused, apart };
 
 /// Translates friction whose members have been checked, and checks it for a tangential method. `of`: its
@@ -17,7 +17,7 @@ enum class Films { refused, apart };
 Fault read_friction(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
                     contact::Friction& friction, Films films = Films::refused);
 
-/// Films in rows, of friction whose members have been checked; none where there are none.
+/// Reads the films in rows of friction whose members have been checked; without rows `films` is empty.
 Fault read_films(const wrc_friction& checked, const char* of, const contact::TangentialMethod& method,
                  tangential::FilmRows& films);
 

@@ -178,7 +178,7 @@ void put_layer(const damage::FilmFriction& mixed, wrc_friction& friction) {
     friction.layer_hardening = std::max(friction.layer_hardening, -0.49 / flexibility);
 }
 
-/// Fills the caller's numbers of films in rows, the base's layer in series with theirs.
+/// Fills the caller's numbers of films in rows. The base's layer lies in series with the films' layers.
 Fault fill_rows(const Meeting& meeting, const damage::FilmsAt& rail, const damage::FilmsAt& wheel,
                 wrc_friction& found) {
   const auto needed = static_cast<std::uint32_t>(tangential::film_numbers(rail.rows, wheel.rows));
@@ -228,7 +228,7 @@ Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* 
     mix(meeting.laws, rail, 0, wheel, &mixed);
     const double coefficient =
         mixed.coefficient(found.coefficient, meeting.laws.of[damage::water].wet_friction);
-    constexpr double least = 1e-4;  // friction is 0 or at least that
+    constexpr double least = 1e-4;  // smallest friction coefficient but 0 [-]
     found.coefficient = coefficient > 0.0 ? std::max(coefficient, least) : 0.0;
     if (damage::layered(meeting.laws)) put_layer(mixed, found);
   }
@@ -237,7 +237,7 @@ Fault find_friction(const Meeting& meeting, bool has_wheel, const wrc_friction* 
   return flags_of(rail.beside || wheel.beside, rail.in_range && wheel.in_range);
 }
 
-/// A wheel passes with rows: the strips of the contact's last wrench, with their shares of its work, act.
+/// A wheel passes bands with rows: each strip of the contact's last wrench acts with its share of the power.
 Fault pass_in_rows(const Meeting& meeting, const damage::Band* wheel, damage::FilmOutcome& outcome) {
   const char* const needed = "rows across need the contact whose wrench passes";
   if (meeting.contact == nullptr || !valid(meeting.contact))
@@ -251,10 +251,10 @@ Fault pass_in_rows(const Meeting& meeting, const damage::Band* wheel, damage::Fi
     power += std::max(kept.power[k], 0.0);
     longest = std::max(longest, kept.half_length[k]);
   }
-  // places and widths by y of the profiles
+  // strips by y of both profiles: places and half widths [m], shares of power and of length [-]
   damage::TouchingStrip strips[surface::most_overlapping_strips];
   for (std::int32_t k = 0; k < count; ++k) {
-    constexpr double rounding = 1e-9;  // [m]: of widths
+    constexpr double rounding = 1e-9;  // keeps half widths above 0 [m]
     const double advance = std::abs(sine_cosine(kept.angle[k]).cosine);
     strips[k] = {.y = {kept.y[k], kept.y_wheel[k]},
                  .half_width = 0.5 * kept.width[k] * advance + rounding,

@@ -39,10 +39,9 @@ void add(double factor, const double* a, double* sum) {
 
 }  // namespace pairwise
 
-/// Operators and functions of a number with derivatives by so many inputs: in memory (Dual), or in the
-/// registers of an instruction set (base/pack_dual.hpp). `made(value, f, of...)` is the number whose
-/// derivatives are f of those of others. A root of zero has derivative zero here, as its argument is then
-/// clipped or not used.
+/// Operators and functions of numbers with derivatives, in memory (Dual) or in the registers of an
+/// instruction set (base/pack_dual.hpp). `made(value, f, of...)` is the number whose derivatives are f of
+/// those of others. A root of zero has derivative zero here, as its argument is then clipped or not used.
 template <class Number>
 struct DualOperators {
   /// f(x) from its value and f'(x).
@@ -70,7 +69,7 @@ struct DualOperators {
   }
   friend Number& operator+=(Number& a, const Number& b) { return a = a + b; }
 
-  // With constants, which have nothing to carry.
+  // with constants, which have no derivatives
   friend Number operator+(double a, const Number& b) { return b.chain(a + b.value, 1.0); }
   friend Number operator-(double a, const Number& b) { return b.chain(a - b.value, -1.0); }
   friend Number operator*(double a, const Number& b) { return b.chain(a * b.value, a); }
@@ -123,7 +122,7 @@ struct Dual : DualOperators<Dual<n>> {
   }
 };
 
-/// Numbers with derivatives by more than so many inputs.
+/// Has a number derivatives by more than n inputs?
 template <std::size_t n, class Number, class = void>
 inline constexpr bool has_more_inputs = false;
 template <std::size_t n, class Number>

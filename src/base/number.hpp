@@ -6,7 +6,7 @@
 
 namespace wrc {
 
-// the instruction: with every set the same bits
+// root() is the processor's instruction, which gives the same bits with every instruction set
 WRC_IN_LOOP double root(double a) { return __builtin_sqrt(a); }
 WRC_IN_LOOP double magnitude(double a) { return a < 0.0 ? -a : a; }
 WRC_IN_LOOP double larger(double a, double b) { return a > b ? a : b; }

@@ -198,8 +198,8 @@ inline bool any_lane(NativeMask m) { return m; }
 
 #endif
 
-/// Columns of a matrix, or derivatives of a number, that are taken together: no more than four. In wider
-/// vectors many results would not be read.
+/// Columns of a matrix, or derivatives of a number, in one vector: four at most. Wider vectors would have
+/// many elements without use.
 #if defined(__AVX512F__)
 using Columns = __m256d;
 inline Columns in_all_columns(double a) { return _mm256_set1_pd(a); }

@@ -1,5 +1,5 @@
 /// Numbers with derivatives (base/dual.hpp) in the registers of the instruction set that this unit is
-/// compiled for: the same operations on every element, so that the bits are those of Dual.
+/// compiled for. Each element has the operations of Dual, so the bits are the same.
 #pragma once
 
 #include "base/dual.hpp"
@@ -19,7 +19,7 @@ struct PackDual : DualOperators<PackDual<n>> {
   double single[rest > 0 ? rest : 1];  ///< the derivatives behind those in vectors
 
   PackDual() = default;
-  // Vector by vector: gcc 12 copies structs in pieces of 16 bytes, which a load of 32 must wait for.
+  // Copies go vector by vector. gcc 12 copies structs in pieces of 16 bytes, for which a load of 32 waits.
   PackDual(const PackDual& x) : DualOperators<PackDual>() { *this = x; }
   PackDual& operator=(const PackDual& x) {
     value = x.value;
@@ -38,7 +38,7 @@ struct PackDual : DualOperators<PackDual<n>> {
     of[k + 1] = 1.0;
     return load(of);
   }
-  /// The value, then the derivatives: a Dual in memory.
+  /// Reads a Dual in memory: the value, then the derivatives.
   static PackDual load(const double* from) {
     PackDual x;
     x.value = from[0];

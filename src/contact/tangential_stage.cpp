@@ -139,7 +139,7 @@ tangential::RollingMemory memory_of(Contact& contact, const Patch& patch, double
     memory.slope = contact.side == geometry::Side::left ? -contact.point.cosine : contact.point.cosine;
     memory.origin = contact.point.y_rail;
   }
-  // the patches beside it
+  // borders of the nearest patches on both sides [m]
   const double middle = memory.y(0.5 * (patch.extent.y_min + patch.extent.y_max));
   for (std::int32_t k = 0; k < contact.patches; ++k) {
     const Patch& other = contact.patch[k];

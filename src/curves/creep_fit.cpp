@@ -276,7 +276,7 @@ class Fitter {
       for (int k = 0; k < count_; ++k)
         if (!vague[i] && !vague[k])
           fit_.covariance[i][k] = variance * covariance[i][k] * by_u[at(i)] * by_u[at(k)];
-    // intervals: ends of the profile of the sum, from those of the linear problem on
+    // intervals by the profile of the sum of squares, searched from those of the linear problem on
     for (int k = 0; k < count_; ++k) {
       CurveFit::Of& of = fit_.of[at(k)];
       const double deviation = std::sqrt(variance * covariance[k][k]);
@@ -289,14 +289,14 @@ class Fitter {
     }
   }
 
-  /// The smallest sum and its place; sigma^2, deviations that an interval reaches, and the linear deviation.
+  /// The least sum of squares and its place, sigma^2, Student's factor, and the linear problem's deviation.
   struct Profile {
     const Vector& best;
     double sum, variance, factor, deviation;
   };
 
-  /// End of the interval of parameter k on one side: there the least sum, all other parameters free, has
-  /// grown by sigma^2 times the square of the factor.
+  /// End of the interval of parameter k on one side. There the least sum of squares with k held and all other
+  /// parameters free has grown by sigma^2 times the square of Student's factor.
   double end_of(const Profile& profile, int k, double side) {
     constexpr int most = 12, most_steps = 20;
     constexpr double near = 1e-3;  // relative to the factor
@@ -312,7 +312,7 @@ class Fitter {
         find_slopes(u);
         if (!improve(u, sum, damping)) break;
       }
-      // deviations are nearly in proportion to the distance
+      // the root of the sum's growth is nearly in proportion to the distance
       const double found = std::sqrt(std::max(0.0, sum - profile.sum) / profile.variance);
       if (std::abs(found - profile.factor) < near * profile.factor) break;
       reach *= std::clamp(profile.factor / std::max(found, 1e-3), 0.4, 2.5);
@@ -325,7 +325,7 @@ class Fitter {
   const CurveFitProblem& problem_;
   const int count_;
   Vector low_{}, high_{}, length_{}, gradient_{};
-  int fixed_ = -1;  ///< a parameter that keeps its value
+  int fixed_ = -1;  ///< parameter that is held; -1: none
   double normal_[most_parameters][most_parameters] = {};
   std::vector<double> slopes_, scatter_, residual_, below_, above_, tried_;
   CurveFit fit_;

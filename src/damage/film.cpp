@@ -203,7 +203,7 @@ void act(const FilmLaws& laws, const Piece& piece, double energy, const WholeNum
   }
 }
 
-/// Puts it on one row.
+/// Puts a quantity on one row of a band [kg/m^2, J/m^2].
 void put_on_row(const Band& band, std::int32_t quantity, double per_area, double from, double to,
                 FilmOutcome& outcome) {
   Way way(band, from, to);
@@ -223,7 +223,7 @@ void put_on_row(const Band& band, std::int32_t quantity, double per_area, double
   }
 }
 
-/// A wheel passes: one row of each body.
+/// Passage of one row of the wheel over one row of the rail.
 void pass_rows(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage,
                FilmOutcome& outcome) {
   const Band none{.count = 1};
@@ -260,7 +260,7 @@ void pass_rows(const Band& rail, const Band* wheel, const FilmLaws& laws, const 
 
 constexpr std::int32_t most_rows = tangential::most_film_rows;
 
-/// Sums over the strips that touch a row of the rail and one of the wheel: shares of the energy, width [m].
+/// Sums over strips, for each pair of a rail's and a wheel's row: share of the energy [-], width [m].
 struct Touching {
   double energy[most_rows][most_rows] = {}, width[most_rows][most_rows] = {};
 
@@ -307,7 +307,7 @@ FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, cons
     pass_rows(rail, wheel, laws, passage, outcome);
     return outcome;
   }
-  // pairs of rows in the order of their places: each as one band that its strips' width covers
+  // each pair of rows, by place, is a passage of bands of which the strips cover their own width
   Touching touching;
   touch({rows_across(rail), wheel != nullptr ? rows_across(*wheel) : tangential::RowsAcross{}}, strips, count,
         touching);
@@ -328,7 +328,7 @@ FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, cons
       pass_rows(of_rail, wheel != nullptr ? &of_wheel : nullptr, laws, part, outcome);
       booked += touching.energy[r][w];
     }
-  // without strips that work, the energy is no row's
+  // without strips that dissipate, no row has the energy
   const WholeNumber beside = whole(passage.energy * std::max(0.0, 1.0 - booked) * film_scale(heat));
   outcome.energy_beside = plus(outcome.energy_beside, beside);
   return outcome;
@@ -388,7 +388,7 @@ bool layered(const FilmLaws& laws) {
 
 void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
          FilmFriction* mixed) {
-  // one number for each row of the wheel; loops over them are vectors
+  // arrays over the rows of the wheel, for loops in vectors
   const std::int32_t across = wheel.rows;
   double wet[most_rows] = {}, bare[most_rows], weights[most_rows] = {}, friction[most_rows] = {},
          softness[most_rows] = {}, hardening[most_rows] = {}, thickness[most_rows] = {},

@@ -34,14 +34,14 @@ struct Band {
   double first = 0.0, length = 1.0, width = 0.02;  ///< [m]
   std::int64_t count = 0;
   bool closed = false;     ///< the last bin is beside the first
-  std::int32_t rows = 1;   ///< across, of `count` bins each
-  double row_first = 0.0;  ///< profile's y at which the first of several begins [m]
+  std::int32_t rows = 1;   ///< rows across, of `count` bins each
+  double row_first = 0.0;  ///< y of the profile at which the first of several rows begins [m]
   FilmBin* bins = nullptr;
   std::int64_t stride = sizeof(FilmBin);  ///< from one bin of the caller to the next [bytes]
 
   double area() const { return length * width; }  ///< a bin's [m^2]
   std::int64_t all() const { return count * rows; }
-  /// One of the rows.
+  /// Row k as a band.
   Band row(std::int32_t k) const {
     Band one = *this;
     one.rows = 1;
@@ -80,9 +80,9 @@ struct Passage {
   double touched[2] = {1.0, 1.0};   ///< shares of the bands' widths that the contact covers
 };
 
-/// A strip in contact: where it touches rail and wheel, by y of their profiles.
+/// A strip in contact, by y of the profiles of rail and wheel.
 struct TouchingStrip {
-  double y[2] = {};         ///< [m]
+  double y[2] = {};         ///< places of its middle [m]
   double half_width = 0.0;  ///< in y [m]
   double energy = 0.0;      ///< its share of the frictional energy [-]
   double share = 1.0;       ///< its length over that of the longest [-]
@@ -97,7 +97,7 @@ struct FilmOutcome {
   WholeNumber energy_beside;
 };
 
-/// The rows as a strip's friction has them.
+/// Places of a band's rows, for the friction of strips.
 tangential::RowsAcross rows_across(const Band& band);
 
 /// Largest number of bins that one call passes on a body.
@@ -106,8 +106,8 @@ inline constexpr double most_passed = 1e5;
 /// Puts `per_area` of a quantity on a stretch of a band [kg/m^2, J/m^2].
 FilmOutcome put(const Band& band, std::int32_t quantity, double per_area, double from, double to);
 
-/// A wheel passes. `wheel`: nullptr: it carries nothing. Bands with rows need the strips in contact: on each
-/// pair of rows act the strips, or parts of strips, that touch both.
+/// A wheel passes. `wheel`: nullptr: it carries nothing. Bands with rows need the strips in contact: parts of
+/// strips that touch both rows of a pair act on it.
 FilmOutcome pass(const Band& rail, const Band* wheel, const FilmLaws& laws, const Passage& passage,
                  const TouchingStrip* strips, std::int32_t count);
 
@@ -121,7 +121,7 @@ bool merge(const Band& into, const Band& from);
 struct FilmsAt {
   std::int32_t rows = 1;
   double per_area[quantities][tangential::most_film_rows];  ///< [kg/m^2], heat [J/m^2]
-  bool lies[quantities] = {};                               ///< on some row
+  bool lies[quantities] = {};                               ///< is there any of it, on some row?
   bool beside = false, in_range = true;
 
   FilmsAt() {
@@ -134,13 +134,14 @@ FilmsAt films_at(const Band& band, double place);
 struct FilmFriction {
   double bare = 1.0;         ///< share of steel that no substance but water covers
   double wet = 0.0;          ///< share that water covers
-  double friction = 0.0;     ///< the substances' part
+  double friction = 0.0;     ///< part of the substances [-]
   double thickness = 0.0;    ///< [m]
   double flexibility = 0.0;  ///< thickness over shear modulus [m/Pa]
   double softness = 0.0;     ///< 1 / traction at which it yields; 0: it does not [1/Pa]
   double hardening = 0.0;    ///< [Pa/m]
 
-  /// Friction on that of clean, dry steel; and the same as a share of it and an addition.
+  /// Coefficient of friction, from those of clean, dry steel and of wet steel. It is share() times the dry
+  /// one, plus addition().
   double coefficient(double clean, double wet_steel) const {
     return bare * (clean + (wet_steel - clean) * wet) + friction;
   }
@@ -148,14 +149,14 @@ struct FilmFriction {
   double addition(double wet_steel) const { return bare * wet * wet_steel + friction; }
 };
 
-/// Does some substance make a layer? Then there is one even where nothing lies.
+/// Has some substance a layer? Then strips have one even where nothing lies.
 bool layered(const FilmLaws& laws);
 
-/// The mixing rule, between a row of the rail and each row of the wheel.
+/// Mixes the films of one row of the rail with those of each row of the wheel.
 void mix(const FilmLaws& laws, const FilmsAt& rail, std::int32_t row, const FilmsAt& wheel,
          FilmFriction* mixed);
 
-/// Temperature of a surface, that of its hottest row [degC].
+/// Temperature of the hottest row of a surface [degC].
 double temperature(const FilmLaws& laws, const FilmsAt& at, int body);
 
 }  // namespace wrc::damage

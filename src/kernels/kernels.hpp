@@ -109,8 +109,8 @@ struct TangentialKernels {
 struct SurfaceKernels {
   /// Fills the arrays from loads and means on.
   void (*strip_numbers)(const StripNumbersTask& task);
-  /// The same with derivatives, for strip FASTSIM: up to the means over neighbours; then, of any of the
-  /// strips, the numbers that march.
+  /// Numbers of strips with derivatives, for strip FASTSIM: those up to the means over neighbours; then, for
+  /// some of the strips, those that march.
   void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
   void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
@@ -123,15 +123,16 @@ struct SurfaceKernels {
   /// Sums of the same, seen from the edges of the sources.
   void (*edges)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                 const SurfaceEdges& edges);
-  /// influence and edges, source by source, with their derivatives. Edges: two points `x` of one place, with
-  /// `slopes` of each.
+  /// influence and edges, source by source, with their derivatives. The two edges are points `x` of one
+  /// place; `slopes` has an element for each.
   void (*influence_slopes)(const SurfaceTables& tables, const SurfaceSources& sources,
                            const SurfacePoint& point, const SurfaceSlopes& slopes);
   void (*edge_slopes)(const SurfaceTables& tables, const SurfaceSources& sources, double place,
                       const double* x, const SurfaceSlopes* slopes);
   void (*slopes_row)(const SlopesRowTask& task);
   void (*blend_rows)(const BlendRowsTask& task);
-  /// Four right-hand sides less the sums of row[c] times the solutions x[c], four each, c = first .. end - 1.
+  /// Subtracts from four right-hand sides the sums of row[c] times their solutions x[c], from c = first to
+  /// before `end`.
   void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.

@@ -36,7 +36,7 @@ struct RollingMemory {
   double direction = 1.0;  ///< -1: the contact is the mirror image of one that rolls backwards
   double origin = 0.0,
          slope = 1.0;  ///< the region's y is remembered as origin + slope y: over the rail, if known
-  double below = -1e3, above = 1e3;  ///< borders of the next patches, likewise; or far away [m]
+  double below = -1e3, above = 1e3;  ///< borders of the next patches in that y; without a patch far away [m]
 
   double y(double of_region) const { return origin + slope * of_region; }
 };

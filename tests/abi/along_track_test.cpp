@@ -312,7 +312,7 @@ TEST_F(AlongTrack, ExactContactEndsWithItsSurface) {
   EXPECT_EQ(wrench.flags, 0U);
   EXPECT_NEAR(load_at(0.4 + 15e-3), both, 1e-3 * both);
   EXPECT_EQ(wrench.flags, 0U);
-  // half of the second surface is under the wheel at its end: strips in real time are cut there
+  // the second surface ends under the middle of the contact: strips in real time are cut there
   const double half = load_at(0.4) - alone;
   EXPECT_GT(half, 0.3 * (both - alone));
   EXPECT_LT(half, 0.9 * (both - alone));
@@ -321,8 +321,8 @@ TEST_F(AlongTrack, ExactContactEndsWithItsSurface) {
   EXPECT_NEAR(wrench.normal_force, half + alone, 0.08 * (half + alone));
 }
 
-/// A rail that moves sideways 1:9 into the flange is met up to 90 mm ahead, and the wheel climbs: the height
-/// moves as far as the force along the track does work.
+/// A rail that moves sideways 1:9 into the flange is met up to 90 mm ahead, and the wheel climbs. The change
+/// of height is that by which the force along the track does work.
 TEST_F(AlongTrack, AFlangeMeetsARailThatMovesSidewaysFarAhead) {
   for (int k = 0; k < 40; ++k) {
     wrc_rail_section& section = add(0.02 * k, 0.0, k < 20 ? 0.0 : -(k - 20) * 20e-3 / 9.0);
@@ -342,7 +342,7 @@ TEST_F(AlongTrack, AFlangeMeetsARailThatMovesSidewaysFarAhead) {
   }
 }
 
-/// A step of 8 mm is met from 86 mm before it on, and climbed without a leap.
+/// A step of 8 mm is met from 86 mm before it on, and climbed without a jump of the height.
 TEST_F(AlongTrack, AWheelClimbsAHighStep) {
   constexpr double step_up = 8e-3, h = 10e-6;
   add(0.0);

@@ -257,12 +257,12 @@ struct Wheelset {
   wrc_contact* contact = nullptr;
   wrc_wheel_input input = wrc_wheel_input_default();
 
-  Wheelset() {
+  explicit Wheelset(const char* resolution = "real time") {
     wrc_config config = wrc_config_default();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_60E1;
     config.track.rail_inclination = 1.0 / 40.0;
-    EXPECT_EQ(wrc_config_use(&config, "real time", nullptr, 0), WRC_OK);
+    EXPECT_EQ(wrc_config_use(&config, resolution, nullptr, 0), WRC_OK);
     EXPECT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
     EXPECT_EQ(wrc_contact_create(model, WRC_SIDE_RIGHT, nullptr, &contact, nullptr, 0), WRC_OK);
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
@@ -514,7 +514,8 @@ struct Across {
   std::vector<double> numbers = std::vector<double>(WRC_FILM_NUMBERS(16, 16));
   Wheelset set;
 
-  explicit Across(const char* name = "low adhesion") : laws(laws_of(name)) {
+  explicit Across(const char* name = "low adhesion", const char* resolution = "real time")
+      : laws(laws_of(name)), set(resolution) {
     rail.surface.width = wheel.surface.width = 5e-3;
     rail.surface.row_first = -36e-3;
     wheel.surface.row_first = -45e-3;
@@ -590,7 +591,7 @@ TEST(SurfaceFilm, EqualRowsAreOneBand) {
 }
 
 TEST(SurfaceFilm, ZonesStayBelowRows) {
-  // a clean rail leaves zones as they are, a film that covers all hides them
+  // a clean rail leaves zones as they are; a film that covers all steel hides them
   Across across;
   const double y[] = {-10e-3, 10e-3}, coefficient[] = {0.1, 0.4};
   wrc_friction zones = wrc_friction_default();
@@ -634,21 +635,21 @@ TEST(SurfaceFilm, DerivativesWithRowsAreThoseOfDifferences) {
 
 TEST(SurfaceFilm, NothingJumpsAcrossTheRows) {
   for (const char* name : {"low adhesion", "low adhesion, layers"}) {
-    Across across(name);
+    Across across(name, "default");  // at real time the tolerance of the pressures hides finer steps
     across.lay_all();
-    // adhesion: the force over the load, whose tolerance at real time is its own
+    // adhesion: the force over the load, which has a tolerance of its own
     const auto adhesion = [&](const wrc_friction& friction) {
       const wrc_wrench wrench = across.set.solve(friction);
       return wrench.force[0] / wrench.normal_force;
     };
-    // pose over more than a row: 1 um and a tenth of it
+    // derivatives by the pose, over more than a row, beside differences of 1 um and 0.1 um
     const wrc_friction rows = across.friction();
     const auto by_pose = [&](double t) {
       across.set.input.wheel.y = -1e-3 + 1.5e-3 * t;
       return adhesion(rows);
     };
     EXPECT_GT(refinement(by_pose, 15000), 8.0) << name;
-    // slip, and place along a film that ends
+    // derivatives by slip, and by the place along a film that ends
     across.set.input.wheel.y = 1e-3;
     const auto by_slip = [&](double t) {
       across.set.input.wheel.pitch_rate = -20.0 / 0.46 * (1.02 - 0.1 * t);
@@ -676,7 +677,7 @@ TEST(SurfaceFilm, RowsHaveTheEnergyOfTheirStrips) {
     EXPECT_NEAR(exchange.rail_energy + exchange.wheel_energy + exchange.beside_energy, passage.energy,
                 1e-12 * passage.energy);
   }
-  // books of all rows, of energy and of amounts that went over
+  // books of all rows: energy, and amounts that went from body to body
   expect_balanced(across.rail);
   expect_balanced(across.wheel);
   const auto both = [&](int32_t quantity, int32_t book) {
@@ -729,7 +730,7 @@ TEST(SurfaceFilm, WrongRowsAreToldInASentence) {
       wrc_surface_pass(&across.rail.surface, nullptr, &across.laws, &passage, nullptr, text, sizeof text),
       WRC_ERROR_SEQUENCE);
   EXPECT_NE(std::string(text).find("passage.contact"), std::string::npos) << text;
-  // numbers that no call has filled
+  // film_rows that no call has filled
   auto wrench = sized<wrc_wrench>();
   across.set.input.friction = rows;
   across.numbers[0] = 3.5;

@@ -188,8 +188,8 @@ TEST_F(SurfaceMemory, FrictionRailsAndDampingEndInTheirSteadyWrench) {
   }
 }
 
-/// A path of 1 mm steps at 2 m/s along the rail that the configuration has, in and after which the wrench is
-/// compared with that without memory.
+/// Rolling in steps of 1 mm at 2 m/s along the configuration's rail. The wrench is compared with that without
+/// memory.
 class MemoryAlongTrack : public SurfaceMemory {
  protected:
   MemoryAlongTrack() {
@@ -218,7 +218,7 @@ class MemoryAlongTrack : public SurfaceMemory {
     using PlacedWheel::config, PlacedWheel::create, PlacedWheel::error, PlacedWheel::input, PlacedWheel::step,
         PlacedWheel::wrench;
   };
-  /// Rolls from this distance to that one, under 80 kN; takes(without memory) after each step.
+  /// Rolls from one distance to another under 80 kN. Calls takes(wrench without memory) after each step.
   template <class Take>
   void roll_along(double from, double to, Take&& take) {
     create();
@@ -243,7 +243,7 @@ class MemoryAlongTrack : public SurfaceMemory {
       input.time_step = 0.5e-3;
     }
   }
-  /// The largest difference to the steady force of a way before, once two lengths are rolled.
+  /// Largest difference to the steady force a given way before, after two lengths of rolling.
   template <class Take>
   double farthest_from_steady(double from, double to, int way, Take&& take) {
     std::vector<wrc_wrench> steady;
@@ -255,7 +255,7 @@ class MemoryAlongTrack : public SurfaceMemory {
     });
     return worst;
   }
-  /// Rolls on where it is, and expects the steady wrench.
+  /// Rolls on at the same place, and expects the steady wrench.
   void expect_steady() {
     const wrc_wrench end = steady();
     for (int k = 0; k < 50; ++k) go(0.5e-3);
@@ -270,7 +270,7 @@ TEST_F(MemoryAlongTrack, EqualSectionsAreTheConstantRail) {
   wheel.y = 4e-3;
   std::vector<double> constant[2];
   for (auto& path : constant) {
-    // the step of the wheel's place asks for a distance: without sections there is none
+    // the place along the track counts for a rail with sections alone
     create();
     roll(2.0);
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
@@ -383,7 +383,7 @@ TEST_F(MemoryAlongTrack, WheelsOutOfRoundAreTheSteadyOnesOfShortlyBefore) {
 }
 
 TEST_F(SurfaceMemory, ZonesOfTheWheelTravelWithIt) {
-  // a wheel that slides everywhere is put aside at rest: its zone of little friction comes with it
+  // a wheel that slides everywhere is moved aside at rest, with its zone of little friction
   const double zone_y[] = {-1.0, 0.0, 1e-3, 1.0}, zone_coefficients[] = {0.1, 0.1, 0.4, 0.4};
   friction.zone_count = 4;
   friction.zone_y = zone_y;
@@ -547,7 +547,7 @@ TEST_F(SurfaceMemory, StripsThatLeaveAndReturnDoNotLeap) {
 }
 
 TEST_F(SurfaceMemory, RegionsThatVanishDoNotLeap) {
-  // rolled off its flange by a mrad within 4 mm, of which 1 urad is scanned
+  // roll changes by 1 mrad within 4 mm, which takes the flange off; 1 urad of it is scanned
   wheel.roll = -4e-3;
   stand(3e-3);
   input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;

@@ -86,8 +86,8 @@ Report compare_exact_wheel(const Csv& file, const Options& options);
 /// beyond all of them.
 Report compare_settings(const Csv& file, const Options& options);
 
-/// Runs along the rails of such files in small steps, each line of places a row: how many places are flagged
-/// or fail, the largest jumps, and real time against the exact solver.
+/// Runs along the rails of such files in small steps; each line along the track is a row. Counts places that
+/// are flagged or fail, and has the largest jumps and real time beside the exact solver.
 Report compare_runs(const Csv& file, const Options& options);
 
 }  // namespace compare

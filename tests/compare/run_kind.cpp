@@ -20,8 +20,7 @@ constexpr double inside = 5e-3;               // from the ends of the sections [
 constexpr int beside = 6;                     // lateral places to both sides, 1 mm apart
 constexpr double leap = 0.05;                 // change of the force from one step to the next, of N [-]
 
-/// Numbers that a run has found, one text of numbers for each key: in a file, from which an ended run goes
-/// on.
+/// Results of a run, numbers for each key, kept in a file. A run that was ended goes on from there.
 class Kept {
  public:
   explicit Kept(const std::string& path) : path_(path) {
@@ -30,7 +29,7 @@ class Kept {
       if (const std::size_t at = line.find('='); at != std::string::npos)
         found_[line.substr(0, at)] = line.substr(at + 1);
   }
-  /// The numbers of a key: found by `find` where they are not known yet.
+  /// Numbers of a key, computed by `find` where the file has none.
   template <class Find>
   std::vector<double> of(const std::string& key, Find&& find) {
     if (const auto known = found_.find(key); known == found_.end()) {
@@ -59,7 +58,7 @@ struct Line {
 
   std::size_t places() const { return 1 + static_cast<std::size_t>(std::floor((end - begin) / step + 1e-9)); }
   double distance(std::size_t place) const { return begin + step * static_cast<double>(place); }
-  /// Under its load.
+  /// Solves the wheel under its load at a distance [m].
   int32_t solve_at(double distance) {
     wheel.input.distance = distance;
     return wheel.solve(*made.solver);
@@ -69,8 +68,8 @@ struct Line {
 /// Sums over a line.
 enum : std::size_t { flagged, failed, leaps, jump, jump_at, height_jump, height_jump_at, numbers_of_line };
 
-/// A jump of the force is its second difference over the normal force; so a force that grows evenly is none.
-/// `list`: prints the reason of each place with a status of its own.
+/// Follows a line. A jump of the force is its second difference over the normal force, so even growth is
+/// none. `list`: prints the reason of each place with a status of its own.
 std::vector<double> follow(Line& line, bool list) {
   std::vector<double> sums(numbers_of_line, 0.0);
   Vector force[2] = {};
@@ -105,8 +104,8 @@ std::vector<double> follow(Line& line, bool list) {
   return sums;
 }
 
-/// Both statuses, and how far real time is from the exact solver at the height of real time, over the normal
-/// force there: the whole force and its vertical part; then the pressure over the exact one, less 1.
+/// Real time beside the exact solver at its height: both statuses; the differences of the force and of its
+/// vertical part over the normal force [-]; the peak pressure over the exact one, less 1 [-].
 std::vector<double> against_exact(Line line, double at, double cell) {
   const int32_t status = line.solve_at(at);
   const wrc_wrench real = line.wheel.wrench;
@@ -121,7 +120,7 @@ std::vector<double> against_exact(Line line, double at, double cell) {
           real.peak_pressure / exact.peak_pressure - 1.0};
 }
 
-/// Adds what a line of places has found.
+/// Adds the sums over a line to the report.
 void add_line(const Options& options, std::size_t row, const std::string& key, const Line& line,
               const std::vector<double>& sums, std::map<std::string, Errors>& errors) {
   errors["flagged"].add(row, sums[flagged]);
@@ -136,7 +135,7 @@ void add_line(const Options& options, std::size_t row, const std::string& key, c
         1e3 * sums[jump_at], 1e6 * sums[height_jump], 1e3 * sums[height_jump_at]);
 }
 
-/// Adds what a place has found beside the exact solver, if both have a result.
+/// Adds the differences to the exact solver at a place, if both have a result.
 void add_place(const Options& options, std::size_t row, const std::string& key,
                const std::vector<double>& both, std::map<std::string, Errors>& errors) {
   const auto status = static_cast<int32_t>(both[0]), exact_status = static_cast<int32_t>(both[1]);

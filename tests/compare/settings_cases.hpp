@@ -33,7 +33,7 @@ class CaseBodies {
   std::map<std::string, Made> made_;
 };
 
-/// Breakpoints of friction over the rail's y, made of those over its inclination.
+/// Breakpoints of friction over the rail's y, from those over its inclination.
 struct Zones {
   std::vector<double> y, coefficients;
 };

@@ -12,7 +12,8 @@ enum { most_axles = 4, substances = 5, cells = 4000, columns = 3 + 2 * most_axle
 
 static const double dt = 1e-3, cell = 0.01, radius = 0.46;
 
-/* Amounts ahead of each axle over its way, of which the one before it wrote a mean [kg/m^2], and that way. */
+/* Amounts ahead of each axle along its way, means that the axle before it wrote [kg/m^2], and that way [m].
+ */
 static double rail[most_axles + 1][cells][substances], written[most_axles + 1][cells];
 
 typedef struct story {
@@ -38,7 +39,8 @@ static fmi3Instance start(const functions* fmu, const story* of) {
   return set;
 }
 
-/* A step of an axle with a moment about it; numbers: time, x, speed. Force of both wheels. */
+/* A step of an axle under a moment; numbers: time [s], x [m], speed [m/s]. Gives the force of both wheels
+ * [N]. */
 static double step(const functions* fmu, fmi3Instance set, int axle, const double number[3], double moment) {
   const double time = number[0], x = number[1], speed = number[2], way = speed * dt;
   uint32_t ahead[substances + 2], behind[substances];
@@ -75,7 +77,7 @@ static double turning(const functions* fmu, fmi3Instance set) {
   return -rate * radius;
 }
 
-/* Mean adhesion of each axle. */
+/* Mean adhesion of each axle by the FMUs [-]. */
 static void run(const functions* fmu, const story* of, double adhesion[most_axles]) {
   fmi3Instance set[most_axles];
   double torque[most_axles] = {0.0}, place = 20.0, wish = 0.04, change = 0.01;
@@ -104,7 +106,8 @@ static void run(const functions* fmu, const story* of, double adhesion[most_axle
   for (int i = 0; i < of->axles; ++i) fmu->release(set[i]);
 }
 
-/* The same of the C program, from its table: time, speed, place, then slip and adhesion of each axle. */
+/* Mean adhesion of each axle by the C program's table: time, speed, place, then slip and adhesion of each
+ * axle. */
 static void read(const char* name, const story* of, double adhesion[most_axles]) {
   FILE* file = fopen(name, "r");
   double number[columns];

@@ -1,4 +1,5 @@
-/// Shares of rows in a strip's mean: they are whole, their slopes are those of differences, and continuous.
+/// Shares of rows in a strip's mean: they add up to 1, and their slopes are those of differences, and
+/// continuous.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the constants of src/tangential/methods/slip_across.hpp to exact rolling, or judges them.
+"""Fits the constants of src/tangential/methods/slip_across.hpp to exact rolling, or prints their errors.
 
     slip_across.py [--seed N] [--rows N] [--fit]
 
@@ -37,7 +37,7 @@ def factor(c, row):
 
 
 def exact_strips(a, b, peak, material, friction, creepage, cells):
-    """Power [W/m] and largest rise [K] of each strip, and the share that sticks."""
+    """Power [W/m] and largest rise of temperature [K] of each strip, and the share of the area that sticks."""
     grid = exact.grid(cells, STRIPS, 2 * a / cells, 2 * b / STRIPS)
     x, y = exact.cells(grid)
     pressure = peak * np.sqrt(np.maximum(0, 1 - (x / a) ** 2 - (y / b) ** 2))

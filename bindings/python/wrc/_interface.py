@@ -714,9 +714,10 @@ assert c.sizeof(Profile) == 80
 
 class Material(s.Struct):
     """Elastic and yield properties of a body. Of two different bodies all methods take 1/G = (1/G_w + 1/G_r) / 2
-        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Of Kalker's K, which couples pressure and traction,
-        Contact.wrench() takes the leading part (TangentialMethod.STRIP_FASTSIM without memory), else none.
-        Then Status.FLAG_DISSIMILAR_MATERIALS is set. Theory manual, section 4.
+        and nu/G = (nu_w/G_w + nu_r/G_r) / 2. Kalker's K couples pressure and traction. Contact.wrench()
+        includes its leading part with TangentialMethod.STRIP_FASTSIM and without memory; all other calls in
+        real time leave K out. Where K is not 0, Status.FLAG_DISSIMILAR_MATERIALS is set when the model is
+        made. Theory manual, section 4.
 
     Members:
       shear_modulus [Pa]: G (1e8 .. 1e12; default 82e9)
@@ -829,9 +830,9 @@ class RailSection(s.Struct):
         continuously differentiable in the distance. Marks divide that length: points of equal mark belong
         together. A surface is there from its first section to its last; where the whole rail begins or ends
         its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
-        to 14 mm high. Height and force are continuous there, the peak pressure is not solved:
-        Status.FLAG_PATCH_AT_EDGE. A hollow that is curved more than the wheel is met on one of its sides:
-        force and place leap where that changes. Theory manual, section 9.
+        to 14 mm high, with Status.FLAG_PATCH_AT_EDGE. Height and force are continuous there; the peak
+        pressure is not solved. A hollow that is curved more than the wheel is met on one of its sides: force
+        and place leap where that changes. Theory manual, section 9.
 
     Members:
       distance [m]: along the track. Within a surface it increases by 1 mm at least (-1e7 .. 1e7; default 0)
@@ -3578,12 +3579,12 @@ class Surface(s.Struct):
       count: bins (1 .. 10000000; default 0)
       first [m]: distance at which the first bin begins (-1e9 .. 1e9; default 0)
       length [m]: of a bin; of a wheel its circumference / count (1e-3 .. 1e4; default 0)
-      width [m]: of the running band, or in y of each row (1e-3 .. 0.5; default 0.02)
+      width [m]: of the running band, or of each row in y (1e-3 .. 0.5; default 0.02)
       closed: 1: the last bin is beside the first: a wheel, a roller, a track that is a circle (0 .. 1;
           default 0)
-      bins: count of each row of the caller, one row behind the other, zeroed before the first use
-      rows: rows across; 0 or 1: one band that has the whole contact, wherever it is (0 .. 16; default 0)
-      row_first [m]: profile's y at which the first of several rows begins (-1 .. 1; default 0)
+      bins: of the caller, count for each row, row after row, zeroed before the first use
+      rows: rows across; 0 or 1: one band, on which the whole contact lies (0 .. 16; default 0)
+      row_first [m]: y of the profile at which the first of several rows begins (-1 .. 1; default 0)
     """
 
     _c_name_ = 'wrc_surface'
@@ -3745,9 +3746,9 @@ class SurfacePassage(s.Struct):
           default 0)
       wheel_to [m]: the same at the end; wheel_from for a locked wheel (-1e9 .. 1e9; default 0)
       energy [J]: frictional energy: Wrench.power times the duration (0 .. 1e9; default 0)
-      film_rows: memory of the caller for films in rows; None: none, for one row (default None)
+      film_rows: memory of the caller for films in rows; None: with one row it is not needed (default None)
       film_numbers: numbers of film_rows (0 or 13 .. 1288; default 0)
-      contact: whose last wrench passes, for surface_pass() with rows; None: one row (default None)
+      contact: contact whose last wrench passes, for surface_pass() with rows; None: one row (default None)
     """
 
     _c_name_ = 'wrc_surface_passage'
@@ -3784,7 +3785,8 @@ class SurfaceExchange(s.Struct):
       carried [kg]: by SurfaceQuantity: from rail to wheel, less that from wheel to rail
       rail_energy [J]: frictional energy booked in the rail's bins
       wheel_energy [J]: the same in the wheel's bins
-      beside_energy [J]: the rest: beyond a rail's ends, of a wheel that is None, of a wrench without work
+      beside_energy [J]: the remaining energy: beyond a rail's ends, of a wheel that is None, of a wrench
+          without work
     """
 
     _c_name_ = 'wrc_surface_exchange'

@@ -26,7 +26,8 @@ class Band:
 
     count, length, first: bins, the length of one [m], distance at which the first begins [m]
     width: of the band, or of each row [m]; closed: the last bin is beside the first
-    rows: across; 1: one band that has the whole contact; row_first: profile's y at which the first of several rows begins [m]
+    rows: number of rows across; 1: one band, on which the whole contact lies
+    row_first: y of the profile at which the first of several rows begins [m]
     """
 
     def __init__(self, count: int, length: float, first: float = 0.0, width: float = 0.02, closed: bool = False, rows: int = 1,
@@ -37,7 +38,7 @@ class Band:
         self.struct = i.Surface(count=count, length=length, first=first, width=width, closed=int(closed), bins=self._bins, rows=rows, row_first=row_first)
 
     def row(self, number: int) -> "Band":
-        """One of the rows as a band over the same bins: for a source, or to read it."""
+        """One row as a band over the same bins, for a source or to be read."""
         one, (count, length, first, width, closed, rows, _) = Band.__new__(Band), self._told
         if not 0 <= number < rows:
             raise IndexError(f"row {number} of {rows}")
@@ -58,7 +59,7 @@ class Band:
         return self
 
     def values(self, quantity: i.SurfaceQuantityLike, book: i.SurfaceBookLike = "AMOUNT") -> NDArray[np.float64]:
-        """One column of the books of each bin, by default the amount, per area [kg/m^2, heat J/m^2]; of several rows an array each."""
+        """One column of the books of each bin, by default the amount, per area [kg/m^2, heat J/m^2]; with several rows shape (rows, bins)."""
         found = np.zeros(len(self._bins))
         _call(i._wrc_surface_values, self.struct, int(i.SurfaceQuantity.of(quantity)), int(i.SurfaceBook.of(book)), found, None)
         return found.reshape(self.struct.rows, -1) if self.struct.rows > 1 else found
@@ -112,13 +113,13 @@ def surface_friction(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, pas
     passage.film_rows, passage.film_numbers = across, across.size
     _call(i._wrc_surface_friction, rail.struct, wheel and wheel.struct, laws, passage, base, found)
     passage.film_rows, passage.film_numbers = None, 0
-    found.film_rows = across  # which keeps it
+    found.film_rows = across  # keeps the array alive
     return found
 
 
 def surface_pass(rail: Band, wheel: Optional[Band], laws: i.SurfaceLaws, passage: i.SurfacePassage,
                  contact: Optional[Contact] = None) -> i.SurfaceExchange:
-    """A wheel passes and changes both bands. Gives the amounts and energies that were moved. contact: whose last wrench it is, for rows."""
+    """A wheel passes and changes both bands. Gives the amounts and energies that were moved. contact: of the last wrench, for rows."""
     found = i.SurfaceExchange._new()
     passage.contact = None if contact is None else contact._handle
     _call(i._wrc_surface_pass, rail.struct, wheel and wheel.struct, laws, passage, found)

@@ -257,19 +257,18 @@ void fit_parabola(const Number& largest, const Number& ahead, const Number& behi
   o.curvature = curvature;
 }
 
-/// A strip of which the surface ends under the contact. Its overlap at t into the surface is d0 - s t - k/2
-/// t^2.
+/// Overlap of a strip whose surface ends under the contact: d0 - s t - k/2 t^2 at the distance t from the
+/// end into the surface [m].
 template <class Number>
 struct OverlapAtEnd {
   Number depth, slope, curvature;  ///< d0 [m], s [-], k [1/m]
 };
 
-/// Where and how a strip is pressed that its surface's end cuts off, as a whole strip of the same load. Plane
-/// contact of a length a from a sharp end on has the pressure E*/2 root((a - t) / t) (s + k (a/2 + t)). That
-/// gives the centre and the load of
-///     t_c = a/4 (s + k a) / (s + 3/4 k a),      curvature 4 s / a + 3 k at the half length a/2,
-/// which the whole contact has for s = -k a/2. `share`: that of half_contact(), which finds a from the
-/// overlap d0 - s a/4 at t_c.
+/// The whole strip with the load and centre of a strip that the end of its surface cuts off. Plane contact of
+/// a length a from a sharp end has the pressure E*/2 root((a - t) / t) (s + k (a/2 + t)). The whole strip has
+///     t_c = a/4 (s + k a) / (s + 3/4 k a),      curvature 4 s / a + 3 k,      half length a/2.
+/// Contact that ends with the surface has s = -k a/2. The length a is that of half_contact() for the overlap
+/// d0 - s a/4 at t_c.
 template <class Number>
 struct CutStrip {
   Number middle, curvature;  ///< t_c [m], [1/m]
@@ -285,10 +284,10 @@ CutStrip<Number> cut_strip(const OverlapAtEnd<Number>& o) {
           value_of(o.slope) > -0.5 * value_of(o.curvature) * value_of(length)};
 }
 
-/// Cuts a strip's parabola off at the end of its surface, `room` from the parabola's top; `way`: 1 ahead, -1
-/// behind. `steep`: by which the overlap falls from there into the surface where it is largest at the end
-/// [-]; the parabola then is that of the mirror image, through the overlap at `half` [m]. `least`: curvature
-/// [1/m].
+/// Cuts a strip's parabola off at the end of its surface. `room`: from the parabola's top to the end [m].
+/// `way`: 1 ahead, -1 behind. `steep`: slope by which the overlap falls from the end into the surface, where
+/// it is largest at the end, else 0 [-]. The parabola then is that of the mirror image, through the overlap
+/// at `half` [m]. `least`: smallest curvature [1/m].
 template <class Number>
 void cut_at_end(double way, const Number& room, const Number& steep, const Number& half, const Number& least,
                 StripOverlap<Number>& o) {
@@ -301,8 +300,8 @@ void cut_at_end(double way, const Number& room, const Number& steep, const Numbe
   o.centre += way * (room - t);
   o.depth = at_end.depth - t * (at_end.slope + 0.5 * curvature * t);
   o.curvature = strip.curvature;
-  o.grade =
-      o.grade + way * (at_end.slope + curvature * t);  // the wheel's lean: it rolls over an end that rests
+  // slope by which the overlap falls as the wheel moves on: the end rests, and the wheel rolls over it
+  o.grade = o.grade + way * (at_end.slope + curvature * t);
 }
 
 /// The end of a ray with its derivatives: two steps of Newton's method from the plain one.
@@ -369,7 +368,7 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
     depth_at(plain, found.x + way * value_of(half), there);
     side[k] = carried(s, s.start(x + way * half), there).depth;
   }
-  const Number moved = value_of(distance) - distance;  // the ends, as the wheel sees them
+  const Number moved = value_of(distance) - distance;  // 0; its derivative moves the ends against the wheel
   const Number to_end[2] = {high + moved - x, x - low - moved};
   const Number room_ahead = smaller(to_end[0] / half, Number(1.0)),
                room_behind = smaller(to_end[1] / half, Number(1.0));
@@ -397,12 +396,13 @@ struct FirstLook {
   double x, depth;
 };
 
-/// Farther from the wheel than this the parabola below the axle is no guide: by 20 mm a flange has risen by
-/// less than half a millimetre [m].
+/// Distance from the axle up to which the parabola of the overlap below the axle holds [m]: there a flange
+/// has risen by less than half a millimetre.
 inline constexpr double near_axle = 20e-3;
 
-/// The best of places 10 mm apart along the track, by rays from place to place from below the axle to `from`
-/// and on from there as long as the overlap grows, else back. `end`: of the ray below the axle.
+/// The largest overlap at places 10 mm apart along the track. Rays go from below the axle to `from`, each
+/// from the end of the one before. From there they go on as long as the overlap grows, else back. `end`: end
+/// of the ray below the axle.
 inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
                                   RayEnd<double> end) {
   const double way = from < 0.0 ? -1.0 : 1.0;
@@ -443,7 +443,7 @@ inline FirstLook look_along(const PlacedRail& placed, const VaryingRail& rail, s
     depth[k] = depth_at_place(place);
     if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
   }
-  // a face may end nearer to the wheel than those are
+  // the face may end between two of these places
   for (const PlaceWeights& end : placed.end[face]) {
     if (!(magnitude(end.x) < farthest_along)) continue;
     const double here = depth_at_place(end);

@@ -397,16 +397,16 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
                 double* gain) {
   constexpr std::int32_t every = 16;
   constexpr double askew = 15e-3, apart = 2.0 * place_apart;  // [m]
-  // steeper strips meet no wheel that far ahead, where the flange's tip has risen: normal's vertical part [-]
+  // vertical part of normals [-]: steeper strips meet no wheel that far ahead, as the flange's tip has risen
   constexpr double steepest_far = 0.2;
   const RailFace& face = rail.face[f];
   const std::int32_t end = face.first + face.strips;
   constexpr double last = (places_to_a_side - 0.5) * place_apart;  // [m]
-  // the flange's root is hollow: far from the axle overlaps grow as a gauge corner slides along it
+  // far from the axle a gauge corner slides along the flange's hollow root, where overlaps grow
   constexpr double hollow = 13e-3, corner = 0.9,
                    most_hollow = 2e-3;  // radius [m]; vertical part of normals; [m]
   const auto gain_at = [&](std::int32_t j, const PlaceWeights& place) {
-    // rise of the strip along its normal, less that of the wheel; the way along its tangent
+    // rise of the strip along its normal, less that of the wheel; its move along its tangent
     const double off = larger(magnitude(place.x) - askew, 0.0), raised = 0.5 * off * off / wheel_radius;
     const double y = place_of(rail, place, j, 0) - placed.y[j], z = place_of(rail, place, j, 1) - placed.z[j];
     const double ty = placed.ty[j], tz = placed.tz[j];
@@ -416,7 +416,7 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
                               : 0.0;
     return tz * y - ty * z - larger(ty, 0.0) * raised + deeper;
   };
-  // a face that is not below the axle counts from its nearer end on
+  // growth is counted from below the axle, or from the nearer end of a face that is not there
   const double low = placed.low[f], high = placed.high[f];
   const double nearest = smaller(larger(0.0, low), high);
   const auto gain_of = [&](std::int32_t j) {
@@ -431,7 +431,7 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
       if (place.x >= low && place.x <= high) count(place);
     for (const PlaceWeights& place : placed.end[f])
       if (magnitude(place.x) < farthest_along) count(place);
-    // and on from the last place, as long as it grows
+    // beyond the last place, as long as the overlap grows
     const double step = at < 0.0 ? -apart : apart;
     if (magnitude(at) < last || placed.ty[j] < steepest_far) return most;
     for (double x = at + step; x > low && x < high; x += step) {

@@ -87,8 +87,8 @@ SectionBlend blend_at(const VaryingRail& rail, const RailFace& face, double dist
                       const SectionBlend& near, int derivatives = 3);
 
 /// Places along the track from the wheel's reference point, at which a strip's overlap is looked at first,
-/// and how far apart they are: to 60 mm either side [m]. Where overlaps grow beyond, as to a high edge or a
-/// flange that a rail nears, they are followed to 160 mm, as far ahead as a flange is below the rail's top.
+/// and their distance [m]: to 60 mm either side. Overlaps that grow beyond are followed to 160 mm, as at a
+/// high edge, or where a rail nears the flange. A flange is below the rail's top up to there.
 inline constexpr std::int32_t places_to_a_side = 6, track_places = 2 * places_to_a_side + 1;
 inline constexpr double place_apart = 10e-3, farthest_along = 160e-3;
 
@@ -120,7 +120,7 @@ struct PlacedRail : RailStrips {
   double low[most_rail_faces], high[most_rail_faces];
   PlaceWeights place[most_rail_faces][track_places];
   PlaceWeights end[most_rail_faces][2];  ///< at low and high
-  const double* gain = nullptr;          ///< most that a strip's overlap grows along the track [m]
+  const double* gain = nullptr;          ///< largest growth of a strip's overlap along the track [m]
 };
 
 /// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].

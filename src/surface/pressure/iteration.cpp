@@ -25,8 +25,7 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 constexpr std::int32_t early_iterations = 6;  ///< in which L changes at most by these factors
 constexpr double early_shrinking = 0.1, early_growth = 10.0;
 
-/// Iterations that the limit over the strips in contact does not count: strips may enter and leave in many
-/// rounds.
+/// Iterations before the limit over the strips in contact holds. In them many strips may enter and leave.
 constexpr std::int32_t first_iterations = 4;
 
 /// Iterations that find no solution by then are late. A strip's move that changes its sign from one to the
@@ -302,8 +301,7 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
   w.max_work = limits.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0;
-  // An iteration takes the loads and the edges of the strips in contact; the first ones may have more of
-  // them.
+  // work after one more iteration, against the limits on all work and over the strips in contact
   const auto affordable = [&](std::int32_t k) {
     const double n = w.active.count, most = budgeted_in_contact(n), took = w.work + 2.0 * n * n;
     const double in_contact = k < first_iterations ? any_change : limits.in_contact * 2.0 * most * most;

@@ -13,7 +13,8 @@ inline constexpr double any_change = 1e300;  ///< for `farthest` and `in_contact
 /// Strips that a limit counts at least: small contacts may take more iterations than others.
 inline constexpr double fewest_budgeted = 9.0;
 
-/// Strips that a limit over those in contact counts: up to 1.3 times as many, for 1.7 times the iterations.
+/// Strips that the limit over strips in contact counts. Few strips count as 1.3 times as many, so that they
+/// may take 1.7 times the iterations.
 inline double budgeted_in_contact(double strips) {
   return larger(strips, smaller(1.3 * strips, fewest_budgeted));
 }

@@ -48,7 +48,8 @@ struct PressureModel {
   double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
 };
 
-/// Changes up to a solution from an earlier one, by its strips: 0 of those that were not in contact in both.
+/// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips that
+/// are not in contact in both.
 struct SolutionChange {
   const double* length_squared = nullptr;  ///< L [m^2]
   const double* shift = nullptr;           ///< c less the overlap's centre [m]
@@ -63,11 +64,11 @@ struct PressureStart {
   double* shift = nullptr;           ///< c less the overlap's centre [m]
   double* depth = nullptr;           ///< overlap it was found at [m]
   std::int32_t count = 0;
-  SolutionChange change{};  ///< that led to it, until a solve has gone on along it; NULL: not known
+  SolutionChange change{};  ///< from the solution before to this one, until it is used; NULL: not known
 };
 
-/// Calls each(i, b) for the strips that two lists share, both by increasing number: i and b are their places
-/// there.
+/// Calls each(i, b) for each strip that is in both of two lists, at i in the first and b in the second. Both
+/// lists increase.
 template <class Number, class Other, class Each>
 void for_shared_strips(std::int32_t count, const Number* strip, std::int32_t others, const Other* other,
                        const Each& each) {

@@ -118,7 +118,7 @@ struct Displacement {
 };
 
 /// Fills the row of the displacement's derivatives by q, L and c, seen from a point that belongs to strip a;
-/// `seen` holds the influences there.
+/// `seen`: the influences at these points.
 ///
 ///     u = sum_b J_b q_b (n_a . n_b),   J_b of l_b and x - c_b
 Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scratch& w, std::int32_t a,

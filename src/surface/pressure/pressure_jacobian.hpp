@@ -26,8 +26,8 @@
 
 namespace wrc::surface {
 
-/// Most strips in contact that are differentiated, of so many that may overlap. Memory goes with the square:
-/// contacts of 150 kN have a fourth of these strips, conformal ones at the gauge corner up to three eighths.
+/// Most strips in contact that are differentiated, where `overlapping` strips may overlap. Memory goes with
+/// the square. Contacts of 150 kN have a fourth of `overlapping`, conformal ones up to three eighths.
 inline std::int32_t most_differentiated(std::int32_t overlapping) { return 7 * overlapping / 16; }
 
 /// Strips in contact, by increasing place; one element per strip.

@@ -13,7 +13,7 @@ constexpr double farthest_followed = 0.5;
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
-constexpr double farthest_extrapolated = 2.0;  ///< most of the earlier change that a start goes on
+constexpr double farthest_extrapolated = 2.0;  ///< most times the earlier change in an extrapolation
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
 void pair_up(const Overlaps& o, PressureScratch& w) {
@@ -83,8 +83,7 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   const SolutionChange change = start.change;
   start.change = {};
   if (!change.depth) return;
-  // The share of the change: growth of the overlaps since, projected on their growth in it, weighted by
-  // areas.
+  // share of the earlier change: the overlaps' growth since, projected on their growth in it, by areas
   double along = 0.0, squared = 0.0;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
     const double weight = rail.width[o.strip[i]] * start.length_squared[b] * change.depth[b];

@@ -10,8 +10,8 @@ namespace wrc::surface {
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps, double max_work,
                                  PressureScratch& w, std::int32_t most = usual_iterations);
 
-/// Extrapolates an earlier solution along the change that led to it, by as much as the overlaps have grown
-/// along theirs since. The rest of their growth is left to follow_overlaps().
+/// Extrapolates an earlier solution by a share of the change that led to it: the overlaps' growth since,
+/// projected on their growth in that change. follow_overlaps() takes the rest of their growth.
 void extrapolate_start(const RailStrips& rail, const Overlaps& overlaps, PressureStart& start);
 
 /// Moves the lengths of an earlier solution in w.fine as its overlaps have moved from w.depth_before. Returns

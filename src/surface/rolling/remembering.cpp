@@ -99,7 +99,7 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
-    // both lists by increasing numbers
+    // the past of each strip, by its number: both lists increase
     const PastStrip *past = in_.past, *const past_end = in_.past + in_.past_count;
     for (std::int32_t j = 0; j < count; ++j) {
       while (past != past_end && past->y < in_.number[j]) ++past;
@@ -117,7 +117,7 @@ class Rememberer {
     from_now_ = tangential::forgets(in_.rolled, longest_);
   }
 
-  /// The face of the rail that a strip in contact is of.
+  /// The face of the rail to which a strip in contact belongs.
   const FaceStrips& face_of(std::int32_t j) const {
     std::int32_t r = 0;
     while (in_.number[j] >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
@@ -129,7 +129,7 @@ class Rememberer {
     return strips_.friction[j] * (0.5 * pi) * strips_.peak[j] * strips_.half_length[j] * strips_.width[j];
   }
 
-  /// The most that the cells of a strip bear, whose bounds have another form than its pressure [N].
+  /// Largest force that the cells of a strip bear, whose bounds have another form than its pressure [N].
   double borne_by_cells(std::int32_t j) const {
     double sum = 0.0;
     for (const double bound : scratch_.shared[j].bound) sum += bound;
@@ -139,24 +139,25 @@ class Rememberer {
   /// Share of a strip's width within the part taken last.
   double inside(std::int32_t j) const { return parts_.width_inside(j) / strips_.width[j]; }
 
-  /// Forces of the strips beside a part, on its face, as far as these bear them no more: all of those that
-  /// left. By a force at a distance r beyond a half-space is displaced as b / r, and turned as (b / r)^2.
+  /// Forces beside a part, on its face, that strips no longer bear. At a distance r beyond the half width b a
+  /// force displaces the half-space as b / r, and turns it as (b / r)^2.
   tangential::LeftStrips left_beside(const Part& part) const {
-    double square = 0.0;  // b^2, twice that of an ellipse with the load's second moment: no strip is beyond
+    // b^2: twice that of the ellipse with the load's second moment, so no strip of the part lies beyond [m^2]
+    double square = 0.0;
     for (std::int32_t j = part.first; j < part.end; ++j) {
       const double y = strips_.place[j] - part.means.place, own = strips_.width[j];
       square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
     }
     tangential::LeftStrips left;
     const FaceStrips& face = face_of(part.first);
-    std::int32_t j = 0;  // the first strip in contact from the number on
+    std::int32_t j = 0;  // the first strip in contact with that number or a larger one
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
       if (strip.y < face.first || strip.y >= face.first + face.count) continue;
       while (j < strips_.count && in_.number[j] < strip.y) ++j;
       double lost = 1.0;
       if (j < strips_.count && in_.number[j] == strip.y) {
-        // what is not within the part goes as far as it exceeds the bounds of its cells
+        // share of the force outside the part, and beyond the bounds of the strip's cells
         lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
         if (!(lost > 0.0)) continue;
         const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);

@@ -3,7 +3,7 @@
 ///
 ///  - A strip's past is found by its number: it is the same strip in every step. One that was not in contact
 ///    begins without tractions. Tractions of one that leaves are gone, and the half-spaces yield by that.
-///    Faces of a rail are bodies of their own: strips of one that is left do not make another yield.
+///    Faces of a rail are separate bodies: strips that left one face do not make another face yield.
 ///  - A strip's displacement over the step is its own: slip velocities of the rigid bodies times the time.
 ///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both
 ///    are solved from the same past, and tractions and forces are their means by shares.

@@ -44,14 +44,14 @@ struct RollingArraysOf : RollingMeans {
   Number* mean[means];
   Number *c11, *c22, *c23;  ///< coefficients [-] (strip_coefficients.hpp)
   Number* own;              ///< local part of the longitudinal slip times gain [-]
-  Number* pressed;          ///< longitudinal slip by pressure, of unlike bodies alone [-]
+  Number* pressed;          ///< longitudinal slip by pressure, used for unlike bodies alone [-]
   /// Members of SurfaceStripsTask of the same names (tangential/simd/tasks.hpp).
   Number *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
       *edge_y, *across;
 };
 using RollingArrays = RollingArraysOf<double>;
 
-/// Cuts the arrays of `strips` strips, of which `at_a_time` march, or counts them.
+/// Cuts the arrays of `strips` strips, of which `at_a_time` march together, or counts them.
 template <class Number>
 RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips, std::int32_t at_a_time) {
   RollingArraysOf<Number> a{};

@@ -85,8 +85,8 @@ class StripCoefficientTable {
   StripCoefficientNodes nodes_{.low = 0.0, .step = 1.0, .node = {}};
 };
 
-/// The coefficients of a strip; those of packs of them: surface/simd/strip_numbers_kernel.hpp. Numbers with
-/// derivatives by more inputs than m: by m first, then by all inputs.
+/// The coefficients of a strip; for packs of strips: surface/simd/strip_numbers_kernel.hpp. Numbers with more
+/// inputs than m take the derivative by m, then the chain rule to all inputs.
 template <class Number>
 StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, const Number& m) {
   if constexpr (has_more_inputs<1, Number>) {
@@ -95,7 +95,7 @@ StripCoefficientsOf<Number> coefficients_at(const StripCoefficientNodes& table, 
     const auto by_inputs = [&](const One& a) { return m.chain(a.value, a.derivative(0)); };
     return {by_inputs(c.c11), by_inputs(c.c22), by_inputs(c.c23), by_inputs(c.slenderness)};
   } else {
-    // the step m lies in, the last one for its end; t: share of the step behind the node
+    // the step of the table in which m lies, its end in the last one; t: share of the step [-]
     constexpr int quantities = StripCoefficientNodes::quantities, last = StripCoefficientNodes::steps - 1;
     const PlaceInTable<Number> place(table, m);
     const int whole = static_cast<int>(value_of(place.inside)), i = whole < last ? whole : last;

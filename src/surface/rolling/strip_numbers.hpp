@@ -101,7 +101,7 @@ void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
       flow[k - first] = link * m;
     }
   }
-  // backwards: A_j takes its share of A_{j+1}, which flows from strip to strip
+  // backwards: A_j takes its share of A_{j+1}
   if (count == 0) return;
   for (int k = first; k < end; ++k) flow[k - first] = One{count - 1}.get(a.mean[k]);
   for (std::int32_t j = count - 1; j-- > 0;) {
@@ -119,7 +119,7 @@ void take_means(std::int32_t count, const RollingArraysOf<Element>& a) {
 /// linear theory. Fitted to C33 for a/b = 0.3 to 20 (theory.md).
 template <class Number>
 Number gain(const Number& u, double poisson) {
-  // by u first, then by all inputs
+  // derivative by u, then the chain rule to all inputs
   if constexpr (has_more_inputs<1, Number>) {
     using One = typename Number::template Few<1>;
     const One g = gain(One::input(u.value, 0), poisson);
@@ -143,8 +143,8 @@ Number held_slenderness(const Number& u) {
   return smaller(larger(u, Number(-largest_slenderness)), Number(largest_slenderness));
 }
 
-/// Longitudinal slip by which unlike bodies that are pressed together roll as like ones do, 0.53 K (1 - u) /
-/// G times the pressure's mean (theory.md, dissimilar materials).
+/// Longitudinal slip by pressure of unlike bodies [-]: 0.53 K (1 - u) / G times the mean of the strips' peak
+/// pressures over neighbours (theory.md, section 4).
 template <class At, class Element>
 void pressed_slip(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                   const RollingArraysOf<Element>& a) {
@@ -243,7 +243,7 @@ template <class Number>
 Fitted<Number> fit(const SurfaceCalibration& calibration, const Number& u, const Number& x, const Number& e,
                    const Number& s, const Number& limit2) {
   Fitted<Number> fitted;
-  // derivatives by these five first, then by all inputs, which are more
+  // derivatives by these five numbers, then the chain rule to all inputs
   if constexpr (has_more_inputs<5, Number>) {
     using Five = typename Number::template Few<5>;
     const Fitted<Five> few =
@@ -323,8 +323,8 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     const Number none = 0.0, stiff = inverse_or_none(soft);
     const Number soft_x = soft / c11, soft_y = soft / c22;
     at.put(a.bound, select(value_of(at.get(a.load)) > 0.0, mu * peak, none));
-    // Unlike bodies: the slip by pressure counts less in the stick zone as that shrinks towards the leading
-    // edge, and turns the traction of what slips with its mean over the load.
+    // Unlike bodies: the slip by pressure counts less in the stick zone as that zone shrinks towards the
+    // leading edge. Where the strip slips, its mean over the load turns the traction.
     Number common = at.get(a.mean[Mean::slip]), pressed = none;
     if (shared.coupling != 0.0) {
       pressed = at.get(a.pressed);
@@ -350,7 +350,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                          elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
-    // Spread of the slip across the contact, of fields, which have no derivatives.
+    // Spread of the slip across the contact, for fields, which have no derivatives.
     const auto size = value_of(fitted.per_size), t = value_of(across);
     const tangential::SlipAcross<std::decay_t<decltype(t)>> factor(value_of(u), value_of(x) * size,
                                                                    value_of(e) * size, value_of(s) * size);

@@ -63,9 +63,9 @@ struct SurfaceRollingInputOf {
   double normal_shear_modulus = 0.0;    ///< G of the bodies, as the normal problem had it [Pa]
   double coupling = 0.0;                ///< Kalker's K of unlike bodies [-]
   tangential::Layer layer{};            ///< between the bodies
-  const Number* flexibility = nullptr;  ///< films in rows have layers: F of every strip in place of `layer`,
-  const double* yield = nullptr;        ///< and its tau_0
-  const double* hardening = nullptr;    ///< and k
+  const Number* flexibility = nullptr;  ///< F of each strip's layer, in place of `layer` [m/Pa]
+  const double* yield = nullptr;        ///< its tau_0 [Pa]
+  const double* hardening = nullptr;    ///< its k [Pa/m]
   const StripCoefficientTable* coefficients = nullptr;  ///< table of the bodies' Poisson ratio
   const tangential::MarchGrid* grid = nullptr;          ///< cells along each strip
   SurfaceRollingMethod method = SurfaceRollingMethod::strip_fastsim;

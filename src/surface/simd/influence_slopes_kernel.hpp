@@ -117,7 +117,7 @@ inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row
   return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_row * row.x + by_xi * xi.x};
 }
 
-/// A pack of sources with their distances from points of a place, in half lengths.
+/// A pack of sources and their distances from points of one place, in half lengths [-].
 struct SeenSources {
   Sloped tau, half_width, factor;
   Sloped row;  ///< place on the rows' axis

@@ -23,8 +23,8 @@ inline void slopes_row_kernel(const SlopesRowTask& task) {
     store(load_pack(task.seen.by_length + first) * cosine * q_dl_dL, row + n, count);
     store(-(load_pack(task.seen.by_x + first) * cosine * q), row + 2 * n, count);
   }
-  // Sums of q J with each element of the directions and of their derivatives by the inputs; of q dJ/dx with
-  // the direction alone, which are the first two numbers.
+  // sums of q J times each element of the directions and of their derivatives by the inputs; sums of q dJ/dx
+  // times the directions alone, the first two numbers
   constexpr std::int32_t alone = (2 + native_lanes - 1) / native_lanes;
   Native sum[vectors], by_x[alone];
   for (Native& each : sum) each = broadcast(0.0);

@@ -10,7 +10,7 @@
 namespace wrc::simd {
 namespace {
 
-/// Places of strips' numbers in the arrays (strip_numbers.hpp): of one strip.
+/// Access to the numbers of one strip in the arrays (strip_numbers.hpp).
 struct PlainStrip {
   using Number = double;
   std::int32_t strip;
@@ -34,7 +34,7 @@ struct StripLanes {
   }
 };
 
-/// One strip with derivatives, which fill the lanes.
+/// One strip with derivatives, whose vectors fill the lanes.
 struct DualStrip {
   using Element = StripNumbersSlopesTask::Number;
   using Number = PackDual<StripNumbersSlopesTask::inputs>;

@@ -68,8 +68,8 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, the
-/// sums of J q with the sources' directions, and of dJ/dx q with the first of these numbers.
+/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres. Also
+/// sums of J q times the sources' directions and their derivatives, and of dJ/dx q times the directions.
 struct SlopesRowTask {
   std::int32_t count;
   SurfaceSlopes seen;
@@ -78,7 +78,7 @@ struct SlopesRowTask {
   const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
   const double* direction;            ///< each source: `directions` numbers
   double* row;                        ///< by q, by L and by centre, `count` of each
-  double* sum;                        ///< sums of q J direction over the sources; behind them of q dJ/dx
+  double* sum;                        ///< sums over the sources of q J direction, then of q dJ/dx direction
 
   static constexpr std::int32_t directions = 16, sums = directions + 8;
 };
@@ -131,8 +131,8 @@ struct StripNumbersTask {
   bool for_strip_fastsim;  ///< its arrays, too
 };
 
-/// The same of numbers that carry derivatives by as many inputs as a wrench has in the
-/// rail's axes (surface/wrench/wrench_jacobian.hpp).
+/// Numbers of strips with derivatives by the wrench's inputs in the rail's axes
+/// (surface/wrench/wrench_jacobian.hpp).
 struct StripNumbersSlopesTask {
   static constexpr std::size_t inputs = 13;
   using Number = Dual<inputs>;

@@ -71,7 +71,7 @@ Fault beyond_search(const Overlaps& o) {
                               "behind, where contact is not looked for");
 }
 
-/// Flags a solution that reaches where a surface begins or ends along the track: there strips are cut off
+/// Flags a solution that reaches the end of a surface along the track, where strips are cut off
 /// (cut_at_end()).
 Fault ends_along(const WheelProblem& problem, const WheelSolution& s) {
   const VaryingRail& varying = problem.model.varying;

@@ -38,8 +38,8 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
   return (top - lowest) / motion.cosine;
 }
 
-/// The vertical distance between the wheel's outline, raised as its circle rises along the track, and every
-/// so many of a surface's strips at a place along it [m].
+/// Least vertical distance between the wheel's outline and a surface's strips at a place along the track [m].
+/// The outline is raised there by the wheel's circle. Each `every`-th strip counts.
 double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
                      const PlaceWeights& place, std::int32_t every) {
   const SurfaceModel& model = problem.model;
@@ -48,7 +48,7 @@ double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline,
   std::int32_t k = 1;
   for (std::int32_t j = range.first; j < range.first + range.count; j += every) {
     const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
-    // the chord of the outline above the strip
+    // height of the outline above the strip, on a chord
     while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
     while (k > 1 && outline.y[k - 1] > y) --k;
     const double left = outline.y[k - 1], right = outline.y[k];
@@ -61,8 +61,8 @@ double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline,
   return nearest;
 }
 
-/// The vertical distance to the nearest of the rail's places along the track [m]: to some tenths of a
-/// millimetre. `outline` is that of `motion`.
+/// Least vertical distance over the rail's places along the track [m], to some tenths of a millimetre.
+/// `outline` is that of `motion`.
 double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
   constexpr double apart = 2.0 * place_apart, far = places_to_a_side * place_apart + apart;  // [m]
   constexpr std::int32_t every = 4;                                                          // strips, there

@@ -66,7 +66,7 @@ void predict_lengths(const Lengths& before, double last, double height, const Wh
   start.from = StartFrom::extrapolation;
   const double share = smaller(larger((height - last) / (last - before.height), -1.0), 1.0);
   for_shared_strips(o.count, o.strip, before.count, before.strip, [&](std::int32_t i, std::int32_t b) {
-    // those that were not in contact twice stay as they are
+    // strips that were not in contact at both heights keep their lengths
     if (!(squared[i] > 0.0) || !(before.squared[b] > 0.0)) return;
     start.solution.length_squared[i] =
         larger(squared[i] + share * (squared[i] - before.squared[b]), 0.5 * squared[i]);
@@ -107,8 +107,8 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
     predict_lengths(before, last, height, solver.solution, solver.start);
     before.keep(last, solver.solution);
 
-    // a secant leaves about this of the last two; and the one after that should be as good, where this load
-    // is known as well: to a fifth of its residual
+    // a secant leaves about this of the last two misses; the load is known to a fifth of its residual, and a
+    // finer tolerance than that does not improve the next secant
     const double expected = 0.2 * miss * miss_before, known = 0.2 * solver.out.residual;
     tolerance = larger(smaller(larger(0.2 * miss * expected, known), coarse), exact);
     if (expected < met) tolerance = exact;

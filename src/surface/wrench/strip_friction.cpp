@@ -8,9 +8,9 @@ namespace wrc::surface {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // [m]: of widths
+constexpr double rounding = 1e-9;  // keeps half widths above 0 [m]
 
-/// A stretch of the wheel's profile that a strip covers, and how half of it changes with its middle.
+/// Stretch of the wheel's profile that a strip covers: middle, half width [m], and d half / dy [-].
 struct OnWheel {
   double y, half, half_by_y;
   bool steep;  ///< the profile turns back: places have no derivative
@@ -26,7 +26,7 @@ OnWheel on_wheel(const WheelProblem& problem, const Overlaps& overlaps, std::int
           !(advance > least_advance)};
 }
 
-/// Adds films to friction without them.
+/// Adds films to the friction of clean bodies, with derivatives.
 void add_films(const WheelProblem& problem, const OnWheel& wheel, std::int32_t strip, double half,
                FrictionAtRest& at_rest) {
   const tangential::FilmRows& films = *problem.in.films;
@@ -42,7 +42,7 @@ void add_films(const WheelProblem& problem, const OnWheel& wheel, std::int32_t s
   if (wheel.steep) at_rest.layer_by_wheel_y = {};
 }
 
-/// Without films.
+/// Friction of clean bodies at a strip at rest.
 FrictionAtRest clean_at_rest(const WheelOnRail& in, const OnWheel& wheel, double rail_y, double half) {
   const tangential::FrictionZones& zones = in.law->zones;
   if (zones.count == 0) return {in.law->coefficient, 0.0};

@@ -5,8 +5,8 @@
 
 namespace wrc::surface {
 
-/// The law's coefficient of overlap i at rest, a mean over its width on the profile that zones and films lie
-/// on, the layer of films, and derivatives by the strip's place on the wheel's profile [1/m].
+/// Friction and layer of a strip at rest, as means over its width on the profile with zones or films: the
+/// coefficient, the films' layer, and derivatives by the strip's place on the wheel's profile [1/m].
 struct FrictionAtRest {
   double value, by_wheel_y;
   tangential::Layer layer{}, layer_by_wheel_y{};
@@ -23,7 +23,7 @@ FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& ove
 double strip_speed_factor(const tangential::FrictionLaw& law, const ContactArrays& strips, std::int32_t k,
                           double speed);
 
-/// Fills the coefficients of cold strips: over their widths, at their sliding speeds; and their layers.
+/// Fills the layers of cold strips, and their coefficients, means over their widths at their sliding speeds.
 void set_cold_friction(const WheelProblem& problem, const Overlaps& overlaps, double speed,
                        const ContactStrips& strips);
 

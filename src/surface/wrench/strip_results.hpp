@@ -24,9 +24,9 @@ struct StripColumns {
   Column slip_x = {}, slip_y = {};  ///< rigid slips [-]
   Column spin = {};                 ///< [1/m]
   Column friction = {};             ///< coefficient [-]
-  Column flexibility = {};          ///< F of a layer that differs from strip to strip [m/Pa]
-  Column yield = {};                ///< tau_0 of that layer [Pa]
-  Column hardening = {};            ///< k of that layer [Pa/m]
+  Column flexibility = {};          ///< F of the strip's own layer [m/Pa]
+  Column yield = {};                ///< its tau_0 [Pa]
+  Column hardening = {};            ///< its k [Pa/m]
   Column fx = {}, fy = {};          ///< tangential forces without the factor [N]
   Column mz = {};                   ///< about each strip's own middle, without the factor [N m]
   Column power = {};                ///< frictional, without the factor [W]
@@ -51,7 +51,7 @@ struct StripResultsHead {
   double by_region = 0.0;        ///< 1: as whole patches; strips have no tractions and slips of their own
   double slope_reduction = 1.0;  ///< factor by a layer between the bodies
   tangential::Layer layer;       ///< that shears and yields
-  double layer_of_strips = 0.0;  ///< 1: layers are those of the strips
+  double layer_of_strips = 0.0;  ///< 1: each strip has a layer of its own
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
 };
 

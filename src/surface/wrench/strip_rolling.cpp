@@ -90,7 +90,7 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
 
 namespace {
 
-/// Scratch of steps that remember, which have no fields: behind it is that of roll_remembering().
+/// Scratch of steps that remember, which have no fields. That of roll_remembering() lies behind it.
 RollingScratch cut_remembered(Arena& arena, WorkSizes sizes, std::int32_t strips) {
   sizes.strips = strips;
   sizes.cells = 0;

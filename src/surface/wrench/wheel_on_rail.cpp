@@ -71,7 +71,7 @@ void copy_start(const KeptStart& from, KeptStart& to) {
   std::copy_n(from.depth, count, to.depth);
 }
 
-/// The change from one solution to a later one: of strips that are in contact in both.
+/// Change of the strips that are in contact in both of two solutions.
 void take_change(const KeptStart& before, const KeptStart& now, KeptChange& change) {
   const auto count = static_cast<std::int32_t>(now.count);
   const auto earlier = static_cast<std::int32_t>(before.set * before.count);
@@ -121,7 +121,7 @@ void mark_solution(SurfaceState& state) {
 }
 
 std::int64_t surface_state_bytes(std::int32_t remembered) {
-  // the strips that are remembered, and those of the last solution
+  // two lists of strips: the committed ones, and those of the last solution
   std::size_t memory = 0;
   if (remembered > 0)
     memory =

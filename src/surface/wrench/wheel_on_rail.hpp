@@ -38,7 +38,7 @@ struct WheelOnRail {
   const tangential::FrictionLaw* law =
       nullptr;                  ///< in place of the coefficient: over a profile's y and the sliding speed
   bool zones_on_wheel = false;  ///< the law's zones lie on the wheel's profile, not on the rail's
-  const tangential::FilmRows* films = nullptr;  ///< on the law's friction, with layers in place of `layer`
+  const tangential::FilmRows* films = nullptr;  ///< on the law's friction; layers in place of `layer`
   double distance =
       0.0;  ///< place of the wheel's reference point along the track, or from above a roller's axle [m]
   double angle = 0.0;  ///< turn of the wheel about its axle, right-hand rule [rad]
@@ -46,7 +46,7 @@ struct WheelOnRail {
       1.0;  ///< factor on the slope of the creep curve by a layer between the bodies, 0..1
   tangential::SlopeFall slope;             ///< its fall as slip grows
   tangential::Layer layer;                 ///< that shears and yields
-  bool layer_of_strips = false;            ///< the films' in place of it: each strip has its own
+  bool layer_of_strips = false;            ///< true: each strip has a layer of its own, by films
   tangential::ReductionFactors reduction;  ///< those in Polach's force law
   double damping = 0.0;                    ///< Hunt and Crossley [s/m]
   double time = 0.0;                       ///< since the committed step, of a model that remembers [s]
@@ -108,14 +108,14 @@ struct KeptStart {
   double depth[most_overlapping_strips] = {};
 };
 
-/// A change of solutions (SolutionChange), by the strips of the later one.
+/// Change between two solutions (SolutionChange), by the strips of the later one.
 struct KeptChange {
   double length_squared[most_overlapping_strips] = {};
   double shift[most_overlapping_strips] = {};
   double depth[most_overlapping_strips] = {};
 };
 
-/// Steps of a contact that remembers: places of the wheel from the rail, y and z, and along a rail that
+/// Steps of a contact that remembers: y and z of the wheel from the rail, and its place along a rail that
 /// varies [m], as committed and as in the last solution.
 struct RememberedSteps {
   double committed = 0.0;  ///< 1: a step has been committed

@@ -69,7 +69,7 @@ struct Scratch {
   DifferencesScratch differences;  ///< its memory is that of the three above
 };
 
-constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< that march
+constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< strips that march together
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 Scratch cut(Arena& arena, const WorkSizes& sizes) {
@@ -420,7 +420,7 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     reverse(n, s.spin);
   }
 
-  // from slips and lengths to means over neighbours, then the march, some strips at a time
+  // means over neighbours from slips and lengths, then the march, some strips at a time
   const RollingArraysOf<Number>& all = d.w.rolling;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   const simd::SurfaceKernels& kernels = model.grid->kernels->surface;

@@ -6,14 +6,14 @@
 namespace wrc::tangential {
 namespace {
 
-/// Share of row k at t, in widths from the middle of the first of `count` rows.
+/// Share of row k at t [-]. t is in widths from the middle of the first of `count` rows.
 double share_at(double t, std::int32_t k, std::int32_t count) {
   const double from_middle = t - k;
   if ((k == 0 && from_middle < 0.0) || (k == count - 1 && from_middle > 0.0)) return 1.0;
   return std::max(0.0, 1.0 - std::abs(from_middle));
 }
 
-/// Its integral from the row's middle to t.
+/// Integral of that share from the row's middle to t.
 double integral_to(double t, std::int32_t k, std::int32_t count) {
   const double from_middle = t - k;
   if ((k == 0 && from_middle < 0.0) || (k == count - 1 && from_middle > 0.0)) return from_middle;
@@ -26,7 +26,7 @@ double integral_to(double t, std::int32_t k, std::int32_t count) {
 RowShares row_shares(const RowsAcross& rows, double y, double half, double half_by_y) {
   RowShares shares;
   const std::int32_t count = static_cast<std::int32_t>(rows.count);
-  // one row has it all
+  // a single row has the whole share
   if (count == 1) {
     shares.first = 0;
     shares.count = 1;
@@ -34,7 +34,7 @@ RowShares row_shares(const RowsAcross& rows, double y, double half, double half_
     shares.by_y[0] = 0.0;
     return shares;
   }
-  // rows whose straight lines reach into the stretch, in widths from the middle of the first
+  // rows whose straight lines reach into the stretch; ends of the stretch as t above
   const auto row = [&](double t) {
     return static_cast<std::int32_t>(std::clamp(std::floor(t), 0.0, count - 1.0));
   };
@@ -78,14 +78,14 @@ FilmOfStrip film_of_strip(const FilmRows& films, const RowShares& rail, const Ro
 void layer_of_strip(const FilmOfStrip& film, Layer& layer, Layer& by_wheel_y) {
   constexpr double hardest = 1e11;  // [Pa]: yields nowhere
   const FilmCell &mean = film.mean, &slope = film.by_wheel_y;
-  // means of F, of 1 / tau_0 and of k
+  // the layer's F, tau_0 and k from means of F, 1 / tau_0 and k
   layer = {mean.flexibility, hardest, mean.hardening};
   by_wheel_y = {slope.flexibility, 0.0, slope.hardening};
   if (mean.softness * hardest > 1.0) {
     layer.yield = 1.0 / mean.softness;
     by_wheel_y.yield = -slope.softness * layer.yield * layer.yield;
   }
-  // between rows softening may come near half of the modulus over the thickness, where tractions would jump
+  // softening is bounded: beyond half of the modulus over the thickness tractions would jump
   const double least = mean.flexibility > 0.0 ? -0.49 / mean.flexibility : layer.hardening;
   if (layer.hardening >= least) return;
   layer.hardening = least;

@@ -21,7 +21,7 @@ constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
 constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
 constexpr double least = 1e-290;       // keeps divisions finite
-constexpr double everywhere = 1e3;     // [m], farther than anything
+constexpr double everywhere = 1e3;     // farther than any place [m]
 
 constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
 
@@ -75,14 +75,14 @@ double left_of_step(const double* share, std::int32_t k) {
   return left;
 }
 
-/// From 0 to 1 over the middle half of a way.
+/// Weight from 0 to 1 over the middle half of a way, with zero slope at its ends [-].
 double beyond_half(double at, double way) {
   const double within = std::clamp(2.0 * at / way - 0.5, 0.0, 1.0);
   return within * within * (3.0 - 2.0 * within);
 }
 
-/// The nearest strips on either side of a place on a plane. Between two strips of a patch shares are those of
-/// a straight line; two widths beside a patch there is none.
+/// The nearest strips on either side of a place on a plane, with their shares. Between two strips of a patch
+/// shares change in a straight line. They vanish two widths beside the patch.
 Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
   Neighbours n;
   for (std::int64_t k = 0; k < count; ++k) {
@@ -181,7 +181,7 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, F
 }
 
 void PatchStep::take_past_of_rail() {
-  // strips by their numbers, as far as they belong to the patch; moments to the patch's centre
+  // forces of the past of the patch's strips, by their widths within it; moments about the patch's centre
   const patch::Strips& region = contact_.region;
   const double sign = contact_.memory.direction;
   for (std::int32_t j = 0; j < region.count; ++j) {
@@ -210,8 +210,8 @@ void PatchStep::take_past_of_plane() {
     low = std::min(low, key(j) - half);
     high = std::max(high, key(j) + half);
   }
-  // forces, energy and difference to strip FASTSIM of the strips remembered, half way to other patches;
-  // beside the patch less, as a half-space is displaced and turned by a force at a distance
+  // forces, energy and difference to strip FASTSIM of the remembered strips up to half way to other patches.
+  // Strips beside the patch count less, as forces at a distance displace and turn a half-space less
   for (std::int64_t k = 0; k < strips_.past_count; ++k) {
     const PastStrip& strip = strips_.past[k];
     const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
@@ -348,13 +348,13 @@ void PatchStep::set_own(double travel) {
 void PatchStep::bring(double h, bool first) {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& to = strips_.scratch[j];
-    // the strips it comes from, turned to the way of rolling; the rest of its cells enters one by one
+    // strips of the past, turned to the way of rolling; cells without a past enter without tractions
     Neighbours from{&strips_.written[j], nullptr};
     if (first) from = past_of(j);
     if (from.first == nullptr) from.of_first = 0.0;
     const double enters = std::max(0.0, 1.0 - from.of_first - from.of_second);
     bool adds = enters > 0.0 || from.of_first == 0.0;
-    // cells that nothing is brought to begin without tractions
+    // zeros, and the share of each cell that enters without tractions
     if (adds) {
       std::fill_n(to.px, cells, 0.0);
       std::fill_n(to.py, cells, 0.0);

@@ -44,7 +44,7 @@ namespace wrc::tangential {
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
   double centre, half_length;  ///< [m]
-  double force[3];             ///< its cells': Fx, Fy [N], Mz about its own middle [N m]
+  double force[3];             ///< forces of its cells: Fx, Fy [N], Mz about its own middle [N m]
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
@@ -73,9 +73,9 @@ struct Memory {
   }
 };
 
-/// Forces of strips that have left a rail's patch, of the bodies rolling forwards: sums of fx, fy, the
-/// moments about their own middles, and x fy - y fx from the patch's origin. The half-spaces yield as they
-/// vanish.
+/// Forces of strips that have left a rail's patch, of bodies rolling forwards. Sums of fx and fy [N], of
+/// moments about the strips' own middles, and of x fy - y fx from the patch's origin [N m]. The half-spaces
+/// yield as these forces vanish.
 struct LeftStrips {
   double fx = 0.0, fy = 0.0, mz = 0.0, turn = 0.0;
 };
@@ -87,7 +87,7 @@ struct PatchStrips {
   PastStrip* written = nullptr;         ///< as many as the patch has
   RememberingStrip* scratch = nullptr;  ///< as many
   const double* number =
-      nullptr;  ///< numbers of a rail's strips; nullptr: a plane's, whose past is found by the place
+      nullptr;  ///< numbers of a rail's strips; nullptr: strips of a plane, whose past is found by place
   const PastStrip* const* past_of = nullptr;  ///< the past of each strip, or nullptr; with `number`
   const double* inside = nullptr;             ///< share of each strip's width within the patch; with `number`
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
@@ -97,7 +97,7 @@ struct PatchStrips {
   double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
 };
 
-/// The remembered strips that one comes from, and their shares.
+/// The remembered strips that a strip comes from, and their shares [-].
 struct Neighbours {
   const PastStrip *first = nullptr, *second = nullptr;
   double of_first = 1.0, of_second = 0.0;

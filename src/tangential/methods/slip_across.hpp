@@ -1,4 +1,4 @@
-/// How slip is spread over the strips of a patch, over that of strip FASTSIM.
+/// Spread of slip over the strips of a patch: a factor on the slip of strip FASTSIM.
 ///
 /// In strip theory the slip of a strip that mostly sticks depends on the strip's own traction alone. In a
 /// patch, strips beside it that stick hold the surfaces back, most of all towards the sides: there the
@@ -7,10 +7,10 @@
 ///
 ///     1 + m (1/4 - t^2) + n t,   t = distance from the patch's middle over half its width,
 ///
-/// 1/4 being the mean of t^2 over the power of an ellipse that sticks. m and n vanish in full slip. m grows
-/// with the slenderness, as the strips of a long patch lie closer to each other. n, which is odd under
-/// mirroring, is that of longitudinal with lateral slip or with spin. The power of the whole patch is the
-/// balance, as before.
+/// where 1/4 is the mean of t^2 over the power of an ellipse that sticks. m and n vanish in full slip. m
+/// grows with the slenderness, as the strips of a long patch lie closer to each other. n changes its sign in
+/// a mirror: it needs longitudinal slip together with lateral slip or spin. The power of the whole patch is
+/// that of forces and creepages.
 #pragma once
 
 #include "base/elementary.hpp"
@@ -40,7 +40,7 @@ struct SlipAcross {
     const auto& c = slip_across_constants;
     const Number held = smaller(larger(u, Number(-0.5)), Number(0.5));
     const Number xx = x * x, ee = e * e, ss = s * s, S = xx + ee + ss, S2 = S * S;
-    // creepages and spin by their shares in S; nothing where nothing slips
+    // m and n by the shares of creepages and spin in S; 0 where nothing slips
     const Number sticks = (1.0 - S) / larger(S, Number(1e-30));
     const Number creepages = xx * (c[2] + c[3] * held) + ee * (c[4] + c[5] * held);
     even = sticks * ((1.0 + c[0] * S2 + c[1] * (S2 * S2)) * creepages + ss * (c[6] + c[7] * held + c[8] * S));

@@ -36,7 +36,7 @@ struct Model {
   double elastic;                  ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
   double B;                        ///< bound of the march [Pa/m^2]
   double across_even, across_odd;  ///< m, n of slip_across.hpp
-  double middle, per_width;        ///< y of the middle [m], one over half the width [1/m], for these
+  double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m]
 };
 
 /// The terms of the calibration; x, e, s and the limit mu N as forces [N], Q the sum of their squares.

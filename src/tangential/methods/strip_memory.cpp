@@ -20,8 +20,8 @@ PatchStrips strips_of(Memory& memory) {
           .scratch = memory.scratch()};
 }
 
-/// Keeps the patch's strips, of bodies rolling forwards, moments about their own middles, with their parts of
-/// the energy and of the difference to strip FASTSIM.
+/// Keeps the patch's strips, as of bodies rolling forwards, with their parts of the energy and of the
+/// difference to strip FASTSIM. Moments are about the strips' own middles.
 void keep_strips(const RollingContact& contact, double energy, const double added[3], Memory& memory) {
   const double part = 1.0 / contact.region.count;
   PastStrip* const written = memory.other() + memory.written;

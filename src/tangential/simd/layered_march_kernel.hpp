@@ -10,8 +10,8 @@
 namespace wrc::simd {
 namespace {
 
-/// The first vector of a pack alone: a march spends its time in roots and divides, which cost as much in
-/// lanes without a strip.
+/// The first vector of a pack alone, for the last strips. A march spends its time in roots and divides, which
+/// cost as much in lanes without a strip.
 struct HalfPack {
   Native a;
 

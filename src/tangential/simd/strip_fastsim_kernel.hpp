@@ -433,8 +433,8 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
 /// Constants of the slip of a group's strips, for the fields.
 struct SlipShape {
   Pack stick;                 ///< 2 - u_s, the length of the first stick zone
-  Pack twice;                 ///< twice the factor by the place across (methods/slip_across.hpp); 0 without
-                              ///< friction, where nothing holds the slip's direction
+  Pack twice;                 ///< twice the factor across the patch (methods/slip_across.hpp); 0 without
+                              ///< friction, where the slip has no direction
   Pack elastic_x, elastic_y;  ///< elastic slip at the leading edge along x and y
   Pack per_even, per_odd;     ///< twice / (v + u_s - u) in a pair of cells, the first of even index
 };

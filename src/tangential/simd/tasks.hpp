@@ -100,7 +100,7 @@ struct StripFastsimTask : StripFastsimMarch {
   Coefficient torsion;             ///< lateral elastic slip of a patch that spins [-]
   double B, elastic;               ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
   double across_even, across_odd;  ///< m, n of methods/slip_across.hpp, for fields
-  double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m], for these
+  double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m]
 };
 
 /// Strip FASTSIM where every strip has numbers of its own, about its own middle
@@ -116,7 +116,7 @@ struct SurfaceStripsTask : StripFastsimMarch {
   const double* elastic;              ///< elastic slip at the leading edge: difference between x and y [-]
   const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
   const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
-  const double* across;               ///< factor on the slip by the place across, for fields [-]
+  const double* across;               ///< factor on the slip at each strip's place across, for fields [-]
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
   const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
@@ -163,7 +163,7 @@ struct MemoryBringTask {
   const double *place, *px, *py;
   double old_lead, half_length;  ///< [m]
   double h, weight;
-  bool adds;  ///< to the cells as they are; else they begin with it
+  bool adds;  ///< true: adds to the cells' tractions; false: replaces them
 };
 
 /// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, `stride` from strip to

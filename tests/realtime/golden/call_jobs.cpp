@@ -392,7 +392,7 @@ void run_greased_wheels(wrc_contact* right, wrc_contact* left, Hash& hash) {
   }
 }
 
-/// Over films in rows of rail and wheel, without and with layers, and their passages.
+/// Wrenches over films in rows of rail and wheel, without and with layers, and the passages.
 void run_film_rows(wrc_contact* right, wrc_contact* left, Hash& hash) {
   constexpr uint32_t count = 6, rows = 12;
   for (const char* set : {"low adhesion", "low adhesion, layers"}) {

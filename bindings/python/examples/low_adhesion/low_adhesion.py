@@ -189,9 +189,9 @@ def curve():
 
 
 def lubricator(axles=32, grease=0.05):
-    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. Axles run along the flange
-    there, and swing away from it by up to 8 mm and back. Bands have rows across. Gives the rail, and along its way each axle's
-    displacement [m] and frictional power of its outer wheel [W]."""
+    """A lubricator greases the gauge corner of the outer rail of a curve over 3 m, before every eighth axle. The axles' flanges touch the
+    rail there. Further on the axles move away from it by up to 8 mm and back. Bands have rows across. Gives the rail, the places along
+    it [m], and there each axle's displacement [m] and frictional power of its outer wheel [W]."""
     model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}, preset="real time")
     contact, speed, way, laws = model.contact(), 20.0, 0.1, wrc.surface_laws("low adhesion")
     laws.lubricant.carry = 1.0  # a grease that wheels pick up well
