@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 """Fits the constants of src/tangential/methods/strip_calibration.hpp to exact forces and prints the table.
 
-    fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ...
+    fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ... [--only TERM ...]
 
 LIBRARY is build/release/tools/libcalibration_errors.so, or libsurface_errors.so for
-src/surface/rolling/surface_calibration.hpp; the files are made by make_patches. From `zero` (the
+src/surface/rolling/surface_calibration.hpp, or libmemory_errors.so for src/tangential/methods/patch_memory.hpp; the files are made by make_patches. From `zero` (the
 default) all constants take part; with --keep the least needed ones are taken out, one after the other, until N are
 left. From `fitted` only the constants that are not zero in the header take part: a change elsewhere (tables of
-linear theory, normal method) wants no more than that.
+linear theory, normal method) wants no more than that. --only: of those, the columns with these numbers, from 0 on.
 
 What is minimised: the mean over the patches of |e|^3 / d + ... for small e quadratic (d = 1 % of mu N), e the error
 of Fx, Fy and 0.3 of that of Mz; the same for a tenth (--power) of the relative power error, fading out between 85 and 95 %
@@ -122,12 +122,13 @@ def main():
     parser.add_argument("--start", choices=["zero", "fitted"], default="zero")
     parser.add_argument("--keep", type=int, default=0)
     parser.add_argument("--power", type=float, default=0.1)
+    parser.add_argument("--only", type=int, nargs="+")
     arguments = parser.parse_args()
     errors = Errors(arguments.library, arguments.files, arguments.power)
 
     if arguments.start == "fitted":
         constants = errors.fitted()
-        active = list(zip(*np.nonzero(constants)))
+        active = [(q, t) for q, t in zip(*np.nonzero(constants)) if not arguments.only or t in arguments.only]
     else:
         constants = np.zeros(errors.shape)
         active = [(q, t) for q in range(errors.shape[0]) for t in range(errors.shape[1])

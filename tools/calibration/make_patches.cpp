@@ -1,6 +1,7 @@
 // Writes random patches with the forces of exact half-space theory:
-//     make_patches sdec|wheelrail|surface SEED COUNT FILE.csv
-// patches in a plane, or whole contacts on the rail's surface (surface_case.hpp). One line per patch, written
+//     make_patches sdec|wheelrail|surface|memory SEED COUNT FILE.csv
+// patches in a plane, whole contacts on the rail's surface (surface_case.hpp), or sequences of steps
+// (memory_case.hpp). One line per patch, written
 // as soon as it is solved. Started again with the same seed it goes on where the file ends; Ctrl-C stops it
 // after the patch at hand.
 
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "cases.hpp"
+#include "memory_case.hpp"
 #include "surface_case.hpp"
 
 namespace {
@@ -45,6 +47,17 @@ Kind surface() {
             ExactSurfaceCase c{random_surface_case(seed, row), {}};
             c.exact = exact_forces(c.rolling);
             converged = c.exact.converged;
+            return text_of(c);
+          }};
+}
+
+Kind memory() {
+  return {memory_heading,
+          [](std::uint64_t seed, std::uint64_t row) { return patch_text(random_memory_case(seed, row)); },
+          [](std::uint64_t seed, std::uint64_t row, bool& converged) {
+            MemoryCase c = random_memory_case(seed, row);
+            solve_exactly(c);
+            converged = true;
             return text_of(c);
           }};
 }
@@ -88,20 +101,25 @@ int make(const Kind& kind, std::uint64_t seed, std::uint64_t count, const std::s
   return row < count ? 1 : 0;
 }
 
+/// The kind of this name; nullptr: there is none.
+Kind (*kind_of(const std::string& name))() {
+  if (name == "sdec") return planar<random_sdec>;
+  if (name == "wheelrail") return planar<random_wheel_on_rail>;
+  if (name == "surface") return surface;
+  return name == "memory" ? memory : nullptr;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string kind = argc > 1 ? argv[1] : "";
-  if (argc != 5 || (kind != "sdec" && kind != "wheelrail" && kind != "surface")) {
-    std::fprintf(stderr, "usage: make_patches sdec|wheelrail|surface SEED COUNT FILE.csv\n");
+  Kind (*const kind)() = kind_of(argc == 5 ? argv[1] : "");
+  if (!kind) {
+    std::fprintf(stderr, "usage: make_patches sdec|wheelrail|surface|memory SEED COUNT FILE.csv\n");
     return 2;
   }
   std::signal(SIGINT, [](int) { interrupted = 1; });
   try {
-    return make(kind == "sdec"        ? planar<random_sdec>()
-                : kind == "wheelrail" ? planar<random_wheel_on_rail>()
-                                      : surface(),
-                std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10), argv[4]);
+    return make(kind(), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10), argv[4]);
   } catch (const std::string& reason) {
     std::fprintf(stderr, "%s\n", reason.c_str());
     return 1;

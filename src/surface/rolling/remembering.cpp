@@ -218,6 +218,7 @@ class Rememberer {
       for (std::int32_t i = 0; i < memory_cells; ++i) to.bound[i] += weight * from.bound[i];
       to.growth_x += weight * from.growth_x;
       to.growth_y += weight * from.growth_y;
+      to.turns += weight * from.turns;
       to.arm += weight * arm;
       // slips of the strip; beside the part's mean along x, and by spin, with the factor on arms
       const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k];
@@ -238,7 +239,7 @@ class Rememberer {
     constexpr double none[3] = {};
     double local[3], of_part[3], last = 0.0;
     patch.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, local, of_part, last);
-    const double factor = tangential::memory_ahead * (rests_ ? 0.0 : in_.rolled / last);
+    const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last);
     const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = patch.arm();
     last_ = last;
     stored_ += part.share * patch.stored();

@@ -23,16 +23,6 @@ constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
 constexpr double least = 1e-290;       // keeps divisions finite
 constexpr double everywhere = 1e3;     // farther than any place [m]
 
-/// Fitted factors and lengths (patch_memory.hpp); u2 is the square of (a - b) / (a + b).
-namespace fitted {
-constexpr double flexibility_x = 1.016, flexibility_y = 0.92;            // factors on L
-constexpr double yield_x = 1.015, yield_y = 1.093;                       // factors on S
-constexpr double arm(double u2) { return 1.19 + 0.07 * u2; }             // factor on the arms of spin
-constexpr double twist(double u2) { return 0.102 * (1.0 - 1.39 * u2); }  // S of spin, of 1 / (G sqrt(ab)^3)
-constexpr double exponent = 1.19, exponent_by_yield = 1.93, middle_yield = 0.54;  // m
-constexpr double follows = 0.816;  // length over which the difference to strip FASTSIM is added, of a
-}  // namespace fitted
-
 constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
 
 /// Yield at rest of an ellipse whose surfaces stick, Cattaneo's and Mindlin's: displacement over force along
@@ -64,6 +54,10 @@ Yield yield_at_rest(double a, double b, double shear_modulus, double poisson) {
   return {scale * ((1.0 - poisson) * all + poisson * along_x),
           scale * ((1.0 - poisson) * all + poisson * (all - along_x))};
 }
+
+/// The same of a rotation, times G sqrt(ab)^3: 3/8 on a circle (Mindlin), others by the exact solver within
+/// 0.3 % (a/b from 1/4 to 4).
+double torsion_at_rest(double u2) { return 0.375 * (1.0 - u2 * (1.81 - 0.92 * u2)); }
 
 struct Places {
   double at[cells];
@@ -145,8 +139,9 @@ PastStrip turned(const PastStrip& strip, double direction) {
   return s;
 }
 
-PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault)
-    : contact_(contact), strips_(strips) {
+PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault,
+                     const MemoryFactors& factors)
+    : contact_(contact), strips_(strips), factors_(factors) {
   // the longest strip, and the centre of the load
   const patch::Strips& region = contact.region;
   double load = 0.0;
@@ -168,22 +163,21 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, F
   b_ = ellipse.b;
   const double G = contact.shear_modulus;
   const theory::SdecCoefficients linear = contact.linear_theory->at(a_ / b_, ellipse.shape_number, fault);
-  const double per_x = 3.0 * G * linear.c11 / (8.0 * a_), per_y = 3.0 * G * linear.c22 / (8.0 * a_);
-  const double area = pi * a_ * b_, u = theory::slenderness(a_ / b_), u2 = std::min(u * u, 0.16);
+  const double area = pi * a_ * b_, u = theory::slenderness(a_ / b_), u2 = u * u;
+  growth_x_ = 3.0 * G * linear.c11 / (8.0 * a_ * (1.0 + factors_.flexibility_x));
+  growth_y_ = 3.0 * G * linear.c22 / (8.0 * a_ * (1.0 + factors_.flexibility_y));
+  arm_ = 1.0 + factors_.arm + factors_.arm_slender * u2;
   const Yield rest = yield_at_rest(a_, b_, G, contact.linear_theory->poisson());
-  growth_x_ = per_x / fitted::flexibility_x;
-  growth_y_ = per_y / fitted::flexibility_y;
-  yield_[0] = fitted::yield_x * std::max(0.0, rest.x - 1.0 / (per_x * area));
-  yield_[1] = fitted::yield_y * std::max(0.0, rest.y - 1.0 / (per_y * area));
-  yield_[2] = fitted::twist(u2) / (G * a_ * b_ * std::sqrt(a_ * b_));
-  arm_ = fitted::arm(u2);
-  const double share = 1.0 - 0.5 * (1.0 / (per_x * area * rest.x) + 1.0 / (per_y * area * rest.y));
-  set_bounds(
-      std::clamp(fitted::exponent + fitted::exponent_by_yield * (share - fitted::middle_yield), 0.4, 2.0));
+  const double turned = torsion_at_rest(u2) / (G * a_ * b_ * std::sqrt(a_ * b_));
+  const double cells_turned = 4.0 / (arm_ * arm_ * area * (growth_x_ * b_ * b_ + growth_y_ * a_ * a_));
+  yield_[0] = std::max(0.0, rest.x - 1.0 / (growth_x_ * area));
+  yield_[1] = std::max(0.0, rest.y - 1.0 / (growth_y_ * area));
+  yield_[2] = std::max(0.0, (1.0 + factors_.torsion) * turned - cells_turned);
   if (strips_.number)
     take_past_of_rail();
   else
     take_past_of_plane();
+  set_bounds(std::clamp(0.5 * (yield_[0] / rest.x + yield_[1] / rest.y) + factors_.share, 0.0, 0.9));
 }
 
 void PatchStep::take_past_of_rail() {
@@ -244,21 +238,9 @@ Neighbours PatchStep::past_of(std::int32_t j) const {
   return {strips_.past_of[j], nullptr};
 }
 
-double PatchStep::strip_form(std::int32_t j) const {
-  const double load = contact_.region.peak[j] * contact_.region.half_length[j];
-  return load > 0.0 ? natural_exp(exponent_ * natural_log(load / largest_load_)) : 0.0;
-}
-
-void PatchStep::set_bounds(double exponent) {
-  exponent_ = exponent;
-  // over the middles of cells (1 - s^2)^m, the same on either side of the middle
-  double form[cells], sum = 0.0;
-  for (std::int32_t i = 0, mirrored = cells - 1; i < mirrored; ++i, --mirrored) {
-    form[i] = form[mirrored] = natural_exp(exponent * natural_log(1.0 - places.at[i] * places.at[i]));
-    sum += 2.0 * form[i];
-  }
-  // the whole is the friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width
-  double whole = 0.0;
+void PatchStep::set_bounds(double share) {
+  // friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width; strips shared among patches take the
+  // blended bounds and growths
   const patch::Strips& r = contact_.region;
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
@@ -272,25 +254,57 @@ void PatchStep::set_bounds(double exponent) {
     strip.growth_x = growth_x_;
     strip.growth_y = growth_y_;
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
-    // shared strips have their bounds already
-    if (strips_.shared) continue;
-    strip.bound[0] = contact_.friction.share(j) * strip_form(j);
-    whole += strip.bound[0] * sum * strip.area;
-  }
-  // bounds at the cells [Pa]; strips shared among patches take the blended bounds and growths
-  const double per = limit_ / std::max(whole, least);
-  for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    if (strips_.shared == nullptr) {
-      const double middle = per * strip.bound[0];
-      for (std::int32_t i = 0; i < cells; ++i) strip.bound[i] = middle * form[i];
-      continue;
-    }
+    if (strips_.shared == nullptr) continue;
     const RememberingStrip& shared = strips_.shared[j];
     strip.growth_x = shared.growth_x;
     strip.growth_y = shared.growth_y;
+    strip.turns = shared.turns;
     std::copy_n(shared.bound, cells, strip.bound);
   }
+  if (strips_.shared) return;
+  // Cells turn the faster, the less of the patch slides.
+  const double used2 = (before_[0] * before_[0] + before_[1] * before_[1]) / std::max(limit_ * limit_, least);
+  const double turns = factors_.turns * std::max(0.0, 1.0 - used2);
+  // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
+  constexpr std::int32_t bins = 64;
+  double area[bins + 1] = {}, whole_area = 0.0;
+  const auto load = [&](std::int32_t j) {
+    return (bins - 1e-9) * r.peak[j] * r.half_length[j] / std::max(largest_load_, least);
+  };
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    strip.turns = turns;
+    for (std::int32_t i = 0; i < cells / 2; ++i) {
+      const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
+      const std::int32_t bin = static_cast<std::int32_t>(at);
+      area[bin] += (1.0 - (at - bin)) * strip.area;
+      area[bin + 1] += (at - bin) * strip.area;
+    }
+    whole_area += (cells / 2) * strip.area;
+  }
+  // share of the area where pressure is larger than at a bin
+  double larger[bins + 1], sum = 0.0;
+  for (std::int32_t bin = 0; bin <= bins; ++bin) {
+    sum += area[bin];
+    larger[bin] = std::max(0.0, 1.0 - (sum - 0.5 * area[bin]) / std::max(whole_area, least));
+  }
+  // Bounds over that of the middle, then [Pa]: the whole is the friction limit.
+  double whole = 0.0;
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    for (std::int32_t i = 0, mirrored = cells - 1; i < mirrored; ++i, --mirrored) {
+      const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
+      const std::int32_t bin = static_cast<std::int32_t>(at);
+      const double rank = larger[bin] + (at - bin) * (larger[bin + 1] - larger[bin]);
+      const double x = rank / (1.0 - share + share * rank);
+      const double form = 1.0 - x * x - (2.0 / 3.0) * share * (1.0 - x * x * x);
+      strip.bound[i] = strip.bound[mirrored] = contact_.friction.share(j) * form;
+      whole += 2.0 * strip.bound[i] * strip.area;
+    }
+  }
+  const double per = limit_ / std::max(whole, least);
+  for (std::int32_t j = 0; j < r.count; ++j)
+    for (double& bound : strips_.scratch[j].bound) bound *= per;
 }
 
 void PatchStep::place_strips(double done) {
@@ -366,13 +380,8 @@ void PatchStep::part(const double shift[3], double h, bool first, double local[3
   // local = shift + S (F - F'), by Newton's method, from no yield
   bring(h, first);
   const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{count,
-                            strips_.scratch,
-                            places.at,
-                            {shift[0], shift[1], shift[2]},
-                            0.5 * arm_ * h,
-                            strips_.written->px,
-                            sizeof(PastStrip) / sizeof(double)};
+  simd::MemoryPassTask task{count, strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},
+                            h,     0.5 * arm_ * h,  strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double t =
@@ -522,7 +531,7 @@ double last_part(double length) { return usual_parts[0] * std::max(length, least
 
 double PatchStep::follows(double rolled) const {
   const double length = std::max(length_, least);
-  return forgets(rolled, length) ? 1.0 : 1.0 - natural_exp(-rolled / (fitted::follows * 0.5 * length));
+  return forgets(rolled, length) ? 1.0 : 1.0 - natural_exp(-rolled / (factors_.follows * 0.5 * length));
 }
 
 double PatchStep::per_length(double size, double length) {

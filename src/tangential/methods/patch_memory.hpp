@@ -11,10 +11,13 @@
 ///    traction. Local flexibilities give the forces of linear rolling (Kalker), both together the stiffness of
 ///    a patch that sticks at rest (Mindlin): S is the difference, no fitted number. U is a translation and a
 ///    rotation.
-///  - The bound has the friction limit of the patch and the form (1 - r^2)^m. m follows from the share of U in
-///    the whole yield such that shifts at rest are Cattaneo's, 1 - (1 - d)^1.5; hysteresis then is Mindlin's
-///    (Masing), as each cell sticks and slips by itself. Under m = 1 and half of the yield they differ by 0.01
-///    of mu N.
+///  - The bound has the friction limit of the patch. It depends on the share r of the area where pressure is
+///    larger: 1 - x^2 - (2/3) q (1 - x^3), x = r / (1 - q + q r), q the share of U in the whole yield. So
+///    shifts at rest are Cattaneo's, 1 - (1 - d)^1.5, on patches of any shape. Hysteresis is Mindlin's
+///    (Masing), as each cell sticks and slips by itself.
+///  - Cells by themselves turn too slowly where the shift turns: round a circle their work is 12 to 18 % low.
+///    So the displacement counts more for the direction of a cell that slides, the more the patch sticks, and
+///    only as far as it rolls little. Work stays positive: bound times displacement along it.
 ///  - Arms of spin are longer than the cells' by a factor, for the forces and the displacements alike: the
 ///    bound is nearer to the centre than pressure is.
 ///  - Rolling steadily this is FASTSIM. The difference of steady strip FASTSIM to the same cells in steady
@@ -26,8 +29,7 @@
 ///    quarter of the stored energy, tractions and forces are lowered to that. So the work over any path is
 ///    never below zero, however patches change.
 ///
-/// Constants are fitted to random sequences solved exactly (src/halfspace, 84 of all kinds, by the forces and
-/// moments of all steps).
+/// Factors are fitted to random sequences solved exactly (tools/calibration, `make_patches memory`).
 #pragma once
 
 #include <cstddef>
@@ -101,10 +103,24 @@ struct Neighbours {
   double of_first = 1.0, of_second = 0.0;
 };
 
+/// Factors of the law, fitted by tools/calibration.
+struct MemoryFactors {
+  double flexibility_x, flexibility_y;  ///< L over that of linear rolling, less 1
+  double arm, arm_slender;              ///< factor on arms less 1; slender: times ((a - b) / (a + b))^2
+  double torsion;                       ///< yield of rotation at rest over that of linear theory, less 1
+  double share;                         ///< added to the share of S that forms the bounds
+  double turns;    ///< by which tractions turn faster as cells slide, where the whole patch sticks
+  double follows;  ///< length over which the difference to strip FASTSIM is added, of a
+  double ahead;    ///< factor by which the displacement of cells over that of the patch is taken ahead
+};
+inline constexpr MemoryFactors fitted_memory{0.0492,  -0.0456, 0.2844, -0.2348, 0.0083,
+                                             -0.0218, 0.2576,  0.7312, 2.2344};
+
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
 class PatchStep {
  public:
-  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault);
+  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault,
+            const MemoryFactors& factors = fitted_memory);
 
   double length() const { return strips_.length > 0.0 ? strips_.length : length_; }
   double limit() const { return limit_; }  ///< friction limit, sum of mu_j N_j [N]
@@ -146,19 +162,19 @@ class PatchStep {
  private:
   void take_past_of_rail();
   void take_past_of_plane();
-  void set_bounds(double exponent);
+  void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
   void part(const double shift[3], double h, bool first, double local[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);
-  double strip_form(std::int32_t j) const;
   double key(std::int32_t j) const {
     return strips_.number ? strips_.number[j] : contact_.memory.y(contact_.region.y[j]);
   }
 
   const RollingContact& contact_;
   const PatchStrips strips_;
+  const MemoryFactors& factors_;
   double length_ = 0.0;       // the longest strip's [m]
   double limit_ = 0.0;        // friction limit [N]
   double a_ = 0.0, b_ = 0.0;  // semi-axes of the double ellipse that stands for the patch [m]
@@ -166,12 +182,9 @@ class PatchStep {
   double growth_x_ = 0.0, growth_y_ = 0.0;  // 1 / L [Pa/m]
   double yield_[3] = {};                    // S
   double arm_ = 1.0;
-  double exponent_ = 1.0, largest_load_ = 0.0;
+  double largest_load_ = 0.0;
   double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
 };
-
-/// Factor by which the displacement of cells over that of the patch is taken ahead.
-inline constexpr double memory_ahead = 2.1;
 
 /// Middles of the cells over the half length, from the leading edge on.
 const double* memory_places();

@@ -52,10 +52,10 @@ void begin_step(void* at) { memory_at(at).written = 0; }
 
 void end_step(void* at) { memory_at(at).turn_over(); }
 
-TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields,
-                                  Fault& fault) {
+TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                                  const MemoryFactors& factors) {
   Memory& memory = memory_at(contact.memory.at);
-  PatchStep patch(contact, strips_of(memory), fault);
+  PatchStep patch(contact, strips_of(memory), fault, factors);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
   const bool rests = hardly_rolls(rolled, patch.length()), from_now = forgets(rolled, patch.length());
   // Cells at the end of the step, and the displacements per length at which strip FASTSIM is asked
@@ -68,7 +68,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
     double per[3];
     patch.about_centre(contact.creepage, 1.0, per);
     patch.go(per, rests ? contact.memory.rolled : rolled, rests ? 0.0 : rolled, local, shift, last);
-    for (int i = 0; i < 3; ++i) shift[i] += memory_ahead * (local[i] - shift[i]);
+    for (int i = 0; i < 3; ++i) shift[i] += factors.ahead * (local[i] - shift[i]);
     if (!rests) asked = patch.about_origin(shift, last);
   }
   // The difference to strip FASTSIM follows over the length that is rolled.

@@ -17,8 +17,8 @@ void make_strip_memory(std::int32_t strips, void* memory);
 
 /// A step of one patch from the strips end_step() left, contact.memory saying how it moves. Real-time: work
 /// proportional to strips times at most 34 passes over 16 cells.
-TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields,
-                                  Fault& fault);
+TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
+                                  const MemoryFactors& factors = fitted_memory);
 
 /// The patches rolled between begin_step() and end_step() become the memory.
 void begin_step(void* memory);

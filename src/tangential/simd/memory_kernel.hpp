@@ -65,7 +65,17 @@ struct PassedCells {
   Pack at, on_way;  ///< arms of the cell now, and of the middle of its way
   Mask slides;
   Pack size, bound;  ///< size of the traction before it slides, and bound [Pa]
+  Pack faster;       ///< turned_by()
 };
+
+/// Factor on the displacement for the direction in which a cell slides: 1 as it begins to slide, and where
+/// the patch rolls further in half lengths, times `rolling`, than the cell is displaced in times its bound.
+constexpr double turned_by_rolling = 5.0;
+inline Pack turned_by(Pack turns, Pack rolled, Pack sticks, Pack bound, Pack vx, Pack vy) {
+  const Pack v2 = vx * vx + vy * vy, v = root(v2), still = Pack(turned_by_rolling) * rolled * bound;
+  const Pack beyond = smaller(larger(sticks - bound, Pack(0.0)), v);
+  return Pack(1.0) + turns * beyond * v / larger(v2 + still * still, Pack(1e-290));
+}
 
 inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s, std::int32_t i) {
   PassedCells c;
@@ -75,12 +85,17 @@ inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s
   // traction if it sticks
   const Pack by_x = (t.local[0] - t.local[2] * s.y) + s.own_x,
              by_y = (t.local[1] + s.own_y) - s.own_turn * s.x, turn = t.local[2] + s.own_turn;
-  c.px = load_pack(s.px + i) - Pack(s.growth_x) * share * by_x;
-  c.py = load_pack(s.py + i) - Pack(s.growth_y) * share * (by_y + turn * c.on_way);
+  const Pack vx = Pack(s.growth_x) * share * by_x, vy = Pack(s.growth_y) * share * (by_y + turn * c.on_way);
+  c.px = load_pack(s.px + i) - vx;
+  c.py = load_pack(s.py + i) - vy;
   // onto the disk
   c.bound = load_pack(s.bound + i);
+  const Pack sticks = root(c.px * c.px + c.py * c.py);
+  c.slides = sticks > c.bound;
+  c.faster = turned_by(s.turns, t.h / s.half_length, sticks, c.bound, vx, vy);
+  c.px = c.px - (c.faster - Pack(1.0)) * vx;
+  c.py = c.py - (c.faster - Pack(1.0)) * vy;
   c.size = root(c.px * c.px + c.py * c.py);
-  c.slides = c.size > c.bound;
   return c;
 }
 
@@ -114,7 +129,7 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
       sum[1] += py;
       sum[2] += c.at * py - y * px;
       // -d(force)/d(local): slopes of the point on the disk, ratio (1 - e e)
-      const Pack part = load_pack(s.share + i) * area * ratio;
+      const Pack part = load_pack(s.share + i) * area * ratio * c.faster;
       const Pack gx = Pack(s.growth_x) * part, gy = Pack(s.growth_y) * part;
       const Pack xx = select(c.slides, ey * ey, one), yy = select(c.slides, ex * ex, one), xy = -(ex * ey);
       const Pack x_x = gx * xx, x_y = gy * xy, y_x = gx * xy, y_y = gy * yy;
@@ -169,7 +184,8 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
     const Pack growth_x = of_strips(t, first, &RememberingStrip::growth_x),
                growth_y = of_strips(t, first, &RememberingStrip::growth_y);
     const Pack half_arm = Pack(0.5) * of_strips(t, first, &RememberingStrip::arm);
-    const Pack area = of_strips(t, first, &RememberingStrip::area);
+    const Pack area = of_strips(t, first, &RememberingStrip::area),
+               turns = of_strips(t, first, &RememberingStrip::turns);
     const Pack own_turn = of_strips(t, first, &RememberingStrip::own_turn);
     const Pack by_x = (Pack(t.per[0]) - Pack(t.per[2]) * y) + of_strips(t, first, &RememberingStrip::own_x);
     const Pack by_y = (Pack(t.per[1]) + of_strips(t, first, &RememberingStrip::own_y)) - own_turn * x;
@@ -186,11 +202,16 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
       const Neighbours was_x = pick(px, at_cell), was_y = pick(py, at_cell);
       const Pack at = x + reach * Pack(t.place[i]);
       const Pack on_way = at + half_arm * smaller(Pack(t.h), way);
-      const Pack sticks_x = b.weight * was_x.at + b.weight_behind * was_x.behind - growth_x * way * by_x;
-      const Pack sticks_y =
-          b.weight * was_y.at + b.weight_behind * was_y.behind - growth_y * way * (by_y + turn * on_way);
-      const Pack most = bounds_of_strips(t, first, i), size = root(sticks_x * sticks_x + sticks_y * sticks_y);
-      const Mask slides = size > most;
+      const Pack vx = growth_x * way * by_x, vy = growth_y * way * (by_y + turn * on_way);
+      Pack sticks_x = b.weight * was_x.at + b.weight_behind * was_x.behind - vx;
+      Pack sticks_y = b.weight * was_y.at + b.weight_behind * was_y.behind - vy;
+      const Pack most = bounds_of_strips(t, first, i),
+                 sticks = root(sticks_x * sticks_x + sticks_y * sticks_y);
+      const Mask slides = sticks > most;
+      const Pack faster = turned_by(turns, path / half, sticks, most, vx, vy) - Pack(1.0);
+      sticks_x = sticks_x - faster * vx;
+      sticks_y = sticks_y - faster * vy;
+      const Pack size = root(sticks_x * sticks_x + sticks_y * sticks_y);
       const Pack ratio = select(slides, most / select(slides, size, 1.0), 1.0);
       const Pack now_x = sticks_x * ratio, now_y = sticks_y * ratio;
       fx += now_x;

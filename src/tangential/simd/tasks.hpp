@@ -153,6 +153,7 @@ struct RememberingStrip {
   double arm;                              ///< the factor on arms [-]
   double y, x, reach;                      ///< arms: of its middle, and of its half length along x [m]
   double growth_x, growth_y;               ///< 1 / L [Pa/m]
+  double turns;                            ///< by which tractions turn faster as cells slide
   double own_x, own_y, own_turn;           ///< displacements beyond the patch's [m], [rad], or per length
 };
 
@@ -172,7 +173,8 @@ struct MemoryPassTask {
   const RememberingStrip* from;
   const double* place;  ///< middles of the cells over the half length
   double local[3];
-  double half_way;  ///< arm of half the rolled length [m]
+  double h;         ///< rolled [m]
+  double half_way;  ///< arm of half of it [m]
   double* px;
   std::int64_t stride;
 };

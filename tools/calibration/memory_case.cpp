@@ -1,0 +1,215 @@
+#include "memory_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "halfspace/tangential.hpp"
+#include "patch/material.hpp"
+#include "random.hpp"
+#include "sdec_pressure.hpp"
+#include "theory/sdec.hpp"
+
+namespace wrc::calibration {
+namespace {
+
+constexpr int half_cells = 8;  // of the coarse grid on a half length; twice as many of the fine one
+
+/// Displacement, or creepage: along x, along y, rotation.
+struct Motion {
+  double x = 0.0, y = 0.0, turn = 0.0;
+};
+
+Motion operator*(double s, const Motion& m) { return {s * m.x, s * m.y, s * m.turn}; }
+Motion operator+(const Motion& m, const Motion& n) { return {m.x + n.x, m.y + n.y, m.turn + n.turn}; }
+Motion each(const Motion& m, const Motion& n) { return {m.x * n.x, m.y * n.y, m.turn * n.turn}; }
+
+/// Writes the steps of a case.
+class Driver {
+ public:
+  Driver(MemoryCase& c, Random& random) : case_(c), random_(random) {
+    // shifts of full slip, a rotation of nearly full slip, and creepages that saturate linear theory
+    const Patch& p = c.patch;
+    const double size = std::sqrt(p.a * p.b), limit = p.friction * p.normal_force;
+    constexpr int angles = 400;
+    for (int k = 0; k < angles; ++k) {
+      const double t = 2.0 * pi * k / angles, cosine = std::cos(t), sine = std::sin(t);
+      const double radius = 1.0 / std::sqrt(cosine * cosine / (p.a * p.a) + sine * sine / (p.b * p.b));
+      const double scale = p.friction * p.p0 / (4.0 * p.shear_modulus) * radius * 2.0 * pi / angles;
+      shift_.x += scale * (1.0 - p.poisson * sine * sine);
+      shift_.y += scale * (1.0 - p.poisson * cosine * cosine);
+    }
+    shift_.turn = 1.5 * 9.0 * pi / 128.0 * limit / (p.shear_modulus * p.a * p.b);
+    Fault fault;
+    const theory::SdecCoefficients linear = theory::SdecTable(p.poisson).at(p.a / p.b, 0.0, fault);
+    const double unit = limit / (p.shear_modulus * size * size);
+    creepage_ = {unit / linear.c11, unit / linear.c22, 0.5 * unit / (linear.c23 * size)};
+  }
+
+  /// Shifts to a place, in times full slip.
+  void shift_to(const Motion& place, int steps) {
+    const Motion by = (1.0 / steps) * each(shift_, place + -1.0 * place_);
+    for (int k = 0; k < steps; ++k) case_.steps.push_back({0, 0.0, by.x, by.y, by.turn, 0, 0, 0});
+    place_ = place;
+  }
+
+  /// Rolls on by `eighths` of a / 8 in a step, with creepages in times saturation.
+  void roll(const Motion& creepage, int eighths, int direction = 1) {
+    const double rolled = eighths * case_.patch.a / half_cells;
+    const Motion by = rolled * each(creepage_, creepage);
+    case_.steps.push_back({direction, rolled, by.x, by.y, by.turn, 0, 0, 0});
+  }
+
+  Motion anywhere(double most) {
+    return {random_.uniform(-most, most), random_.uniform(-most, most), random_.uniform(-most, most)};
+  }
+
+  void line() {
+    Motion to = anywhere(1.0);
+    const double kind = random_.uniform(0.0, 1.0);
+    if (kind < 0.25) to = {1.0, 0.0, 0.0};
+    if (kind >= 0.25 && kind < 0.5) to = {0.0, 1.0, 0.0};
+    if (kind >= 0.5 && kind < 0.75) to = {0.0, 0.0, 1.0};
+    const double amplitude = random_.logarithmic(0.25, 1.4);
+    case_.loop = 40;
+    for (int k = 1; k <= 90; ++k) shift_to(amplitude * std::sin(2.0 * pi * k / 40) * to, 1);
+  }
+  void circle() {
+    const double x = random_.logarithmic(0.25, 1.4), y = x * random_.uniform(0.4, 1.0);
+    shift_to({x, 0.0, 0.0}, 10);
+    case_.loop = 40;
+    for (int k = 1; k <= 100; ++k)
+      shift_to({x * std::cos(2.0 * pi * k / 40), y * std::sin(2.0 * pi * k / 40), 0.0}, 1);
+  }
+  void path() {
+    const double spin = random_.uniform(0.0, 1.0) < 0.5 ? 0.0 : 1.0;
+    for (int leg = 0; leg < 12; ++leg) shift_to(each(anywhere(1.2), {1.0, 1.0, spin}), 6);
+  }
+  void roll_off() {
+    if (random_.uniform(0.0, 1.0) < 0.6) shift_to(anywhere(1.0), 8);
+    const Motion creepage = random_.logarithmic(0.3, 3.0) * anywhere(1.0);
+    const int eighths = 1 << static_cast<int>(random_.uniform(0.0, 3.0));
+    for (int k = 0; k < 48 / eighths; ++k) roll(creepage, eighths);
+  }
+  void waves() {
+    const double length = random_.logarithmic(1.0, 12.0);  // of a
+    const int eighths = length > 4.0 ? 2 : 1;
+    const Motion mean = random_.uniform(0.0, 1.0) < 0.5 ? Motion{} : 0.7 * anywhere(1.0);
+    const Motion amplitude = random_.logarithmic(0.4, 3.0) * anywhere(1.0);
+    const int steps = static_cast<int>((2.0 + 1.5 * length) * half_cells / eighths);
+    for (int k = 0; k < steps; ++k)
+      roll(mean + std::sin(2.0 * pi * (k + 0.5) * eighths / (half_cells * length)) * amplitude, eighths);
+  }
+  void reversals() {
+    const Motion creepage = random_.logarithmic(0.3, 3.0) * anywhere(1.0);
+    constexpr int eighths[] = {24, 16, 28, 20}, direction[] = {1, 1, -1, 1};
+    for (int leg = 0; leg < 4; ++leg) {
+      for (int k = 0; k < eighths[leg]; k += 2) roll(creepage, 2, direction[leg]);
+      if (leg < 2) shift_to(place_ + anywhere(0.6), 5);
+    }
+  }
+
+ private:
+  MemoryCase& case_;
+  Random& random_;
+  Motion shift_, creepage_, place_;
+};
+
+/// Forces after each step, on cells of a / n.
+std::vector<Motion> solve(const MemoryCase& c, int n) {
+  const Patch& p = c.patch;
+  const halfspace::SdecPatch sdec{p.a, p.b, 0.0};
+  const halfspace::Grid grid = halfspace::grid_over(sdec, 2 * n, 2 * n);
+  halfspace::TransientSolver solver(grid, {p.shear_modulus, p.poisson});
+  halfspace::RollingProblem problem;
+  problem.collocation = halfspace::Collocation::reference_program;
+  problem.pressure = halfspace::sdec_pressure(sdec, p.p0, grid, halfspace::CellPressure::mean);
+  problem.friction = {p.friction};
+  std::vector<Motion> forces;
+  for (const MemoryStep& step : c.steps) {
+    // as many cells as the step rolls; at rest one
+    const int cells = step.direction == 0 ? 1 : static_cast<int>(std::lround(step.rolled / grid.dx));
+    const double per = 1.0 / (cells * grid.dx);
+    problem.creepage = {per * step.x, per * step.y, per * step.turn};
+    tangential::TangentialForces found;
+    for (int k = 0; k < cells; ++k)
+      found = solver.step(problem, static_cast<halfspace::Rolled>(step.direction)).forces;
+    forces.push_back({found.fx, found.fy, found.mz});
+  }
+  return forces;
+}
+
+}  // namespace
+
+MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row) {
+  Random random(seed, row);
+  MemoryCase c{};
+  Patch& p = c.patch;
+  const double size = random.uniform(3e-3, 8e-3), ratio = random.logarithmic(0.3, 3.0);
+  p.a = size * std::sqrt(ratio);
+  p.b = size / std::sqrt(ratio);
+  p.poisson = random.uniform(0.25, 0.30);
+  p.shear_modulus = 82e9;
+  p.friction = random.uniform(0.1, 0.5);
+  p.p0 = random.uniform(0.5e9, 1.8e9);
+  p.normal_force = 2.0 / 3.0 * pi * p.a * p.b * p.p0;
+  Driver driver(c, random);
+  constexpr void (Driver::*kinds[])() = {&Driver::line,     &Driver::circle, &Driver::path,
+                                         &Driver::roll_off, &Driver::waves,  &Driver::reversals};
+  (driver.*kinds[row % std::size(kinds)])();
+  return c;
+}
+
+void solve_exactly(MemoryCase& c) {
+  const std::vector<Motion> coarse = solve(c, half_cells), fine = solve(c, 2 * half_cells);
+  for (std::size_t k = 0; k < c.steps.size(); ++k) {
+    const Motion f = 2.0 * fine[k] + -1.0 * coarse[k];
+    c.steps[k].fx = f.x;
+    c.steps[k].fy = f.y;
+    c.steps[k].mz = f.turn;
+  }
+}
+
+std::string patch_text(const MemoryCase& c) {
+  char text[200];
+  const Patch& p = c.patch;
+  std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%d", p.a, p.b, p.poisson, p.shear_modulus,
+                p.friction, p.normal_force, c.loop);
+  return text;
+}
+
+std::string text_of(const MemoryCase& c) {
+  std::string line = patch_text(c) + ",";
+  char text[200];
+  for (const MemoryStep& s : c.steps) {
+    std::snprintf(text, sizeof text, "%d %.9g %.9g %.9g %.9g %.7g %.7g %.7g ", s.direction, s.rolled, s.x,
+                  s.y, s.turn, s.fx, s.fy, s.mz);
+    line += text;
+  }
+  return line;
+}
+
+std::vector<MemoryCase> read_memory_cases(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line) || line != memory_heading)
+    throw path + " is not a file of make_patches memory";
+  std::vector<MemoryCase> cases;
+  while (std::getline(file, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream text(line);
+    MemoryCase c{};
+    Patch& p = c.patch;
+    text >> p.a >> p.b >> p.poisson >> p.shear_modulus >> p.friction >> p.normal_force >> c.loop;
+    if (!text) throw path + ": a line is not complete: " + line;
+    p.p0 = 1.5 * p.normal_force / (pi * p.a * p.b);
+    for (MemoryStep s{}; text >> s.direction >> s.rolled >> s.x >> s.y >> s.turn >> s.fx >> s.fy >> s.mz;)
+      c.steps.push_back(s);
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+}  // namespace wrc::calibration
