@@ -1,17 +1,20 @@
 /// wrench_derivatives - wrc_contact_wrench_derivatives() against central differences of
 /// wrc_contact_wrench() on random poses, and what it takes beside a step.
 ///
-///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors | --memory] [--list ERROR]
+///   wrench_derivatives [POSES [SEED]] [--frictionless | --heated | --factors | --memory] [--setting NAME]
+///                      [--list ERROR]
 ///
 /// Poses: S1002 on the benchmark UIC60, both sides, lateral +-8 mm, yaw +-15 mrad, roll +-10 mrad, the rail
 /// displaced, turned, aslant and moving, vertical loads of 5 to 150 kN, 1 to 80 m/s, some backwards or near
 /// standstill, creepages up to saturation, some with falling friction or a soft layer; `--heated`: all with
 /// friction over temperature; `--factors`: all with friction over temperature that falls with the sliding
 /// speed; `--memory`: all with config.surface.memory, after up to five committed steps of 10 us to 0.1 s, a
-/// third of all steps at rest, some that turn back. An error is over the largest entry of its row among the
-/// columns of the same unit (lengths, angles, velocities, angular velocities, slopes of the rail, a factor on
-/// friction): that is less than the largest of the whole row. An entry whose differences to the two sides are
-/// not the same stands at a kink: a strip enters, a cell goes from stick to slip, a table's interval ends.
+/// third of all steps at rest, some that turn back; `--setting`: strips as wide as at a setting of
+/// WRC_RESOLUTION_LIST, solved as precisely and as far as at the default. An error is over the largest entry
+/// of its row among the columns of the same unit (lengths, angles, velocities, angular velocities, slopes of
+/// the rail, a factor on friction): that is less than the largest of the whole row. An entry whose
+/// differences to the two sides are not the same stands at a kink: a strip enters, a cell goes from stick to
+/// slip, a table's interval ends.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -123,6 +126,7 @@ int main(int argc, char** argv) {
   unsigned seed = 1;
   double listed = 1e300;
   bool frictionless = false, heated = false, factors = false, remembers = false;
+  const char* setting = "default";
   int numbers = 0;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--frictionless") == 0) {
@@ -133,6 +137,8 @@ int main(int argc, char** argv) {
       factors = true;
     } else if (std::strcmp(argv[i], "--memory") == 0) {
       remembers = true;
+    } else if (std::strcmp(argv[i], "--setting") == 0 && i + 1 < argc) {
+      setting = argv[++i];
     } else if (std::strcmp(argv[i], "--list") == 0 && i + 1 < argc) {
       listed = std::atof(argv[++i]);
     } else if (numbers++ == 0) {
@@ -141,7 +147,10 @@ int main(int argc, char** argv) {
       seed = static_cast<unsigned>(std::atol(argv[i]));
     }
   }
-  wrc_config config = test_config();
+  wrc_config config = test_config(), used = test_config();
+  if (wrc_config_use(&used, setting, nullptr, 0) != WRC_OK) return 1;
+  config.surface.tread_width = used.surface.tread_width;
+  config.surface.corner_width = used.surface.corner_width;
   config.surface.tolerance = 1e-9;  // difference quotients have errors of that part over their step
   config.surface.memory = remembers;
   config.wheel.kind = WRC_PROFILE_S1002;

@@ -13,8 +13,8 @@ namespace {
 constexpr std::int32_t inputs = place_inputs;
 constexpr std::int32_t directions = simd::SlopesRowTask::directions;
 static_assert(directions >= 2 + 2 * inputs);
-/// No strip has more others within its reach on one side.
-constexpr std::int32_t most_within_reach = 36;
+/// Columns of the equations that are smoothed at a time: bounds the memory of those kept (smooth_rows()).
+constexpr std::int64_t columns_at_a_time = 64;
 
 /// Sizes for a number of strips: of the equations with all unknowns, and of those left for L and c.
 struct Size {
@@ -44,9 +44,9 @@ struct Scratch {
   double* matrix;
   double *by_lengths, *lengths;  ///< these two in it
   double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
-  double* kept_rows;  ///< ring of rows as they were before they were blended with their neighbours'
-  double* x;          ///< changes of L and c
-  double* share;      ///< shares of rows in a sum
+  double* kept;   ///< columns_at_a_time of all rows before they are blended with their neighbours'
+  double* x;      ///< changes of L and c
+  double* share;  ///< shares of rows in a sum
   const double** row;
   double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
   double* direction;                                  ///< ny, nz, and their derivatives by the inputs; zeros
@@ -54,6 +54,7 @@ struct Scratch {
   double* q_dl_dL;                                    ///< [Pa]
   double *edge_lambda, *edge_shift, *lambda, *shift;  ///< asked for by edges; smoothed [Pa/m], [m]
   simd::SurfaceSlopes seen[2];                        ///< influence at points, and its derivatives
+  double *y, *near, *by_value, *by_load;              ///< strips within reach: smooth_at()
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -63,15 +64,15 @@ Scratch cut(Arena& arena, std::int32_t most) {
   w.matrix = w.by_lengths = arena.take(size.doubles());
   w.lengths = w.by_lengths + most * size.reduced;
   arena.each(size.stride, w.leading, w.trailing);
-  w.kept_rows = arena.take(most_within_reach * size.reduced);
+  w.kept = arena.take(most * columns_at_a_time);
   w.x = arena.take(static_cast<std::int64_t>(size.rows) * inputs);
-  // two edges and all of contact, or neighbours on both sides with their loads
-  const std::int32_t summands = std::max(most + 2, 4 * most_within_reach);
+  // two edges and all of contact, or all strips with their loads
+  const std::int32_t summands = 2 * most + 2;
   w.share = arena.take(summands);
   w.row = arena.take<const double*>(summands);
   w.direction = arena.take(padded * directions);
   arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
-             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift);
+             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.y, w.near, w.by_value, w.by_load);
   for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
   return w;
 }
@@ -283,35 +284,33 @@ void fill_edges(const Seeing& seeing, const PressedStrips& s, const Size& size, 
   }
 }
 
-/// A smoothed number at a strip, and its derivatives by the numbers of the strips `from` .. `from` + count -
-/// 1 and by their line loads, which weigh them.
+/// A smoothed number at a strip, and the strips within reach, `from` .. `from` + count - 1. A wide strip
+/// beside narrow ones may reach over all of them.
 struct Smoothed {
   double value;
   std::int32_t from, count;
-  double by_value[2 * most_within_reach], by_load[2 * most_within_reach];
 };
 
 /// Weighted mean of `edge` over strip a's neighbours (lambda_reach), or the line of least squares through
-/// them at its place (shift_reach, SurfaceKernels::near_lines).
+/// them at its place (shift_reach, SurfaceKernels::near_lines). Derivatives by the neighbours' numbers are in
+/// w.by_value, those by their line loads, which weigh them, in w.by_load.
 ///
 ///     weight_b = (1 - y_b^2)^3 w_b q_b,  y_b = (s_b - s_a) / reach
 ///     mean: value = <v>     line: value = <v> - <y> slope,  slope = (<y v> - <y> <v>) / spread
 template <bool line>
-void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* edge, Smoothed& r) {
+Smoothed smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* edge) {
   const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a]);
-  r.from = a;
-  while (r.from > 0 && a - r.from < most_within_reach && w.place[a] - w.place[r.from - 1] < reach) --r.from;
+  Smoothed r{0.0, a, 0};
+  while (r.from > 0 && w.place[a] - w.place[r.from - 1] < reach) --r.from;
 
   // Moments of the neighbours.
-  double y[2 * most_within_reach], near[2 * most_within_reach];
   double weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
-  r.count = 0;
-  for (std::int32_t b = r.from; b < s.count && r.count < 2 * most_within_reach; ++b, ++r.count) {
+  for (std::int32_t b = r.from; b < s.count; ++b, ++r.count) {
     const double at = (w.place[b] - w.place[a]) / reach;
     if (at >= 1.0) break;
-    y[r.count] = at;
-    near[r.count] = smoothing_weight(at) * s.width[b];
-    const double weight = near[r.count] * s.line_load[b];
+    w.y[r.count] = at;
+    w.near[r.count] = smoothing_weight(at) * s.width[b];
+    const double weight = w.near[r.count] * s.line_load[b];
     weights += weight;
     v += weight * edge[b];
     if constexpr (line) {
@@ -324,10 +323,10 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   if (!(weights > 0.0)) {
     r.value = line ? 0.0 : edge[a];
     for (std::int32_t i = 0; i < r.count; ++i) {
-      r.by_value[i] = !line && r.from + i == a ? 1.0 : 0.0;
-      r.by_load[i] = 0.0;
+      w.by_value[i] = !line && r.from + i == a ? 1.0 : 0.0;
+      w.by_load[i] = 0.0;
     }
-    return;
+    return r;
   }
 
   // Derivatives: by a value its share of the weights times its lever, by a load how far its value is off the
@@ -338,42 +337,44 @@ void smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const d
   r.value = mean - mean_y * slope;
   const double pull = line ? mean_y / spread : 0.0, held = pull * slope * least_line_spread;
   for (std::int32_t i = 0; i < r.count; ++i) {
-    const double aside = y[i] - mean_y, lever = 1.0 - pull * aside, share = near[i] * per;
+    const double aside = w.y[i] - mean_y, lever = 1.0 - pull * aside, share = w.near[i] * per;
     const double off = edge[r.from + i] - mean - slope * aside;
-    r.by_value[i] = share * s.line_load[r.from + i] * lever;
-    r.by_load[i] = share * (off * lever + held);
+    w.by_value[i] = share * s.line_load[r.from + i] * lever;
+    w.by_load[i] = share * (off * lever + held);
   }
+  return r;
 }
 
 /// Replaces the rows of lambda*, or with `line` of shift*, by `factor_of` times those of the smoothed value,
-/// for lambda less dq / lambda: by the chain rule sums of the neighbours' rows and of their loads. A row that
-/// is replaced is kept as long as strips behind it need it.
+/// for lambda less dq / lambda: by the chain rule sums of the neighbours' rows and of their loads. All rows
+/// are kept until they are replaced, some columns of them at a time.
 template <bool line, class Factor>
 void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, const double* edge,
                  double* value, const Factor& factor_of, const Scratch& w) {
   const std::int64_t stride = size.reduced;
   double* const rows = w.lengths + (line ? s.count * stride : 0);
-  Smoothed r;
-  for (std::int32_t a = 0; a < s.count; ++a) {
-    // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
-    smooth_at<line>(s, w, a, edge, r);
-    value[a] = r.value;
-    const double factor = factor_of(a, r.value);
-    double* const row = rows + a * stride;
-    // Rows before this one are replaced already: theirs come from the ring.
-    std::copy_n(row, stride, w.kept_rows + a % most_within_reach * stride);
-    std::int32_t count = 0;
-    const auto add = [&](double share, const double* of) {
-      w.share[count] = share;
-      w.row[count++] = of;
-    };
-    for (std::int32_t i = 0; i < r.count; ++i) {
-      const std::int32_t b = r.from + i;
-      add(factor * r.by_value[i], b <= a ? w.kept_rows + b % most_within_reach * stride : rows + b * stride);
-      const double load = factor * r.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
-      add(-load, w.by_lengths + b * stride);
+  for (std::int64_t first = 0; first < stride; first += columns_at_a_time) {
+    const std::int64_t columns = std::min(columns_at_a_time, stride - first);
+    for (std::int32_t a = 0; a < s.count; ++a)
+      std::copy_n(rows + a * stride + first, columns, w.kept + a * columns_at_a_time);
+    for (std::int32_t a = 0; a < s.count; ++a) {
+      // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
+      const Smoothed r = smooth_at<line>(s, w, a, edge);
+      value[a] = r.value;
+      const double factor = factor_of(a, r.value);
+      std::int32_t count = 0;
+      const auto add = [&](double share, const double* of) {
+        w.share[count] = share;
+        w.row[count++] = of;
+      };
+      for (std::int32_t i = 0; i < r.count; ++i) {
+        const std::int32_t b = r.from + i;
+        add(factor * w.by_value[i], w.kept + b * columns_at_a_time);
+        const double load = factor * w.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
+        add(-load, w.by_lengths + b * stride + first);
+      }
+      kernels.surface.blend_rows({count, columns, w.share, w.row, rows + a * stride + first});
     }
-    kernels.surface.blend_rows({count, stride, w.share, w.row, row});
   }
 }
 
