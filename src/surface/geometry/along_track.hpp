@@ -402,7 +402,8 @@ struct FirstLook {
 inline constexpr double near_axle = 20e-3;
 
 /// The best of places 10 mm apart along the track, by rays from place to place from below the axle to `from`
-/// and on from there as long as the overlap grows, else back. `end`: of the ray below the axle.
+/// and on from there as long as the overlap grows, else back; then of places to 2.5 mm apart about it, as an
+/// overlap may have two tops within 10 mm. `end`: of the ray below the axle.
 inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
                                   RayEnd<double> end) {
   const double way = from < 0.0 ? -1.0 : 1.0;
@@ -416,6 +417,14 @@ inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double 
       found = {x, end};
     }
     if (found.x != from) break;
+  }
+  for (const double apart : {0.5 * place_apart, 0.25 * place_apart}) {
+    const LargestOverlap middle = found;
+    for (const double x : {middle.x + apart, middle.x - apart}) {
+      if (x < low || x > high) continue;
+      end = middle.end;
+      if (depth_at(strip, x, end) > found.end.depth) found = {x, end};
+    }
   }
   return found;
 }

@@ -55,8 +55,8 @@ OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std:
 
 namespace {
 
-/// The overlaps behind the first so many.
-Overlaps behind(const Overlaps& o, std::int32_t first) {
+/// The overlaps from this one on.
+Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
   Overlaps rest = o;
   rest.capacity = o.capacity - first;
   for (double** const a : {&rest.depth, &rest.centre, &rest.curvature, &rest.ny, &rest.nz, &rest.wy, &rest.wz,
@@ -74,7 +74,7 @@ void find_more_overlaps(const Kernels& kernels, const RailStrips& rail, const Wh
                         const OverlapScratch& scratch, Overlaps& overlaps) noexcept {
   // Candidates: the overlap up to the outline's chord, which lies at most its sagitta from the curve, passes
   // the margin. Each ray starts where it crosses the chord.
-  Overlaps o = behind(overlaps, overlaps.count);
+  Overlaps o = overlaps_from(overlaps, overlaps.count);
   std::int32_t count = 0;
   for (; o.next < o.end; ++o.next) {
     const std::int32_t j = o.next;
