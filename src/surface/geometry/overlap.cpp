@@ -53,32 +53,43 @@ OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std:
   return scratch;
 }
 
-Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
-                       const RelativePose& pose, double margin, const double* gain,
-                       const OverlapScratch& scratch, const Overlaps& memory) noexcept {
-  const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
-  kernels.surface.outline(task);
-  std::int32_t j = 0, end = 0;
-  double widest = margin;
-  if (gain)
-    for (std::int32_t k = 0; k < rail.count; ++k) widest = std::max(widest, margin + gain[k]);
-  kernels.surface.cross_rays(task, widest, j, end);
+namespace {
 
+/// The overlaps from this one on.
+Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
+  Overlaps rest = o;
+  rest.capacity = o.capacity - first;
+  for (double** const a : {&rest.depth, &rest.centre, &rest.curvature, &rest.ny, &rest.nz, &rest.wy, &rest.wz,
+                           &rest.u, &rest.grade})
+    if (*a) *a += first;
+  rest.strip += first;
+  rest.piece += first;
+  return rest;
+}
+
+}  // namespace
+
+void find_more_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                        const RelativePose& pose, double margin, const double* gain,
+                        const OverlapScratch& scratch, Overlaps& overlaps) noexcept {
   // Candidates: the overlap up to the outline's chord, which lies at most its sagitta from the curve, passes
   // the margin. Each ray starts where it crosses the chord.
-  Overlaps o = memory;
+  Overlaps o = overlaps_from(overlaps, overlaps.count);
   std::int32_t count = 0;
-  for (; j < end && count < o.capacity; ++j) {
+  for (; o.next < o.end; ++o.next) {
+    const std::int32_t j = o.next;
     const double own = gain ? margin + gain[j] : margin;
     if (!(scratch.overlap[j] >= -own - chord_sagitta)) continue;
+    if (count == o.capacity) break;
     o.strip[count] = j;
     o.piece[count] = scratch.piece[j];
     o.u[count++] = scratch.part[j];
   }
-  o.full = count == o.capacity && j < rail.count;
+  overlaps.next = o.next;
+  overlaps.full = o.next < o.end;
   o.count = count;
-  if (count == 0) return o;
-  kernels.surface.follow_rays(task, o);
+  if (count == 0) return;
+  kernels.surface.follow_rays({&rail, &wheel, &pose, attitude_of(pose), &scratch}, o);
 
   // Strips stay that overlap by more than -margin on the curve itself. Depth is -1 m where the surfaces do
   // not face each other.
@@ -90,7 +101,21 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
     for (double* const a : {o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u}) a[kept] = a[i];
     ++kept;
   }
-  o.count = kept;
+  overlaps.count += kept;
+}
+
+Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                       const RelativePose& pose, double margin, const double* gain,
+                       const OverlapScratch& scratch, const Overlaps& memory) noexcept {
+  const simd::OutlineTask task{&rail, &wheel, &pose, attitude_of(pose), &scratch};
+  kernels.surface.outline(task);
+  Overlaps o = memory;
+  o.count = 0;
+  double widest = margin;
+  if (gain)
+    for (std::int32_t k = 0; k < rail.count; ++k) widest = std::max(widest, margin + gain[k]);
+  kernels.surface.cross_rays(task, widest, o.next, o.end);
+  find_more_overlaps(kernels, rail, wheel, pose, margin, gain, scratch, o);
   return o;
 }
 

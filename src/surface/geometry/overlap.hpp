@@ -58,8 +58,9 @@ using RelativePose = RelativePoseOf<double>;
 /// Strips that may be in contact, by increasing arc length, each in its own frame: the table above.
 struct Overlaps {
   std::int32_t capacity = 0, count = 0;
-  bool full = false;              ///< more strips than `capacity` may overlap
-  std::int32_t* strip = nullptr;  ///< number of the rail's strip
+  std::int32_t next = 0, end = 0;  ///< strips of the rail that are still to be looked at
+  bool full = false;               ///< one of those may overlap, too, for which there was no room
+  std::int32_t* strip = nullptr;   ///< number of the rail's strip
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
   double* grade = nullptr;        ///< nullptr: zero everywhere
@@ -110,5 +111,11 @@ OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std:
 Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                        const RelativePose& pose, double margin, const double* gain,
                        const OverlapScratch& scratch, const Overlaps& memory) noexcept;
+
+/// Adds strips for which there was no room, to overlaps of which some were left out since. All else as given
+/// to find_overlaps() before.
+void find_more_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                        const RelativePose& pose, double margin, const double* gain,
+                        const OverlapScratch& scratch, Overlaps& overlaps) noexcept;
 
 }  // namespace wrc::surface

@@ -92,23 +92,29 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   // and the overlap that each strip may gain along the track.
   const bool varying = varies(surfaces);
   const double more = varying ? surfaces.out_of_round.largest : 0.0;
-  Overlaps o = find_overlaps(*surfaces.kernels, strips_before(surfaces, pose, rail), surfaces.wheel, pose,
-                             margin + more, rail.gain, scratch, memory);
+  const Kernels& kernels = *surfaces.kernels;
+  const RailStrips strips = strips_before(surfaces, pose, rail);
+  Overlaps o =
+      find_overlaps(kernels, strips, surfaces.wheel, pose, margin + more, rail.gain, scratch, memory);
   if (!varying) return o;
-  // Those deeper than the margin stay once all that varies is added.
+  // Those deeper than the margin stay once all that varies is added. They make room for others, which can be
+  // no more often than the rail has strips.
   std::int32_t kept = 0;
-  for (std::int32_t i = 0; i < o.count; ++i) {
-    FollowedStrip s{strip_of(o, i), {o.piece[i], o.u[i], o.depth[i]}};
-    s.grade = 0.0;
-    if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s)) continue;
-    o.strip[kept] = o.strip[i];
-    o.piece[kept] = s.end.piece;
-    o.u[kept] = s.end.u;
-    put_strip(s, kept, o);
-    ++kept;
+  for (;;) {
+    for (std::int32_t i = kept; i < o.count; ++i) {
+      FollowedStrip s{strip_of(o, i), {o.piece[i], o.u[i], o.depth[i]}};
+      s.grade = 0.0;
+      if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s)) continue;
+      o.strip[kept] = o.strip[i];
+      o.piece[kept] = s.end.piece;
+      o.u[kept] = s.end.u;
+      put_strip(s, kept, o);
+      ++kept;
+    }
+    o.count = kept;
+    if (!o.full || kept == o.capacity) return o;
+    find_more_overlaps(kernels, strips, surfaces.wheel, pose, margin + more, rail.gain, scratch, o);
   }
-  o.count = kept;
-  return o;
 }
 
 }  // namespace wrc::surface

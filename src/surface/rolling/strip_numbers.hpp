@@ -351,10 +351,10 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
     // Spread of the slip across the contact, for fields, which have no derivatives.
-    const auto size = value_of(fitted.per_size), t = value_of(across);
-    const tangential::SlipAcross<std::decay_t<decltype(t)>> factor(value_of(u), value_of(x) * size,
-                                                                   value_of(e) * size, value_of(s) * size);
-    at.put(a.across, Number(factor.at(t)));
+    if constexpr (!has_more_inputs<0, Number>) {
+      const Number size = fitted.per_size;
+      at.put(a.across, tangential::SlipAcross<Number>(u, x * size, e * size, s * size).at(across));
+    }
   });
 }
 
