@@ -18,7 +18,8 @@ class Arena {
   template <class T = double>
   T* take(std::int64_t count) {
     const std::int64_t begin = bytes_;
-    bytes_ += (count * static_cast<std::int64_t>(sizeof(T)) + line - 1) / line * line;
+    constexpr std::int64_t size = sizeof(T);  // NOLINT(bugprone-sizeof-expression): of pointers, too
+    bytes_ += (count * size + line - 1) / line * line;
     return reinterpret_cast<T*>(memory_ ? memory_ + begin : const_cast<std::byte*>(&nothing_));
   }
 

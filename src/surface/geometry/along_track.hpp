@@ -407,7 +407,11 @@ inline constexpr double near_axle = 20e-3;
 inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
                                   RayEnd<double> end) {
   const double way = from < 0.0 ? -1.0 : 1.0;
-  for (double x = near_axle; x < magnitude(from); x += near_axle) depth_at(strip, way * x, end);
+  double x = near_axle;
+  while (x < magnitude(from)) {
+    depth_at(strip, way * x, end);
+    x += near_axle;
+  }
   LargestOverlap found{from, end};
   depth_at(strip, from, found.end);
   for (const double step : {way * place_apart, -way * place_apart}) {
