@@ -407,10 +407,10 @@ inline constexpr double near_axle = 20e-3;
 inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
                                   RayEnd<double> end) {
   const double way = from < 0.0 ? -1.0 : 1.0;
-  double x = near_axle;
-  while (x < magnitude(from)) {
-    depth_at(strip, way * x, end);
-    x += near_axle;
+  double before = near_axle;  // distance of a place on the way to `from`
+  while (before < magnitude(from)) {
+    depth_at(strip, way * before, end);
+    before += near_axle;
   }
   LargestOverlap found{from, end};
   depth_at(strip, from, found.end);
