@@ -19,9 +19,10 @@ struct PackDual : DualOperators<PackDual<n>> {
   double single[rest > 0 ? rest : 1];  ///< the derivatives behind those in vectors
 
   PackDual() = default;
-  // Copies go vector by vector. gcc 12 copies structs in pieces of 16 bytes, for which a load of 32 waits.
+  // Copies go vector by vector, onto themselves, too. gcc 12 copies structs in pieces of 16 bytes, for which
+  // a load of 32 waits.
   PackDual(const PackDual& x) : DualOperators<PackDual>() { *this = x; }
-  PackDual& operator=(const PackDual& x) {
+  PackDual& operator=(const PackDual& x) {  // NOLINT(bugprone-unhandled-self-assignment)
     value = x.value;
     for (std::size_t k = 0; k < vectors; ++k) wide[k] = x.wide[k];
     for (std::size_t k = 0; k < rest; ++k) single[k] = x.single[k];

@@ -200,7 +200,8 @@ class Fitter {
     const std::vector<int> chosen = free(u);
     if (chosen.empty()) return false;
     const Matrix m = diagonal(chosen);
-    for (; damping < most_damping; damping *= 4.0) {
+    // powers of 4 times a number: exact steps
+    for (; damping < most_damping; damping *= 4.0) {  // NOLINT(clang-analyzer-security.FloatLoopCounter)
       // (A + damping) step = -gradient, along the eigenvectors
       Vector tried = u;
       for (int i = 0; i < m.n; ++i) {

@@ -77,13 +77,17 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
     for (const PlaceWeights& place : problem.rail.place[face])
       if (place.x >= low - place_apart && place.x <= high + place_apart)
         nearest = smaller(nearest, fall_at_place(problem, outline, range, place, 1));
-    for (const double way : {-1.0, 1.0})
-      for (double x = far; x < farthest_along + place_apart; x += apart)
+    for (const double way : {-1.0, 1.0}) {
+      double x = far;
+      while (x < farthest_along + place_apart) {
         if (way * x >= low - apart && way * x <= high + apart)
           nearest = smaller(
               nearest,
               fall_at_place(problem, outline, range,
                             place_at(varying, varying.face[face], problem.rail.distance, way * x), every));
+        x += apart;
+      }
+    }
   }
   return nearest / motion.cosine;
 }

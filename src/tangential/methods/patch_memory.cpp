@@ -274,13 +274,14 @@ void PatchStep::set_bounds(double share) {
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.turns = turns;
-    for (std::int32_t i = 0; i < cells / 2; ++i) {
+    const std::int32_t half = cells / 2;
+    for (std::int32_t i = 0; i < half; ++i) {
       const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
       const std::int32_t bin = static_cast<std::int32_t>(at);
       area[bin] += (1.0 - (at - bin)) * strip.area;
       area[bin + 1] += (at - bin) * strip.area;
     }
-    whole_area += (cells / 2) * strip.area;
+    whole_area += half * strip.area;
   }
   // share of the area where pressure is larger than at a bin
   double larger[bins + 1], sum = 0.0;
