@@ -427,10 +427,11 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();
-  double* const kept_for_later[] = {&wheel.reserved[choices.below(std::size(wheel.reserved))],
-                                    &rail.reserved[choices.below(std::size(rail.reserved))],
-                                    &friction.reserved[choices.below(std::size(friction.reserved))],
-                                    &input.frame.reserved[choices.below(std::size(input.frame.reserved))]};
+  const auto one_of = [&](auto& reserved) {
+    return &reserved[choices.below(static_cast<std::uint32_t>(std::size(reserved)))];
+  };
+  double* const kept_for_later[] = {one_of(wheel.reserved), one_of(rail.reserved), one_of(friction.reserved),
+                                    one_of(input.frame.reserved)};
   if (choices.one_in(60)) *kept_for_later[choices.below(std::size(kept_for_later))] = choices.poison();
 }
 
