@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
 namespace wrc::calibration {
 
@@ -31,17 +30,24 @@ std::string text_of(const Case& c) {
   return line;
 }
 
-std::vector<Case> read_cases(const std::string& path) {
+void read_rows(const std::string& path, const char* first, const char* kind,
+               const std::function<bool(std::istringstream&)>& take) {
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != heading) throw path + " is not a file of make_patches";
-  std::vector<Case> cases;
+  if (!std::getline(file, line) || line != first) throw path + " is not a file of " + kind;
   while (std::getline(file, line)) {
     std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream text(line);
+    std::istringstream row(line);
+    if (!take(row)) throw path + ": a line is not complete: " + line;
+  }
+}
+
+std::vector<Case> read_cases(const std::string& path) {
+  std::vector<Case> cases;
+  read_rows(path, heading, "make_patches", [&](std::istringstream& text) {
     std::array<double, 20> v{};
     for (double& value : v) text >> value;
-    if (!text) throw path + ": a line is not complete: " + line;
+    if (!text) return false;
     Case c{};
     c.patch = {1e-3 * v[0], 1e-3 * v[1],         v[2], v[3], 1e6 * v[4], v[5], 1e3 * v[6],
                1e6 * v[7],  {v[8], v[9], v[10]}, {}};
@@ -49,7 +55,8 @@ std::vector<Case> read_cases(const std::string& path) {
     for (Strip s{}; text >> s.y >> s.width >> s.centre >> s.half_length >> s.peak;)
       c.patch.strips.push_back(s);
     cases.push_back(c);
-  }
+    return true;
+  });
   return cases;
 }
 

@@ -3,6 +3,8 @@
 /// numbers [m, Pa] for each strip of a patch that is no SDEC.
 #pragma once
 
+#include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,12 @@ inline constexpr const char* heading =
 
 std::string text_of(const Patch& patch);  ///< the first columns
 std::string text_of(const Case& c);       ///< a line, without its end
+
+/// Calls take(row) for each row of a file of make_patches, with blanks in place of commas. `first`: the
+/// file's heading; `kind`: its name for the message. take returns false where a row is not complete. Throws a
+/// sentence (std::string) then, and where the file has another heading.
+void read_rows(const std::string& path, const char* first, const char* kind,
+               const std::function<bool(std::istringstream&)>& take);
 
 /// All cases of a file. Throws a sentence (std::string) where it cannot be read.
 std::vector<Case> read_cases(const std::string& path);

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
+#include "cases.hpp"
 #include "halfspace/tangential.hpp"
 #include "patch/material.hpp"
 #include "random.hpp"
@@ -192,23 +191,18 @@ std::string text_of(const MemoryCase& c) {
 }
 
 std::vector<MemoryCase> read_memory_cases(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line) || line != memory_heading)
-    throw path + " is not a file of make_patches memory";
   std::vector<MemoryCase> cases;
-  while (std::getline(file, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream text(line);
+  read_rows(path, memory_heading, "make_patches memory", [&](std::istringstream& text) {
     MemoryCase c{};
     Patch& p = c.patch;
     text >> p.a >> p.b >> p.poisson >> p.shear_modulus >> p.friction >> p.normal_force >> c.loop;
-    if (!text) throw path + ": a line is not complete: " + line;
+    if (!text) return false;
     p.p0 = 1.5 * p.normal_force / (pi * p.a * p.b);
     for (MemoryStep s{}; text >> s.direction >> s.rolled >> s.x >> s.y >> s.turn >> s.fx >> s.fy >> s.mz;)
       c.steps.push_back(s);
     cases.push_back(c);
-  }
+    return true;
+  });
   return cases;
 }
 

@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <utility>
 
+#include "cases.hpp"
 #include "geometry/standard_profiles.hpp"
 #include "halfspace/pressure.hpp"
 #include "halfspace/tangential.hpp"
@@ -394,24 +393,19 @@ std::string text_of(const ExactSurfaceCase& c) {
 }
 
 std::vector<ExactSurfaceCase> read_surface_cases(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line) || line != surface_heading)
-    throw path + " is not a file of make_patches surface";
   std::vector<ExactSurfaceCase> cases;
-  while (std::getline(file, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream text(line);
+  read_rows(path, surface_heading, "make_patches surface", [&](std::istringstream& text) {
     std::array<double, 15> v{};
     for (double& value : v) text >> value;
-    if (!text) throw path + ": a line is not complete: " + line;
+    if (!text) return false;
     ExactSurfaceCase c{{v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], {}},
                        {v[8], v[9], v[10], v[11], v[12], v[13], v[14], true}};
     for (SurfaceStrip s{}; text >> s.place >> s.width >> s.centre >> s.half_length >> s.peak >> s.curvature >>
                            s.angle >> s.slip_x >> s.slip_y >> s.spin;)
       c.rolling.strips.push_back(s);
     cases.push_back(std::move(c));
-  }
+    return true;
+  });
   return cases;
 }
 
