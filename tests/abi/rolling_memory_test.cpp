@@ -12,6 +12,15 @@
 
 namespace {
 
+/// Of a plane that remembers, with S1002 on UIC60, for poses.
+wrc_config posed_config() {
+  wrc_config config = test_config();
+  config.planar.non_steady = 1;
+  config.wheel.kind = WRC_PROFILE_S1002;
+  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  return config;
+}
+
 /// A contact that is given double ellipses; of a model that remembers, or not.
 class Contact {
  public:
@@ -383,10 +392,7 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
   EXPECT_EQ(wrc_config_check(&config, text, sizeof text), WRC_ERROR_UNSUPPORTED);
   EXPECT_NE(std::string(text).find("config.planar.non_steady"), std::string::npos) << text;
 
-  config = test_config();
-  config.planar.non_steady = 1;
-  config.wheel.kind = WRC_PROFILE_S1002;
-  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  config = posed_config();
   wrc_model* model = nullptr;
   wrc_contact* posed = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
@@ -400,10 +406,7 @@ TEST(RollingMemory, IsRefusedWhereItWouldBeIgnored) {
 
 /// Lateral places of a pose after steps of rolling, by trial steps: strips leave and come back.
 TEST(RollingMemory, StripsThatLeaveAndReturnDoNotLeap) {
-  wrc_config config = test_config();
-  config.planar.non_steady = 1;
-  config.wheel.kind = WRC_PROFILE_S1002;
-  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  const wrc_config config = posed_config();
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
@@ -444,10 +447,7 @@ TEST(RollingMemory, StripsThatLeaveAndReturnDoNotLeap) {
 }
 
 TEST(RollingMemory, OfAPoseStaysWithTheRail) {
-  wrc_config config = test_config();
-  config.planar.non_steady = 1;
-  config.wheel.kind = WRC_PROFILE_S1002;
-  config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+  const wrc_config config = posed_config();
   wrc_model* model = nullptr;
   ASSERT_EQ(wrc_model_create(&config, nullptr, &model, nullptr, 0), WRC_OK);
   for (const int32_t side : {WRC_SIDE_RIGHT, WRC_SIDE_LEFT}) {
