@@ -10,7 +10,6 @@
 #include "abi/message.hpp"
 #include "abi/presets.hpp"
 #include "abi/structs.hpp"
-#include "base/elementary.hpp"
 #include "contact/rolled_region.hpp"
 #include "damage/film.hpp"
 #include "wrc/wrc_surface.h"
@@ -244,23 +243,8 @@ Fault pass_in_rows(const Meeting& meeting, const damage::Band* wheel, damage::Fi
     return Fault::sequence("passage.contact", needed);
   const contact::Contact& contact = *meeting.contact->contact;
   if (!contact.wheel_solved) return Fault::sequence("passage.contact", needed);
-  const surface::StripResults& kept = contact::wheel_strips(contact);
-  const std::int32_t count = static_cast<std::int32_t>(kept.count);
-  double power = 0.0, longest = 0.0;
-  for (std::int32_t k = 0; k < count; ++k) {
-    power += std::max(kept.power[k], 0.0);
-    longest = std::max(longest, kept.half_length[k]);
-  }
-  // strips by y of both profiles: places and half widths [m], shares of power and of length [-]
   damage::TouchingStrip strips[surface::most_overlapping_strips];
-  for (std::int32_t k = 0; k < count; ++k) {
-    constexpr double rounding = 1e-9;  // keeps half widths above 0 [m]
-    const double advance = std::abs(sine_cosine(kept.angle[k]).cosine);
-    strips[k] = {.y = {kept.y[k], kept.y_wheel[k]},
-                 .half_width = 0.5 * kept.width[k] * advance + rounding,
-                 .energy = power > 0.0 ? std::max(kept.power[k], 0.0) / power : 0.0,
-                 .share = kept.half_length[k] / longest};
-  }
+  const std::int32_t count = contact::touching_strips(contact, strips);
   outcome = pass(meeting.rail, wheel, meeting.laws, meeting.passage, strips, count);
   return {};
 }

@@ -1,5 +1,10 @@
 #include "contact/rolled_region.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.hpp"
+
 namespace wrc::contact {
 
 surface::StripResults& wheel_strips(Contact& contact) {
@@ -17,6 +22,26 @@ StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegi
   while (run.first + run.count < all && kept.strip[run.first + run.count] < region.first + region.count)
     ++run.count;
   return run;
+}
+
+std::int32_t touching_strips(const Contact& contact, damage::TouchingStrip* strips) {
+  const surface::StripResults& kept = wheel_strips(contact);
+  const std::int32_t count = static_cast<std::int32_t>(kept.count);
+  double power = 0.0, longest = 0.0;  // [W], [m]
+  for (std::int32_t k = 0; k < count; ++k) {
+    power += std::max(kept.power[k], 0.0);
+    longest = std::max(longest, kept.half_length[k]);
+  }
+  // by y of both profiles: places and half widths [m], shares of power and of length [-]
+  for (std::int32_t k = 0; k < count; ++k) {
+    constexpr double rounding = 1e-9;  // keeps half widths above 0 [m]
+    const double advance = std::abs(sine_cosine(kept.angle[k]).cosine);
+    strips[k] = {.y = {kept.y[k], kept.y_wheel[k]},
+                 .half_width = 0.5 * kept.width[k] * advance + rounding,
+                 .energy = power > 0.0 ? std::max(kept.power[k], 0.0) / power : 0.0,
+                 .share = kept.half_length[k] / longest};
+  }
+  return count;
 }
 
 RolledRegion::RolledRegion(Contact& contact, const Patch& patch)

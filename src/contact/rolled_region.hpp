@@ -7,6 +7,7 @@
 
 #include "contact/state.hpp"
 #include "damage/cells.hpp"
+#include "damage/film.hpp"
 #include "damage/wear.hpp"
 #include "patch/strips.hpp"
 #include "tangential/problem.hpp"
@@ -22,6 +23,9 @@ struct StripRun {
   std::int32_t first = 0, count = 0;
 };
 StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegion& region);
+
+/// The same strips as a film meets them; `strips` has room for most_overlapping_strips. Returns their number.
+std::int32_t touching_strips(const Contact& contact, damage::TouchingStrip* strips);
 
 /// Where numbers over the cells of a region go, and one per strip.
 struct CellNumbers {
