@@ -128,22 +128,23 @@ Fault read_films(const wrc_friction& checked, const char* of, const contact::Tan
   if (checked.film_numbers > tangential::film_head_numbers)
     std::memcpy(static_cast<void*>(&films), checked.film_rows,
                 tangential::film_head_numbers * sizeof(double));
+  const Fault foreign = Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
   const double rail = films.rail.count, wheel = films.wheel.count, most = tangential::most_film_rows;
   const auto whole = [&](double rows) { return rows >= 1.0 && rows <= most && rows == std::floor(rows); };
   if (!whole(rail) || !whole(wheel) || !(films.rail.width > 0.0 && films.wheel.width > 0.0) ||
       checked.film_numbers != static_cast<std::uint32_t>(tangential::film_numbers(
                                   static_cast<std::int32_t>(rail), static_cast<std::int32_t>(wheel))))
-    return Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
+    return foreign;
   films.cells =
       reinterpret_cast<const tangential::FilmCell*>(checked.film_rows + tangential::film_head_numbers);
   for (std::int32_t k = 0; k < static_cast<std::int32_t>(rail * wheel); ++k) {
     const tangential::FilmCell& cell = films.cells[k];
     const auto within = [](double value, double largest) { return value >= 0.0 && value <= largest; };
-    if (within(cell.share, 1.0) && within(cell.addition, 2.0) &&
-        (films.layered == 0.0 || (within(cell.flexibility, 1.0) && within(cell.softness, 1.0) &&
-                                  within(std::abs(cell.hardening), 1e15))))
-      continue;
-    return Fault::range({of, "film_rows"}, "they are no numbers of wrc_surface_friction()");
+    if (!within(cell.share, 1.0) || !within(cell.addition, 2.0)) return foreign;
+    if (films.layered == 0.0) continue;
+    if (!within(cell.flexibility, 1.0) || !within(cell.softness, 1.0) ||
+        !within(std::abs(cell.hardening), 1e15))
+      return foreign;
   }
   if (films.layered == 0.0) return {};
   if (checked.layer_thickness > 0.0 || checked.layer_yield > 0.0)
