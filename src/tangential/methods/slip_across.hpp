@@ -1,9 +1,9 @@
 /// Spread of slip over the strips of a patch: a factor on the slip of strip FASTSIM.
 ///
 /// In strip theory the slip of a strip that mostly sticks depends on the strip's own traction alone. In a
-/// patch, strips beside it that stick hold the surfaces back, most of all towards the sides: there the
-/// singular traction at the end of the stick zone, whose square is the strip's power, falls below that of a
-/// strip on its own. Along a strip the slip keeps Carter's form. So the slip of a strip is multiplied by
+/// patch, strips beside it that stick hold the surfaces back, most of all towards the sides. The singular
+/// traction at the end of the stick zone is smaller there than that of a strip on its own. Its square is the
+/// strip's power. Along a strip the slip keeps Carter's form. So the slip of a strip is multiplied by
 ///
 ///     1 + m (1/4 - t^2) + n t,   t = distance from the patch's middle over half its width,
 ///
