@@ -13,4 +13,10 @@ WRC_IN_LOOP double larger(double a, double b) { return a > b ? a : b; }
 WRC_IN_LOOP double smaller(double a, double b) { return a < b ? a : b; }
 WRC_IN_LOOP double select(bool which, double yes, double no) { return which ? yes : no; }
 
+/// From 0 to 1 over t from 0 to 1, with zero slope at both ends; t beyond them counts as the end.
+WRC_IN_LOOP double smooth_step(double t) {
+  const double within = smaller(larger(t, 0.0), 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
 }  // namespace wrc

@@ -46,8 +46,7 @@ LobeCuts find_lobes(const double* place, const double* value, std::int32_t first
     const double filled = (cut.value / higher - limits.parted) / (limits.united - limits.parted),
                  shoulder = ((limits.by_strip ? value[j] : cut.value) / lower - hardly_a_hump) /
                             (1.0 - hardly_a_hump);
-    const double within = smaller(larger(larger(filled, shoulder), 0.0), 1.0);
-    cut.joined = within * within * (3.0 - 2.0 * within);
+    cut.joined = smooth_step(larger(filled, shoulder));
     if (!(cut.joined < 1.0)) continue;
     // More borders than can be told apart: the caller is told, and later valleys are none.
     if (cuts.count == LobeCuts::capacity) {

@@ -131,7 +131,7 @@ class Solver {
       const double* const h = rows.height + j;
       if (!(h[0] < h[-1] && h[0] <= h[1])) continue;
       const patch::GapMinimum point = patch::minimum(rows, rows.y[j - 1], rows.y[j + 1]);
-      const double t = smaller(10.0 * (-point.height / deepest - 0.9), 1.0);
+      const double t = 10.0 * (-point.height / deepest - 0.9);
       if (!(t > 0.0)) continue;
       if (points.count == most_points) {
         result_.jumps = true;
@@ -139,7 +139,7 @@ class Solver {
       }
       const auto k = static_cast<std::size_t>(points.count++);
       points.of[k] = point;
-      points.weight[k] = t * t * (3.0 - 2.0 * t);
+      points.weight[k] = smooth_step(t);
       points.sum += points.weight[k];
     }
     return points;

@@ -68,11 +68,12 @@ struct PressureStart {
 };
 
 /// Calls each(i, b) for each strip that is in both of two lists, at i in the first and b in the second. Both
-/// lists increase.
-template <class Number, class Other, class Each>
-void for_shared_strips(std::int32_t count, const Number* strip, std::int32_t others, const Other* other,
+/// lists increase. `other`: an array of numbers, or anything with numbers by [].
+template <class Number, class Count, class Others, class Each>
+void for_shared_strips(std::int32_t count, const Number* strip, Count others, const Others& other,
                        const Each& each) {
-  for (std::int32_t i = 0, b = 0; i < count; ++i) {
+  Count b = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
     while (b < others && other[b] < strip[i]) ++b;
     if (b == others) return;
     if (other[b] == strip[i]) each(i, b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/pressure/pressure.hpp"
 #include "surface/rolling/strip_parts.hpp"
 
 namespace wrc::surface {
@@ -12,6 +13,12 @@ using tangential::memory_cells;
 using tangential::PastStrip;
 
 constexpr double least_force = 1e-290;  // [N]
+
+/// Numbers of strips that are remembered.
+struct PastNumbers {
+  const PastStrip* past;
+  double operator[](std::int64_t k) const { return past[k].y; }
+};
 
 /// Half-spaces yield beside a patch, too: humps that have met yield together, but for a neck between them.
 constexpr LobeLimits joint{0.0, 0.3, true};
@@ -99,11 +106,11 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
-    // the past of each strip, by its number: both lists increase
-    const PastStrip *past = in_.past, *const past_end = in_.past + in_.past_count;
+    // the past of each strip, by its number
+    std::fill_n(scratch_.past, count, nullptr);
+    for_shared_strips(count, in_.number, in_.past_count, PastNumbers{in_.past},
+                      [&](std::int32_t j, std::int64_t k) { scratch_.past[j] = in_.past + k; });
     for (std::int32_t j = 0; j < count; ++j) {
-      while (past != past_end && past->y < in_.number[j]) ++past;
-      scratch_.past[j] = past != past_end && past->y == in_.number[j] ? past : nullptr;
       PastStrip& strip = written()[j];
       strip = {};
       strip.y = in_.number[j];

@@ -85,10 +85,6 @@ void take_change(const KeptStart& before, const KeptStart& now, KeptChange& chan
   });
 }
 
-}  // namespace
-
-namespace {
-
 /// Has the wheel been put elsewhere on the rail since the committed step? Its move in a direction is then
 /// longer than its speeds times the time. The speed along the rail counts in all: irregularities move the
 /// wheel.
@@ -122,10 +118,7 @@ void mark_solution(SurfaceState& state) {
 
 std::int64_t surface_state_bytes(std::int32_t remembered) {
   // two lists of strips: the committed ones, and those of the last solution
-  std::size_t memory = 0;
-  if (remembered > 0)
-    memory =
-        sizeof(tangential::Memory) + 2 * static_cast<std::size_t>(remembered) * sizeof(tangential::PastStrip);
+  const std::size_t memory = remembered > 0 ? tangential::Memory::bytes(remembered, 2) : 0;
   return static_cast<std::int64_t>(sizeof(SurfaceState) + memory);
 }
 
@@ -134,8 +127,7 @@ tangential::Memory& memory_of(SurfaceState& state) {
 }
 
 void make_surface_memory(SurfaceState& state, std::int32_t remembered) {
-  memory_of(state) = {};
-  memory_of(state).capacity = remembered;
+  tangential::make_strip_memory(remembered, &memory_of(state));
 }
 
 bool commit_solution(SurfaceState& state) {

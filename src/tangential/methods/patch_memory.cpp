@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.hpp"
+#include "base/number.hpp"
 #include "kernels/kernels.hpp"
 #include "tangential/methods/strip_fastsim.hpp"
 
@@ -76,10 +77,7 @@ double left_of_step(const double* share, std::int32_t k) {
 }
 
 /// Weight from 0 to 1 over the middle half of a way, with zero slope at its ends [-].
-double beyond_half(double at, double way) {
-  const double within = std::clamp(2.0 * at / way - 0.5, 0.0, 1.0);
-  return within * within * (3.0 - 2.0 * within);
-}
+double beyond_half(double at, double way) { return smooth_step(2.0 * at / way - 0.5); }
 
 /// The nearest strips on either side of a place on a plane, with their shares. Between two strips of a patch
 /// shares change in a straight line. They vanish two widths beside the patch.
@@ -385,10 +383,10 @@ void PatchStep::part(const double shift[3], double h, bool first, double local[3
                             h,     0.5 * arm_ * h,  strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
-  const double t =
-      std::clamp((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole), 0.0, 1.0);
+  const double yields =
+      1.0 - smooth_step((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole));
   double yield[3];
-  for (int i = 0; i < 3; ++i) yield[i] = (1.0 - t * t * (3.0 - 2.0 * t)) * yield_[i];
+  for (int i = 0; i < 3; ++i) yield[i] = yields * yield_[i];
   for (int solution = 0; solution < solutions; ++solution) {
     simd::MemoryPassSums sums;
     kernels.memory_pass_sums(task, sums);

@@ -61,6 +61,11 @@ struct Memory {
   std::int64_t count;     ///< strips of the list that is remembered
   std::int64_t written;   ///< strips of the other list
 
+  /// Bytes of this with `lists` lists of so many strips behind it.
+  static std::size_t bytes(std::int32_t strips, std::size_t lists) {
+    return sizeof(Memory) + static_cast<std::size_t>(strips) * lists * sizeof(PastStrip);
+  }
+
   PastStrip* list(std::int64_t which) { return reinterpret_cast<PastStrip*>(this + 1) + which * capacity; }
   PastStrip* remembered() { return list(present); }
   PastStrip* other() { return list(1 - present); }

@@ -39,8 +39,7 @@ void keep_strips(const RollingContact& contact, double energy, const double adde
 }  // namespace
 
 std::size_t strip_memory_bytes(std::int32_t strips) {
-  return sizeof(Memory) +
-         static_cast<std::size_t>(strips) * (3 * sizeof(PastStrip) + sizeof(RememberingStrip));
+  return Memory::bytes(strips, 3) + static_cast<std::size_t>(strips) * sizeof(RememberingStrip);
 }
 
 void make_strip_memory(std::int32_t strips, void* at) {
