@@ -359,28 +359,36 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
     end = s.overlap(from, end).next;
     over = s.overlap(from, end);
   }
-  const Number half = half_contact(end.depth, larger(-over.bend, least_curvature_left * over.own));
-  // the overlap half a contact ahead and behind; beyond the end of a face, that on the other side
-  Number side[2];
-  for (int k = 0; k < 2; ++k) {
-    const double way = k == 0 ? 1.0 : -1.0;
-    RayEnd<double> there = found.end;
-    depth_at(plain, found.x + way * value_of(half), there);
-    side[k] = carried(s, s.start(x + way * half), there).depth;
-  }
-  const Number moved = value_of(distance) - distance;  // 0; its derivative moves the ends against the wheel
-  const Number to_end[2] = {high + moved - x, x - low - moved};
-  const Number room_ahead = smaller(to_end[0] / half, Number(1.0)),
-               room_behind = smaller(to_end[1] / half, Number(1.0));
-  const Number ahead = side[1] + room_ahead * (side[0] - side[1]),
-               behind = side[0] + room_behind * (side[1] - side[0]);
   o.centre = x;
   o.ny = s.ny;
   o.nz = s.nz;
   o.wy = from.y + end.depth * s.ny;
   o.wz = from.z + end.depth * s.nz;
   o.grade = s.ny * from.slope_y + s.nz * from.slope_z;
-  fit_parabola(end.depth, ahead, behind, half, over.own, o);
+  // Parabolas through the overlap at a place and half a contact ahead and behind; beyond the end of a face
+  // that on the other side. First about the largest by its curvature, then about the top of that parabola.
+  const auto depth_of = [&](const Number& place) {
+    RayEnd<double> there = found.end;
+    depth_at(plain, value_of(place), there);
+    return carried(s, s.start(place), there).depth;
+  };
+  const Number moved = value_of(distance) - distance;  // 0; its derivative moves the ends against the wheel
+  const Number ends[2] = {high + moved, low + moved};
+  Number half = half_contact(end.depth, larger(-over.bend, least_curvature_left * over.own)), top = end.depth;
+  for (int pass = 0; pass < 2; ++pass) {
+    if (pass > 0) {
+      half = half_contact(o.depth, o.curvature);
+      top = depth_of(o.centre);
+    }
+    const Number side[2] = {depth_of(o.centre + half), depth_of(o.centre - half)};
+    const auto share = [&](const Number& room) {
+      return smaller(larger(room / half, Number(0.0)), Number(1.0));
+    };
+    const Number ahead = side[1] + share(ends[0] - o.centre) * (side[0] - side[1]),
+                 behind = side[0] + share(o.centre - ends[1]) * (side[1] - side[0]);
+    fit_parabola(top, ahead, behind, half, over.own, o);
+  }
+  const Number to_end[2] = {ends[0] - x, x - ends[1]};
   const bool is_ahead = value_of(to_end[0]) < value_of(to_end[1]);
   const Number room = is_ahead ? to_end[0] : to_end[1];
   if (value_of(room) < value_of(half)) {
