@@ -47,12 +47,12 @@ void read_edges(const StripSet& s, PressureScratch& w) {
 
 /// lambda of active strips: means of edge_lambda over the strips within reach, weighted by their
 /// loads, so that a strip that enters changes nothing yet. Adds the lengths q / lambda to the residual.
-void smooth_lambda(const StripSet& s, PressureScratch& w) {
+void smooth_lambda(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const ActiveStrips& active = w.active;
   for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
     // A window that moves along: places increase.
-    const double reach = lambda_reach(s.width[i]);
+    const double reach = lambda_reach(s.width[i], problem.lambda_length);
     while (active.place[a] - active.place[from] >= reach) ++from;
     double weights = 0.0, sum = 0.0;
     for (std::int32_t b = from; b < active.count; ++b) {
@@ -86,7 +86,7 @@ void edge_residual(const PressureProblem& problem, const StripSet& s, PressureSc
     shift_residual[i] = 0.0;
   }
   for (std::int32_t a = 0; a < n; ++a) active.load[a] = active.q[a] * s.width[active.index[a]];
-  smooth_lambda(s, w);
+  smooth_lambda(problem, s, w);
   if (!s.skewed) return;
 
   // Residuals of the shifts, which are to lie on lines through those that edges ask for. Strips that are not

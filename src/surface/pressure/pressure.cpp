@@ -149,8 +149,10 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   Arena arena(workspace);
   PressureScratch w = cut_pressure_scratch(arena, o.capacity);
   StripSet& s = w.fine;
-  const PressureProblem problem{
-      model.kernels, {model.influence.tables(), model.influence.mean_under.data()}, model.compliance};
+  const PressureProblem problem{model.kernels,
+                                {model.influence.tables(), model.influence.mean_under.data()},
+                                model.compliance,
+                                model.lambda_length};
   PressureResult result;
   if (from == StartFrom::solution) extrapolate_start(rail, o, start);
   bool started = load_strips(rail, o, start, from, w);

@@ -38,6 +38,7 @@
 #include "kernels/kernels.hpp"
 #include "normal/elasticity/influence_tables.hpp"
 #include "surface/geometry/overlap.hpp"
+#include "surface/pressure/smoothing.hpp"
 
 namespace wrc::surface {
 
@@ -45,7 +46,8 @@ namespace wrc::surface {
 struct PressureModel {
   const normal::InfluenceTables& influence;
   const Kernels& kernels;
-  double compliance;  ///< (1 - nu) / (pi G) [1/Pa]
+  double compliance;                           ///< (1 - nu) / (pi G) [1/Pa]
+  double lambda_length = usual_lambda_length;  ///< lambda_reach() is at least this [m]
 };
 
 /// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips that

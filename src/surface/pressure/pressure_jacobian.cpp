@@ -55,6 +55,7 @@ struct Scratch {
   double *edge_lambda, *edge_shift, *lambda, *shift;  ///< asked for by edges; smoothed [Pa/m], [m]
   simd::SurfaceSlopes seen[2];                        ///< influence at points, and its derivatives
   double *y, *near, *by_value, *by_load;              ///< strips within reach: smooth_at()
+  double lambda_length;                               ///< as PressureModel
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -299,7 +300,7 @@ struct Smoothed {
 ///     mean: value = <v>     line: value = <v> - <y> slope,  slope = (<y v> - <y> <v>) / spread
 template <bool line>
 Smoothed smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* edge) {
-  const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a]);
+  const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a], w.lambda_length);
   Smoothed r{0.0, a, 0};
   while (r.from > 0 && w.place[a] - w.place[r.from - 1] < reach) --r.from;
 
@@ -438,6 +439,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, cons
   if (n == 0) return;
   Arena arena(workspace);
   Scratch w = cut(arena, n);
+  w.lambda_length = model.lambda_length;
   const Size size = size_of(n);
   list_sources(model, s, w);
   const Seeing seeing(model, s, w);

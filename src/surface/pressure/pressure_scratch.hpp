@@ -32,7 +32,8 @@ inline constexpr std::int32_t history = 5;  ///< earlier iterates the accelerati
 struct PressureProblem {
   const Kernels& kernels;
   simd::SurfaceTables tables;
-  double compliance;  ///< C [1/Pa]
+  double compliance;     ///< C [1/Pa]
+  double lambda_length;  ///< as PressureModel
 };
 
 /// Strips that are solved for: the candidates, or pairs of them.

@@ -14,9 +14,12 @@ inline constexpr double least_edge_ratio = 0.2, most_edge_ratio = 5.0;
 
 inline constexpr double longest_shift = 10e-3;  ///< [m]
 
-/// lambda is a mean over the strips nearer than this to one of a width [m].
-inline double lambda_reach(double width) {
-  constexpr double length = 0.75e-3, widths = 1.9;
+/// lambda is a mean over the strips nearer than a length or 1.9 widths. That is this length [m]; on a rail
+/// that changes along the track, where overlaps differ more from strip to strip, the shorter one.
+inline constexpr double usual_lambda_length = 0.75e-3, lambda_length_along_track = 0.5e-3;
+
+inline double lambda_reach(double width, double length) {
+  constexpr double widths = 1.9;
   return larger(length, widths * width);
 }
 
@@ -24,7 +27,7 @@ inline double lambda_reach(double width) {
 /// however it lies to the strips, they lie on one. Over shorter reaches shifts follow their neighbours to
 /// other solutions where places of the largest overlap are far apart from strip to strip
 /// (docs/accuracy_method.md).
-inline double shift_reach(double width) { return 7.0 * lambda_reach(width); }
+inline double shift_reach(double width) { return 7.0 * lambda_reach(width, usual_lambda_length); }
 
 /// Least variance of the strips' places over the squared reach, for a line: one strip has no slope.
 inline constexpr double least_line_spread = 2e-3;
