@@ -21,8 +21,8 @@ def read(name):
     return {"time": table[:, 0], "speed": 3.6 * table[:, 1], "place": table[:, 2], "slip": 100 * table[:, 3::2], "adhesion": table[:, 4::2]}
 
 
-def smooth(values, count=20):
-    """Mean over 2 s of lines that are 0.1 s apart."""
+def smooth(values, count=200):
+    """Mean over 2 s of lines that are 10 ms apart."""
     return np.array([np.convolve(each, np.ones(count) / count, "valid") for each in values.T]).T
 
 

@@ -1,13 +1,15 @@
 /* low_adhesion.c - wheels that change the rail: four stories of films on rail and wheel, at 1 ms steps.
  *
- *   low_adhesion stop FILE [km/h] [sand]   four cars, 16 axles, stop on wet leaves with slide protection; from 160
+ *   low_adhesion stop FILE [km/h [cars]] [sand]   cars of four axles stop on wet leaves with slide protection; from
+ *                                          160, four cars
  *   low_adhesion traction FILE             a locomotive of four axles looks for the slip with most adhesion
  *   low_adhesion start FILE [sand]         a freight locomotive of six axles starts 1100 t on damp, oxidised rails
  *   low_adhesion curve FILE                creep curve on a roller rig, slip up and down twice
  *
  * FILE gets a table of lines for draw_low_adhesion.py; totals are printed. Left and right are alike: one
- * wheel of each axle is computed, on one rail. Constants are those of the set "low adhesion", which is
- * unconfirmed. Brakes, sanders and controls are simple stand-ins. */
+ * wheel of each axle is computed, on one rail. Sanders stand 0.3 m before their axles. Where wheels spin at a
+ * crawl they clean the length of their contact: bins of the start are 5 mm long. Constants are those of the
+ * set "low adhesion", which is unconfirmed. Brakes, sanders and controls are simple stand-ins. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,9 +17,10 @@
 
 #include "wrc/wrc_surface.h"
 
-enum { AXLES = 16, RAIL_BINS = 4000, WHEEL_BINS = 24 };
+enum { AXLES = 16, WHEEL_BINS = 24 };
 
 static const double dt = 1e-3, radius = 0.46, gravity = 9.81, pi = 3.14159265358979;
+static const double sander = 0.3; /* before its axle [m] */
 
 typedef struct axle {
   wrc_contact* contact;
@@ -45,7 +48,6 @@ typedef struct train {
   double speed, place, time; /* [m/s, m, s] */
 } train;
 
-static wrc_surface_bin rail_bins[RAIL_BINS];
 static char why[400];
 
 static void check(int32_t status, const char* call) {
@@ -57,6 +59,17 @@ static void check(int32_t status, const char* call) {
 static void contact_done(const wrc_contact* contact, int32_t status, const char* call) {
   if (status < 0) wrc_contact_last_error(contact, why, sizeof why);
   check(status, call);
+}
+
+/* Clean bins so long [m] on the rail from one place to another [m]. */
+static void make_rail(train* of, double length, double from, double to) {
+  of->rail = wrc_surface_default();
+  of->rail.count = (uint32_t)ceil((to - from) / length);
+  of->rail.length = length;
+  of->rail.first = from;
+  of->rail.bins = calloc(of->rail.count, sizeof of->rail.bins[0]);
+  of->rail.bin_size = sizeof of->rail.bins[0];
+  check(of->rail.bins ? WRC_OK : WRC_ERROR_MEMORY, "bins of the rail");
 }
 
 /* S1002 on 60E1 at "real time", a contact and a clean tread for each axle, and the height that carries the
@@ -83,12 +96,6 @@ static void make_train(train* of, int count, double axle_load) {
   }
   of->laws = wrc_surface_laws_default();
   check(wrc_surface_laws_use(&of->laws, "low adhesion", why, sizeof why), "wrc_surface_laws_use");
-  of->rail = wrc_surface_default();
-  of->rail.count = RAIL_BINS;
-  of->rail.length = 1.0;
-  of->rail.first = -500.0;
-  of->rail.bins = rail_bins;
-  of->rail.bin_size = sizeof rail_bins[0];
   of->dry = wrc_friction_default();
   of->dry.coefficient = 0.4;
   of->input = wrc_wheel_input_default();
@@ -106,6 +113,7 @@ static void make_train(train* of, int count, double axle_load) {
 static void free_train(train* of) {
   for (int i = 0; i < of->count; ++i) wrc_contact_destroy(of->axles[i].contact);
   wrc_model_destroy(of->model);
+  free(of->rail.bins);
 }
 
 /* A substance along the whole rail. */
@@ -117,7 +125,7 @@ static void lay(train* of, int32_t quantity, double amount) {
 
 /* Puts sand in front of a wheel: kg/s on one rail, over the way of a step. */
 static void strew(train* of, const axle* one, double rate) {
-  const double at = of->place - one->behind, way = of->speed * dt;
+  const double at = of->place - one->behind + sander, way = of->speed * dt;
   check(wrc_surface_add(&of->rail, WRC_SURFACE_SAND, rate * dt / (of->rail.width * way), at, at + way, why,
                         sizeof why),
         "wrc_surface_add");
@@ -223,29 +231,31 @@ static void protect(const train* of, axle* one) {
   if (slide < 0.05) one->torque = fmin(1.0, one->torque + 1.0 * dt);
 }
 
-static void stop(FILE* file, double from, int sand) {
+static void stop(FILE* file, double from, int cars_of_it, int sand) {
   static train cars;
   const double axle_load = 11.5e3 * gravity, demand = 1.0; /* of braking [m/s^2] */
-  make_train(&cars, 16, axle_load);
-  cars.mass = 16 * 11.5e3;
+  const int axles = 4 * cars_of_it;
+  make_train(&cars, axles, axle_load);
+  make_rail(&cars, 0.1, -110.0, 1500.0);
+  cars.mass = axles * 11.5e3;
   cars.inertia = 110.0;
   cars.full_torque = -11.5e3 * demand * radius;
-  for (int i = 0; i < 16; ++i) cars.axles[i].behind = 26.4 * (i / 4) + 19.0 * (i / 2 % 2) + 2.5 * (i % 2);
+  for (int i = 0; i < axles; ++i) cars.axles[i].behind = 26.4 * (i / 4) + 19.0 * (i / 2 % 2) + 2.5 * (i % 2);
   lay(&cars, WRC_SURFACE_FILM, 0.009);
   lay(&cars, WRC_SURFACE_WATER, 0.020);
   set_speed(&cars, from / 3.6);
   double sliding = 0.0; /* time since the third axle slid; a sander stands before it [s] */
   for (long step = 0; cars.speed > 0.5; ++step) {
-    for (int i = 0; i < 16; ++i) protect(&cars, &cars.axles[i]);
+    for (int i = 0; i < axles; ++i) protect(&cars, &cars.axles[i]);
     sliding = slip_of(&cars, &cars.axles[2]) < -0.05 ? 0.0 : sliding + dt;
     if (sand && sliding < 2.0 && cars.speed > 3.0) strew(&cars, &cars.axles[2], 2.0 / 60.0);
     step_train(&cars, 0.0);
-    if (step % 100 == 0) write_line(file, &cars, 0.5 * axle_load);
+    if (step % 10 == 0) write_line(file, &cars, 0.5 * axle_load);
   }
   printf("stop from %.0f km/h on wet leaves, %s sand: %.0f m, %.1f s\n", from, sand ? "with" : "without",
          cars.place, cars.time);
   printf("  axle       adhesion   energy of both wheels\n");
-  for (int i = 0; i < 16; i += i == 0 ? 1 : 2) {
+  for (int i = 0; i < axles; i += i == 0 ? 1 : 2) {
     const axle* one = &cars.axles[i];
     printf("  %2d         %.3f      %.0f kJ\n", i + 1, one->moved / cars.place / (0.5 * axle_load),
            2e-3 * one->energy);
@@ -259,6 +269,7 @@ static void traction(FILE* file) {
   static train engine;
   const double axle_load = 21e3 * gravity;
   make_train(&engine, 4, axle_load);
+  make_rail(&engine, 0.1, -20.0, 500.0);
   engine.dry.speed_law = WRC_SPEED_LAW_EXPONENTIAL; /* more slip cleans more, and slides faster */
   engine.dry.fall_rate = 0.2;                       /* Polach, wet */
   engine.mass = 1e30;                               /* the train holds its speed */
@@ -277,7 +288,7 @@ static void traction(FILE* file) {
       pulled += 2.0 * one->force * 1e-3; /* mean over a second */
     }
     step_train(&engine, 0.0);
-    if (step % 100 == 0) write_line(file, &engine, 0.5 * axle_load);
+    if (step % 10 == 0) write_line(file, &engine, 0.5 * axle_load);
     if (step % 1000 != 999) continue;
     last[0] = wish;
     last[1] = pulled;
@@ -299,6 +310,7 @@ static void start(FILE* file, int sand) {
   static train engine;
   const double axle_load = 22e3 * gravity;
   make_train(&engine, 6, axle_load);
+  make_rail(&engine, 0.005, -20.0, 120.0);
   engine.mass = 6 * 22e3 + 1100e3;
   engine.inertia = 300.0;
   engine.full_torque = 0.33 * axle_load * radius;
@@ -307,7 +319,7 @@ static void start(FILE* file, int sand) {
   lay(&engine, WRC_SURFACE_WATER, 0.006);
   set_speed(&engine, 0.1);
   const double slope = 0.010 * engine.mass * gravity; /* 10 per mille */
-  for (long step = 0; step < 60000 && engine.speed > 0.02; ++step) {
+  for (long step = 0; step < 30000 && engine.speed > 0.02; ++step) {
     for (int i = 0; i < 6; ++i) { /* creep control: a tread that runs 0.3 m/s too fast loses torque */
       axle* one = &engine.axles[i];
       const double creep = one->turning - engine.speed;
@@ -318,7 +330,7 @@ static void start(FILE* file, int sand) {
     /* the train hangs on its brakes until the locomotive pulls */
     step_train(&engine, engine.time > 3.0 ? slope : 0.0);
     if (engine.time <= 3.0) engine.speed = 0.1;
-    if (step % 100 == 0) write_line(file, &engine, 0.5 * axle_load);
+    if (step % 10 == 0) write_line(file, &engine, 0.5 * axle_load);
   }
   printf("start of 1232 t on 10 per mille, damp oxide, %s sand: ", sand ? "with" : "without");
   if (engine.speed > 0.02)
@@ -337,9 +349,7 @@ static void curve(FILE* file) {
   const double axle_load = 11.5e3 * gravity;
   double at_half[4] = {0.0}; /* of the largest slip, on each branch */
   make_train(&rig, 1, axle_load);
-  rig.rail.count = 30;
-  rig.rail.first = 0.0;
-  rig.rail.length = 0.1;
+  make_rail(&rig, 0.1, 0.0, 3.0);
   rig.rail.closed = 1;
   lay(&rig, WRC_SURFACE_FILM, 0.009);
   lay(&rig, WRC_SURFACE_WATER, 0.020);
@@ -365,12 +375,14 @@ static void curve(FILE* file) {
 int main(int count, char** arguments) {
   const char* story = count > 2 ? arguments[1] : "";
   const int sand = count > 3 && strcmp(arguments[count - 1], "sand") == 0;
-  FILE* file = count > 2 ? fopen(arguments[2], "w") : NULL;
+  const double from = count > 3 + sand ? atof(arguments[3]) : 160.0;
+  const int cars = count > 4 + sand ? atoi(arguments[4]) : 4;
+  FILE* file = count > 2 && cars > 0 && 4 * cars <= AXLES ? fopen(arguments[2], "w") : NULL;
   if (!file) {
-    fprintf(stderr, "low_adhesion stop|traction|start|curve FILE [km/h] [sand]\n");
+    fprintf(stderr, "low_adhesion stop|traction|start|curve FILE [km/h [cars, 1..4]] [sand]\n");
     return EXIT_FAILURE;
   }
-  if (strcmp(story, "stop") == 0) stop(file, count > 3 + sand ? atof(arguments[3]) : 160.0, sand);
+  if (strcmp(story, "stop") == 0) stop(file, from, cars, sand);
   if (strcmp(story, "traction") == 0) traction(file);
   if (strcmp(story, "start") == 0) start(file, sand);
   if (strcmp(story, "curve") == 0) curve(file);

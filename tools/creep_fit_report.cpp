@@ -1,13 +1,17 @@
 /// Does a fit's spread hold the truth? Noisy creep curves of known laws, fitted by wrc_fit_creep_curve().
-///     creep_fit_report [DRAWS] [NOISE]     1000 draws of 0.05 relative noise without arguments; exit 1 where the
-///                                          95 % intervals of a parameter hold less than 95 % of the true values,
-///                                          but for the scatter of that share itself (two deviations)
-/// Each law starts from values that are wrong by a factor of up to two. Printed for each parameter: the true
-/// value, the mean deviation stated over that found among the draws, draws of which the interval holds it.
+///     creep_fit_report [DRAWS] [NOISE] [LAW] [--keep FILE]
+/// 1000 draws of 0.05 relative noise without arguments; exit 1 where the 95 % intervals of a parameter hold
+/// less than 95 % of the true values, but for the scatter of that share itself (two deviations). LAW: that
+/// one alone. FILE.0, FILE.1 ... of the laws have a line for each draw: a run that was stopped goes on behind
+/// the last. Progress is on stderr. Each law starts from values that are wrong by a factor of up to two.
+/// Printed for each parameter: the true value, the mean deviation stated over that found among the draws,
+/// draws of which the interval holds it.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -123,8 +127,64 @@ class Curve {
   std::vector<double> slip_, speed_, load_, exact_;
 };
 
-/// Fits of one law among all draws; false where an interval holds too few.
-bool report(const Law& law, int draws, double noise) {
+/// Outcome of a draw, as a line of the file: did the fit settle, is a parameter undetermined; then for each
+/// parameter of the law value, stated deviation and the ends of its interval.
+struct Draw {
+  int settled = 0, undetermined = 0;
+  double value[WRC_CREEP_PARAMETERS][4] = {};
+};
+
+bool read(std::FILE* file, const Law& law, Draw& draw) {
+  bool whole = std::fscanf(file, "%d %d", &draw.settled, &draw.undetermined) == 2;
+  for (const int p : law.parameters)
+    for (double& one : draw.value[p]) whole = whole && std::fscanf(file, "%lf", &one) == 1;
+  return whole;
+}
+
+void write(std::FILE* file, const Law& law, const Draw& draw) {
+  std::fprintf(file, "%d %d", draw.settled, draw.undetermined);
+  for (const int p : law.parameters)
+    for (const double one : draw.value[p]) std::fprintf(file, " %.17g", one);
+  std::fprintf(file, "\n");
+  std::fflush(file);
+}
+
+/// Fits one curve from values that are wrong.
+Draw fit_one(wrc_contact* contact, const Law& law, const wrc_creep_curve& told) {
+  wrc_creep_fit fit{};
+  fit.struct_size = sizeof fit;
+  const int32_t status = wrc_fit_creep_curve(contact, &told, &fit, nullptr);
+  if (status < 0) {
+    char text[400] = "";
+    wrc_contact_last_error(contact, text, sizeof text);
+    std::fprintf(stderr, "%s\n", text);
+  }
+  Draw draw{status == WRC_OK, fit.undetermined != 0, {}};
+  for (const int p : law.parameters) {
+    const double numbers[] = {fit.value[p], fit.deviation[p], fit.low[p], fit.high[p]};
+    std::copy(std::begin(numbers), std::end(numbers), draw.value[p]);
+  }
+  return draw;
+}
+
+/// The law before a fit: each parameter of it wrong by a factor of up to two.
+wrc_friction wrong_law(const wrc_friction& truth, const Law& law, Random& random) {
+  wrc_friction start = truth;
+  for (const int p : law.parameters) {
+    double& begins = *number_of(start, p);
+    const double half = random.unit();  // friction begins high, a yield low: above mu p a layer has no effect
+    begins *= p == WRC_CREEP_COEFFICIENT   ? 1.0 + 0.5 * half
+              : p == WRC_CREEP_LAYER_YIELD ? 0.5 + 0.5 * half
+                                           : 0.5 + half;
+    if (p == WRC_CREEP_ADHESION_REDUCTION || p == WRC_CREEP_SLOPE_REDUCTION) begins = std::fmin(begins, 1.0);
+  }
+  start.slip_reduction = std::fmin(start.slip_reduction, start.adhesion_reduction);
+  return start;
+}
+
+/// Fits of one law among all draws; false where an interval holds too few. `keep`: name of its file of draws,
+/// or empty.
+bool report(const Law& law, int draws, double noise, const std::string& keep) {
   wrc_config config = wrc_config_default();
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
@@ -142,45 +202,36 @@ bool report(const Law& law, int draws, double noise) {
   Random random;
   int held[WRC_CREEP_PARAMETERS] = {}, undetermined = 0, failed = 0, all = 0;
   double stated[WRC_CREEP_PARAMETERS] = {}, squares[WRC_CREEP_PARAMETERS] = {};
+  std::FILE* const kept = keep.empty() ? nullptr : std::fopen(keep.c_str(), "a+");
+  bool known = kept != nullptr;
   for (int draw = 0; draw < draws; ++draw) {
+    // the curve and its start, in the same order whether the draw is in the file or not
     curve.scatter(noise, random);
-    curve.told.friction = truth;
     curve.told.parameters = 0;
-    for (const int p : law.parameters) {
-      curve.told.parameters |= 1U << static_cast<unsigned>(p);
-      double& begins = *number_of(curve.told.friction, p);
-      const double half =
-          random.unit();  // friction begins high, a yield low: above mu p a layer has no effect
-      begins *= p == WRC_CREEP_COEFFICIENT   ? 1.0 + 0.5 * half
-                : p == WRC_CREEP_LAYER_YIELD ? 0.5 + 0.5 * half
-                                             : 0.5 + half;
-      if (p == WRC_CREEP_ADHESION_REDUCTION || p == WRC_CREEP_SLOPE_REDUCTION)
-        begins = std::fmin(begins, 1.0);
+    for (const int p : law.parameters) curve.told.parameters |= 1U << static_cast<unsigned>(p);
+    curve.told.friction = wrong_law(truth, law, random);
+    Draw found;
+    known = known && read(kept, law, found);
+    if (!known) {
+      found = fit_one(contact, law, curve.told);
+      if (kept != nullptr) write(kept, law, found);
+      std::fprintf(stderr, "%s: draw %d of %d\n", law.name, draw + 1, draws);
     }
-    curve.told.friction.slip_reduction =
-        std::fmin(curve.told.friction.slip_reduction, curve.told.friction.adhesion_reduction);
-    wrc_creep_fit fit{};
-    fit.struct_size = sizeof fit;
-    const int32_t status = wrc_fit_creep_curve(contact, &curve.told, &fit, nullptr);
-    if (status != WRC_OK) {
-      ++failed;
-      if (status < 0) {
-        wrc_contact_last_error(contact, text, sizeof text);
-        std::fprintf(stderr, "%s\n", text);
-      }
-    }
-    undetermined += fit.undetermined != 0;
+    // sums over the draws
+    failed += found.settled == 0;
+    undetermined += found.undetermined;
     bool whole = true;
     for (const int p : law.parameters) {
-      const double value = *number_of(truth, p);
-      const bool holds = fit.low[p] <= value && value <= fit.high[p];
+      const double value = *number_of(truth, p), error = found.value[p][0] - value;
+      const bool holds = found.value[p][2] <= value && value <= found.value[p][3];
       held[p] += holds;
       whole = whole && holds;
-      stated[p] += fit.deviation[p] / draws;
-      squares[p] += (fit.value[p] - value) * (fit.value[p] - value) / draws;
+      stated[p] += found.value[p][1] / draws;
+      squares[p] += error * error / draws;
     }
     all += whole;
   }
+  if (kept != nullptr) std::fclose(kept);
   std::printf("%s, by %s: %d draws, %d not settled, %d with a parameter undetermined; all held in %.1f %%\n",
               law.name, law.method, draws, failed, undetermined, 100.0 * all / draws);
   bool fine = failed == 0;
@@ -200,13 +251,23 @@ bool report(const Law& law, int draws, double noise) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int draws = argc > 1 ? std::atoi(argv[1]) : 1000;
-  const double noise = argc > 2 ? std::atof(argv[2]) : 0.05;
-  if (draws < 1 || !(noise >= 0.0)) {
-    std::fprintf(stderr, "usage: creep_fit_report [DRAWS] [NOISE]\n");
-    return 2;
+  std::vector<std::string> words;
+  std::string keep;
+  for (int i = 1; i < argc; ++i)
+    if (std::string(argv[i]) == "--keep" && i + 1 < argc)
+      keep = argv[++i];
+    else
+      words.emplace_back(argv[i]);
+  const int draws = !words.empty() ? std::atoi(words[0].c_str()) : 1000;
+  const double noise = words.size() > 1 ? std::atof(words[1].c_str()) : 0.05;
+  bool fine = true, found = false;
+  for (const Law& law : laws) {
+    if (words.size() > 2 && words[2] != law.name) continue;
+    found = true;
+    const std::string file = keep.empty() ? keep : keep + "." + std::to_string(&law - laws);
+    fine = draws > 0 && noise >= 0.0 && report(law, draws, noise, file) && fine;
   }
-  bool fine = true;
-  for (const Law& law : laws) fine = report(law, draws, noise) && fine;
-  return fine ? 0 : 1;
+  if (found && draws > 0 && noise >= 0.0) return fine ? 0 : 1;
+  std::fprintf(stderr, "usage: creep_fit_report [DRAWS] [NOISE] [LAW] [--keep FILE]\n");
+  return 2;
 }

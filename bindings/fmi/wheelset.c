@@ -1,6 +1,7 @@
 /* Motion of wrc_wheelset: M dv/dt = F(q, v), dq/dt = v without its last member.
  *
- *   q = y, z, roll, yaw         v = their rates and that of pitch
+ *   q = y, z, roll, yaw         v = their rates and that of pitch, the impulse of the forces forwards, and the
+ *                             frictional energy
  *
  * Creep forces damp v at rates like f r^2 / (V I): 1e6 1/s of a light wheelset at 0.1 m/s, so no explicit
  * scheme will do. Each step is one of ROS2 (Verwer, Spee, Blom, Hundsdorfer, SIAM J. Sci. Comput. 20, 1999):
@@ -16,14 +17,14 @@
 
 #include "model.h"
 
-enum { places = 4, rates = 5, states = places + rates, wheels = 2 };
+enum { places = 4, rates = 6, moving = 9, sum_of_force = 9, sum_of_power = 10, states = 11, wheels = 2 };
 enum { most_halvings = 16 };
 
-/* q, then v: where the outputs of wheelset.def have them. */
+/* q, then v without its sums: where the outputs of wheelset.def have them. */
 static double* state_of(instance* of) { return of->now.real + SET_y; }
 
 /* The columns of the wrench's derivatives by q and v, and its rows in the order of v. */
-static const int column[states] = {WRC_BY_Y,
+static const int column[moving] = {WRC_BY_Y,
                                    WRC_BY_Z,
                                    WRC_BY_ROLL,
                                    WRC_BY_YAW,
@@ -32,7 +33,7 @@ static const int column[states] = {WRC_BY_Y,
                                    WRC_BY_ANGULAR_VELOCITY_X,
                                    WRC_BY_ANGULAR_VELOCITY_Z,
                                    WRC_BY_ANGULAR_VELOCITY_Y};
-static const int row[rates] = {1, 2, 3, 5, 4};
+static const int row[rates] = {1, 2, 3, 5, 4, 0};
 
 /* Forces [N] and moments [N m] of a wrench by number of row. */
 static double component(const wrc_wrench* wrench, int number) {
@@ -44,14 +45,19 @@ typedef struct films {
   wrc_surface_bin bin[2];
   wrc_surface band[2];
   wrc_surface_laws laws;
+  wrc_surface_passage passage;
 } films;
 
-/* Puts the amounts of the rail and of the tread into bins: on the rail those ahead, plus the share `passed`
- * of their change to those behind. Gives the library's status. */
-static int32_t lay_films(const instance* of, double way, double passed, films* made, char* sentence,
-                         size_t size) {
+/* Lays a piece of rail, the way of a duration, and the tread, of a bin each, with the amounts ahead and on
+ * the wheel. The passage has the energy of one wheel at the power of the last step. Ways, lengths and energy
+ * are enlarged until the piece is 10 mm long: amounts per area do not depend on it, and shorter bins would
+ * round them. Status of the library. */
+static int32_t lay_films(const instance* of, double duration, films* made, char* sentence, size_t size) {
   const double* now = of->now.real;
-  const double length[2] = {fmin(1e4, fmax(1e-3, way)), 2.0 * 3.14159265358979 * now[SET_wheel_radius]};
+  const double radius = now[SET_wheel_radius], way = now[SET_speed] * duration;
+  const double scale = fmax(1.0, 0.01 / fmax(1e-5, fabs(way)));
+  const double length[2] = {fmin(1e4, fmax(0.01, scale * fabs(way))),
+                            fmin(1e4, scale * 2.0 * 3.14159265358979 * radius)};
   memset(made->bin, 0, sizeof made->bin);
   for (int body = 0; body < 2; ++body) {
     wrc_surface* band = &made->band[body];
@@ -62,59 +68,77 @@ static int32_t lay_films(const instance* of, double way, double passed, films* m
     band->bin_size = sizeof made->bin[body];
     for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) {
       if (body == 0 && q == WRC_SURFACE_HEAT) continue; /* a rail ahead is cold */
-      double amount = now[(body == 0 ? SET_water_ahead : SET_water_on_wheel) + q];
-      if (body == 0) amount += passed * (now[SET_water_behind + q] - amount);
+      const double amount = now[(body == 0 ? SET_water_ahead : SET_water_on_wheel) + q];
       const int32_t status = wrc_surface_add(band, q, amount, 0.0, length[body], sentence, size);
       if (status < 0) return status;
     }
   }
+  made->passage = (wrc_surface_passage){.struct_size = sizeof made->passage,
+                                        .rail_to = scale * way,
+                                        .wheel_to = -scale * now[SET_pitch_rate] * radius * duration,
+                                        .energy = 0.5 * scale * now[SET_mean_power] * duration};
   made->laws = wrc_surface_laws_default();
   return wrc_surface_laws_use(&made->laws, "low adhesion", sentence, size);
 }
 
-/* Friction for the library: the number, or that of the films at the beginning of a step. Amounts on the rail
- * are halfway between those ahead and those behind, as under a wheel of wrc_surface.h. */
-static void give_friction(instance* of) {
-  of->input.friction = wrc_friction_default();
-  of->input.friction.coefficient = of->now.real[SET_friction];
-  of->input.friction.fall_rate = of->now.real[SET_fall_rate];
-  if (of->now.real[SET_fall_rate] > 0.0) of->input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
-  if (of->now.integer[SET_films] == 0) return;
-  films made;
-  wrc_surface_passage passage = {.struct_size = sizeof passage};
-  const wrc_friction base = of->input.friction;
-  if (lay_films(of, 1.0, 0.5, &made, NULL, 0) >= 0)
-    wrc_surface_friction(&made.band[0], &made.band[1], &made.laws, &passage, &base, &of->input.friction, NULL,
-                         0);
+/* Lets the wheel pass a share of its way. */
+static int32_t pass_films(films* made, double share, char* sentence, size_t size) {
+  wrc_surface_passage part = made->passage;
+  part.rail_to *= share;
+  part.wheel_to *= share;
+  part.energy *= share;
+  return wrc_surface_pass(&made->band[0], &made->band[1], &made->laws, &part, NULL, sentence, size);
 }
 
-/* The passage of a communication step: frictional energy of one wheel [J]. Amounts behind and on the tread
- * become its outcome. 0: not done, sentence[] says why. */
-static int pass_films(instance* of, double duration, double energy, char* sentence, size_t size) {
-  double* now = of->now.real;
-  const double way = now[SET_speed] * duration,
-               rolled = -now[SET_pitch_rate] * now[SET_wheel_radius] * duration;
+/* Amount of a substance in the bin of a body [kg/m^2], heat [J/m^2]. */
+static double amount_of(const films* made, int body, int32_t quantity) {
+  double amount = 0.0;
+  wrc_surface_values(&made->band[body], quantity, WRC_SURFACE_AMOUNT, &amount, NULL, NULL, 0);
+  return amount;
+}
+
+/* Friction for the library: the number, or that of the films under the wheel. Amounts on the rail are means
+ * along the passage, as those between bins of wrc_surface.h, by Simpson's rule over its quarters. */
+static void give_friction(instance* of) {
+  const double* now = of->now.real;
+  of->input.friction = wrc_friction_default();
+  of->input.friction.coefficient = now[SET_friction];
+  of->input.friction.fall_rate = now[SET_fall_rate];
+  if (now[SET_fall_rate] > 0.0) of->input.friction.speed_law = WRC_SPEED_LAW_EXPONENTIAL;
   films made;
-  wrc_surface_passage passage = {
-      .struct_size = sizeof passage, .rail_to = way, .wheel_to = rolled, .energy = energy};
-  if (lay_films(of, fabs(way), 0.0, &made, sentence, size) < 0) return 0;
-  if (wrc_surface_pass(&made.band[0], &made.band[1], &made.laws, &passage, NULL, sentence, size) < 0)
+  const double duration = 1e-3; /* any: the energy per way is the power over the speed */
+  if (of->now.integer[SET_films] == 0 || lay_films(of, duration, &made, NULL, 0) < 0) return;
+  const double weight[5] = {1.0 / 12.0, 4.0 / 12.0, 2.0 / 12.0, 4.0 / 12.0, 1.0 / 12.0};
+  double mean[WRC_SURFACE_QUANTITIES] = {0.0};
+  for (int quarter = 0; quarter <= 4; ++quarter) {
+    for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) mean[q] += weight[quarter] * amount_of(&made, 0, q);
+    pass_films(&made, 0.25, NULL, 0);
+  }
+  wrc_surface* rail = &made.band[0];
+  memset(rail->bins, 0, sizeof *rail->bins);
+  for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q)
+    wrc_surface_add(rail, q, mean[q], 0.0, rail->length, NULL, 0);
+  const wrc_surface_passage here = {.struct_size = sizeof here};
+  const wrc_friction base = of->input.friction;
+  wrc_surface_friction(rail, &made.band[1], &made.laws, &here, &base, &of->input.friction, NULL, 0);
+}
+
+/* The passage of a communication step. Amounts behind and on the tread become its outcome. 0: not done,
+ * sentence[] says why. */
+static int exchange_films(instance* of, double duration, char* sentence, size_t size) {
+  films made;
+  if (lay_films(of, duration, &made, sentence, size) < 0 || pass_films(&made, 1.0, sentence, size) < 0 ||
+      wrc_surface_rest(&made.band[1], &made.laws, duration, sentence, size) < 0)
     return 0;
-  if (wrc_surface_rest(&made.band[1], &made.laws, duration, sentence, size) < 0) return 0;
   for (int32_t q = 0; q < WRC_SURFACE_QUANTITIES; ++q) {
-    double amount[2];
-    for (int body = 0; body < 2; ++body)
-      if (wrc_surface_values(&made.band[body], q, WRC_SURFACE_AMOUNT, &amount[body], NULL, sentence, size) <
-          0)
-        return 0;
-    if (q != WRC_SURFACE_HEAT) now[SET_water_behind + q] = amount[0];
-    now[SET_water_on_wheel + q] = amount[1];
+    if (q != WRC_SURFACE_HEAT) of->now.real[SET_water_behind + q] = amount_of(&made, 0, q);
+    of->now.real[SET_water_on_wheel + q] = amount_of(&made, 1, q);
   }
   return 1;
 }
 
 /* Gives the library a state u: the motion, friction, and the rail of a side. */
-static void give(instance* of, const double u[states], int side) {
+static void give(instance* of, const double u[moving], int side) {
   const double* now = of->now.real;
   wrc_wheel_state* wheel = &of->input.wheel;
   wheel->y = u[0];
@@ -137,15 +161,16 @@ static void give(instance* of, const double u[states], int side) {
   of->input.rail.z_slope = rail[5];
 }
 
-/* Masses in the order of v [kg, kg m^2]. */
+/* Masses in the order of v [kg, kg m^2]; the impulse itself is a state. */
 static void masses(const instance* of, double mass[rates]) {
   const double* now = of->now.real;
   mass[0] = mass[1] = now[SET_mass];
   mass[2] = mass[3] = now[SET_inertia_across];
   mass[4] = now[SET_inertia_about_axle];
+  mass[5] = 1.0;
 }
 
-/* slope[9][9] = df/du of f = du/dt at u; NULL: not wanted. Status of the library; *failed is the contact that
+/* slope = df/du of f = du/dt at u; NULL: not wanted. Status of the library; *failed is the contact that
  * knows why. */
 static int32_t motion(instance* of, const double u[states], double f[states], double slope[states][states],
                       const wrc_contact** failed) {
@@ -159,6 +184,7 @@ static int32_t motion(instance* of, const double u[states], double f[states], do
   f[6] = now[SET_moment_x] + axle * pitch_rate * yaw_rate;
   f[7] = now[SET_moment_z] - axle * pitch_rate * roll_rate;
   f[8] = now[SET_moment_y];
+  f[sum_of_force] = f[sum_of_power] = 0.0;
   if (slope) {
     memset(slope, 0, states * sizeof *slope);
     slope[6][7] = axle * pitch_rate;
@@ -176,15 +202,16 @@ static int32_t motion(instance* of, const double u[states], double f[states], do
         slope ? wrc_contact_wrench_derivatives(of->contact[side], &of->input, &wrench, &of->slopes)
               : wrc_contact_wrench(of->contact[side], &of->input, &wrench);
     if (status < 0) return status;
+    f[sum_of_power] += wrench.power;
     for (int i = 0; i < rates; ++i) {
       f[places + i] += component(&wrench, row[i]);
-      for (int k = 0; slope && k < states; ++k) slope[places + i][k] += of->slopes.wrench[row[i]][column[k]];
+      for (int k = 0; slope && k < moving; ++k) slope[places + i][k] += of->slopes.wrench[row[i]][column[k]];
     }
   }
   /* Accelerations of forces, and rates of the places. */
   for (int i = 0; i < rates; ++i) {
     f[places + i] /= mass[i];
-    for (int k = 0; slope && k < states; ++k) slope[places + i][k] /= mass[i];
+    for (int k = 0; slope && k < moving; ++k) slope[places + i][k] /= mass[i];
   }
   for (int i = 0; i < places; ++i) {
     f[i] = u[places + i];
@@ -199,7 +226,7 @@ int32_t wheelset_solve(instance* of, const wrc_contact** failed) {
   double power = 0.0;
   uint32_t flags = 0;
   give_friction(of);
-  now[SET_fx] = 0.0;
+  double force = 0.0;
   for (int side = 0; side < wheels; ++side) {
     give(of, state_of(of), side);
     *failed = of->contact[side];
@@ -208,11 +235,12 @@ int32_t wheelset_solve(instance* of, const wrc_contact** failed) {
     double* shown = now + (side == WRC_SIDE_RIGHT ? SET_right_fy : SET_left_fy);
     shown[0] = wrench.force[1];
     shown[1] = wrench.force[2];
-    now[SET_fx] += wrench.force[0];
+    force += wrench.force[0];
     power += wrench.power;
     flags |= wrench.flags;
   }
   now[SET_power] = power;
+  if (of->now.integer[SET_steps] == 0) now[SET_fx] = force; /* behind a step its mean stays */
   of->now.integer[SET_flags] = (int32_t)flags;
   of->now.solved = 1;
   return WRC_OK;
@@ -261,9 +289,9 @@ static double displacement(const instance* of, const double error[states], doubl
   const double* now = of->now.real;
   const double half = 0.5 * now[SET_tape_circle_distance], radius = now[SET_wheel_radius];
   const double time = fmax(step, 0.01 / (fabs(now[SET_speed]) + 1e-3));
-  const double scale[states] = {1.0, 1.0, half, half, time, time, time * half, time * half, time * radius};
+  const double scale[moving] = {1.0, 1.0, half, half, time, time, time * half, time * half, time * radius};
   double largest = 0.0;
-  for (int i = 0; i < states; ++i) {
+  for (int i = 0; i < moving; ++i) {
     const double size = fabs(error[i]) * scale[i];
     if (!(size <= largest)) largest = size; /* NaN stays */
   }
@@ -300,11 +328,12 @@ static int32_t ros2(instance* of, const double u[states], const double f[states]
 }
 
 /* Goes on by `length` in halves, quarters ... of it, each as long as its error allows. Nothing is remembered
- * from one such part to the next. Returns 0 where no step is short enough; then sentence[] says why. */
-static int go_on(instance* of, double length, char* sentence, size_t size) {
-  double* u = state_of(of);
+ * from one such part to the next. Adds to the impulse of the forces forwards [N s] and to the frictional
+ * energy [J]. Returns 0 where no step is short enough; then sentence[] says why. */
+static int go_on(instance* of, double length, double sums[2], char* sentence, size_t size) {
   const double tolerance = of->now.real[SET_tolerance];
-  double f[states], slope[states][states], after[states];
+  double u[states] = {0.0}, f[states], slope[states][states], after[states];
+  memcpy(u, state_of(of), moving * sizeof *u);
   const uint32_t all = 1u << most_halvings;
   uint32_t done = 0, part = all;
   const wrc_contact* failed = NULL;
@@ -334,6 +363,8 @@ static int go_on(instance* of, double length, char* sentence, size_t size) {
     ++of->now.integer[SET_steps];
     if (done % (2 * part) == 0 && error < 0.25 * tolerance && 2 * part <= all) part *= 2;
   }
+  memcpy(state_of(of), u, moving * sizeof *u);
+  for (int k = 0; k < 2; ++k) sums[k] += u[sum_of_force + k];
   return 1;
 }
 
@@ -361,9 +392,9 @@ outcome model_step(instance* of, double from, double length) {
   }
   of->now.integer[SET_steps] = 0;
   give_friction(of); /* held over the step */
-  const double power_before = of->now.real[SET_power];
+  double sums[2] = {0.0};
   for (double n = 0.0; n < count; n += 1.0)
-    if (!go_on(of, part, sentence, sizeof sentence)) {
+    if (!go_on(of, part, sums, sentence, sizeof sentence)) {
       of->now = before;
       return model_say(of, DISCARDED, sentence);
     }
@@ -372,10 +403,11 @@ outcome model_step(instance* of, double from, double length) {
     of->now = before;
     return model_say(of, DISCARDED, sentence);
   }
-  /* Films: the passage, with the mean power of one wheel; forces are then those of the new friction. */
-  const double energy = 0.25 * (power_before + of->now.real[SET_power]) * length;
+  of->now.real[SET_fx] = sums[0] / length;
+  of->now.real[SET_mean_power] = sums[1] / length;
+  /* Films: the passage; forces are then those of the new friction. */
   if (of->now.integer[SET_films] != 0 &&
-      (!pass_films(of, length, energy, sentence, sizeof sentence) || wheelset_solve(of, &failed) < 0)) {
+      (!exchange_films(of, length, sentence, sizeof sentence) || wheelset_solve(of, &failed) < 0)) {
     of->now = before;
     return model_say(of, DISCARDED, sentence);
   }

@@ -27,6 +27,9 @@
  *   wrc_surface_pass(&rail, &wheel, &laws, &step, NULL, why, sizeof why);
  * @endcode
  *
+ * Bins are short enough where the wheel's slip hardly changes along one. A wheel that spins at a crawl cleans the length of its
+ * contact: there bins of 5 mm are right, at line speed 0.1 to 1 m. Put a sander's sand on the rail before the wheel, not under it.
+ *
  * @par Rows across
  *
  * With `rows` above 1 a body has rows of bins across, each of `width` in y of its profile. Each strip of the wrench then has friction

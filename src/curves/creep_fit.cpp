@@ -304,9 +304,11 @@ class Fitter {
     const double limit = side < 0.0 ? low_[at(k)] : high_[at(k)];
     const double range = side * (limit - profile.best[at(k)]);
     double reach = profile.factor * profile.deviation;
-    Vector u = profile.best;
+    // a trial begins within the interval: beyond it the other parameters may be where none leads back
+    Vector inside = profile.best;
     fixed_ = k;
     for (int trial = 0; trial < most && reach < range; ++trial) {
+      Vector u = inside;
       u[at(k)] = profile.best[at(k)] + side * reach;
       double sum = residuals(u, residual_), damping = 1e-3;
       for (int step = 0; step < most_steps; ++step) {
@@ -316,6 +318,7 @@ class Fitter {
       // the root of the sum's growth is nearly in proportion to the distance
       const double found = std::sqrt(std::max(0.0, sum - profile.sum) / profile.variance);
       if (std::abs(found - profile.factor) < near * profile.factor) break;
+      if (found < profile.factor) inside = u;
       reach *= std::clamp(profile.factor / std::max(found, 1e-3), 0.4, 2.5);
     }
     fixed_ = -1;

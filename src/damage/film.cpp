@@ -168,8 +168,9 @@ void wear_off(const FilmLaws& laws, const Band& band, FilmBin& bin, double dose,
     const WholeNumber& there = bin.sum[amount][q];
     if (nothing(there)) continue;
     if (law.removal > 0.0) take(bin, q, removed, part_of(there, spent(law.removal * dose)), in_range);
+    if (!(law.squeeze_rate > 0.0)) continue;
     const WholeNumber kept = whole(law.kept * band.area() * film_scale(q));
-    if (law.squeeze_rate > 0.0 && less(kept, there))
+    if (less(kept, there))
       take(bin, q, squeezed, part_of(minus(there, kept), spent(law.squeeze_rate * passed)), in_range);
   }
 }
@@ -339,8 +340,9 @@ bool rest(const Band& band, const FilmLaws& laws, double duration) {
   const double cools = spent(duration / laws.cooling_time), dries = spent(duration / laws.drying_time);
   for (std::int64_t k = 0; k < band.all(); ++k) {
     FilmBin& bin = band.bin(k);
-    take(bin, heat, removed, part_of(bin.sum[amount][heat], cools), in_range);
-    take(bin, water, evaporated, part_of(bin.sum[amount][water], dries), in_range);
+    const WholeNumber &warm = bin.sum[amount][heat], &wet = bin.sum[amount][water];
+    if (!nothing(warm)) take(bin, heat, removed, part_of(warm, cools), in_range);
+    if (!nothing(wet)) take(bin, water, evaporated, part_of(wet, dries), in_range);
   }
   return in_range;
 }

@@ -704,6 +704,117 @@ TEST(SurfaceFilm, RowsHaveTheEnergyOfTheirStrips) {
   EXPECT_TRUE(tread[0].same(tread[1]));
 }
 
+/// A wheel with a tread of rows on a rail that others pass, too: friction, wrench and passage of each step.
+struct OnRail {
+  Across own;
+  double place;
+
+  OnRail(double start, double lateral) : place(start) {
+    own.set.input.wheel.y = lateral;
+    own.set.input.start = WRC_START_WARM;
+  }
+  void step(Band& rail) {
+    wrc_surface_passage passage = own.at(place);
+    wrc_friction friction{};
+    EXPECT_EQ(wrc_surface_friction(&rail.surface, &own.wheel.surface, &own.laws, &passage, nullptr, &friction,
+                                   nullptr, 0),
+              WRC_OK);
+    passage.energy = own.set.solve(friction).power * 2e-3;
+    passage.rail_to = place += 0.04;
+    passage.wheel_to = 0.3 + place - passage.rail_from;
+    go(rail, &own.wheel, own.laws, passage);
+    EXPECT_EQ(wrc_surface_rest(&own.wheel.surface, &own.laws, 2e-3, nullptr, 0), WRC_OK);
+  }
+};
+
+Band rail_with_rows() {
+  Across across;
+  across.lay_all();
+  return across.rail;
+}
+
+TEST(SurfaceFilm, WheelsOneBehindTheOtherOnRowsAreInOrderOfPassage) {
+  // the second wheel passes each place after the first; they never share a bin in one step, so the order of
+  // calls within a step does not change a bit, and the order of passage does
+  const auto run = [](bool second_first, double ahead) {
+    Band rail = rail_with_rows();
+    OnRail first(3.0 + ahead, 2e-3), second(3.0, -1e-3);
+    for (int k = 0; k < 100; ++k) {
+      (second_first ? second : first).step(rail);
+      (second_first ? first : second).step(rail);
+    }
+    return std::vector<Band>{rail, first.own.wheel, second.own.wheel};
+  };
+  const std::vector<Band> once = run(false, 3.0), again = run(false, 3.0), swapped = run(true, 3.0),
+                          behind = run(false, -2.5);
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    expect_balanced(once[i]);
+    EXPECT_TRUE(once[i].same(again[i])) << i;
+    EXPECT_TRUE(once[i].same(swapped[i])) << i;
+  }
+  EXPECT_FALSE(once[2].same(behind[2]));
+}
+
+TEST(SurfaceFilm, ThreadsOnStretchesOfRowsGiveTheSameBits) {
+  const auto roll = [](Band& rail, OnRail& wheel) {
+    for (int k = 0; k < 60; ++k) wheel.step(rail);
+  };
+  Band alone = rail_with_rows(), shared = alone;
+  OnRail one(3.0, 2e-3), two(13.0, -1e-3), one_thread(3.0, 2e-3), two_thread(13.0, -1e-3);
+  roll(alone, one);
+  roll(alone, two);
+  std::thread first([&] { roll(shared, one_thread); });
+  std::thread second([&] { roll(shared, two_thread); });
+  first.join();
+  second.join();
+  EXPECT_TRUE(alone.same(shared));
+  EXPECT_TRUE(one.own.wheel.same(one_thread.own.wheel));
+  EXPECT_TRUE(two.own.wheel.same(two_thread.own.wheel));
+}
+
+TEST(SurfaceFilm, SourcesOfRowsMergeInAnyOrder) {
+  const auto lay = [](Band& band, int which) {
+    for (uint32_t row = 0; row < 14; ++row)
+      Across::add(band, row, static_cast<int32_t>(row % WRC_SURFACE_QUANTITIES), 1e-3 / (1 + which + row));
+  };
+  const Band empty = Across().rail;
+  std::vector<Band> own(3, empty);
+  Band all = empty, forth = empty, back = empty;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 3; ++t) threads.emplace_back([&, t] { lay(own[t], t); });
+  for (std::thread& each : threads) each.join();
+  for (int t = 0; t < 3; ++t) {
+    lay(all, t);
+    EXPECT_EQ(wrc_surface_merge(&forth.surface, &own[t].surface, nullptr, 0), WRC_OK);
+    EXPECT_EQ(wrc_surface_merge(&back.surface, &own[2 - t].surface, nullptr, 0), WRC_OK);
+  }
+  EXPECT_TRUE(all.same(forth));
+  EXPECT_TRUE(all.same(back));
+}
+
+TEST(SurfaceFilm, RowsGoOnFromCopiedBinsAndASavedContact) {
+  Band rail = rail_with_rows();
+  OnRail wheel(3.0, 2e-3);
+  for (int k = 0; k < 30; ++k) wheel.step(rail);
+  // bins are copied as bytes, the contact that begins its iterations from the last wrench is saved
+  const Band rail_then = rail, tread_then = wheel.own.wheel;
+  uint64_t bytes = 0;
+  EXPECT_EQ(wrc_contact_state_size(wheel.own.set.model, &bytes), WRC_OK);
+  std::vector<char> state(bytes);
+  EXPECT_EQ(wrc_contact_save(wheel.own.set.contact, state.data(), bytes), WRC_OK);
+  const double place = wheel.place;
+  for (int k = 0; k < 30; ++k) wheel.step(rail);
+  const Band rail_once = rail, tread_once = wheel.own.wheel;
+  rail = rail_then;
+  wheel.own.wheel = tread_then;
+  wheel.place = place;
+  EXPECT_EQ(wrc_contact_restore(wheel.own.set.contact, state.data(), bytes), WRC_OK);
+  for (int k = 0; k < 30; ++k) wheel.step(rail);
+  EXPECT_TRUE(rail.same(rail_once));
+  EXPECT_TRUE(wheel.own.wheel.same(tread_once));
+  EXPECT_FALSE(rail.same(rail_then));
+}
+
 TEST(SurfaceFilm, WrongRowsAreToldInASentence) {
   Across across;
   char text[400];

@@ -49,7 +49,7 @@ static fmi3Status step(fmi3Instance of, double time, double length) {
   return do_step(of, time, length, true, &event, &end, &early, &reached);
 }
 static fmi3Instance new_set(void) {
-  return instantiate_set("set", "wrc_wheelset 5", "", false, true, false, false, NULL, 0, NULL, told, NULL);
+  return instantiate_set("set", "wrc_wheelset 6", "", false, true, false, false, NULL, 0, NULL, told, NULL);
 }
 static fmi3Instance new_wheel(void) {
   return instantiate_wheel("wheel", "wrc_wheel 3", "", false, true, NULL, told);

@@ -40,7 +40,7 @@ static void told(fmi3InstanceEnvironment of, fmi3Status status, fmi3String categ
 }
 
 static fmi3Instance new_wheelset(const functions* fmu) {
-  return fmu->instantiate("set", "wrc_wheelset 5", "/nowhere", false, true, false, false, NULL, 0, NULL, told,
+  return fmu->instantiate("set", "wrc_wheelset 6", "/nowhere", false, true, false, false, NULL, 0, NULL, told,
                           NULL);
 }
 

@@ -113,10 +113,10 @@ def test_traction_climbs_to_more_adhesion(example, tmp_path):
 
 
 def test_sand_helps_a_start(example, tmp_path):
-    bare, sanded = example.start(seconds=3.2), example.start(sand=True, seconds=3.2)  # for 3 s the train stands on its brakes
+    bare, sanded = example.start(seconds=5.0), example.start(sand=True, seconds=5.0)  # 3 s on its brakes, sanders 0.3 m ahead
     adhesions = bare.mean_adhesions(), sanded.mean_adhesions()
     assert sanded.speed > bare.speed > 0.1
-    assert (adhesions[1][::3] > 1.5 * adhesions[0][::3]).all()  # these have the sanders; no other axle has come to the sand
+    assert (adhesions[1][::3] > 1.1 * adhesions[0][::3]).all()  # these have the sanders; no other axle has come to the sand
     assert adhesions[1][[1, 2, 4, 5]] == pytest.approx(adhesions[0][[1, 2, 4, 5]], rel=0.02)
     example.draw_runs({"without": bare, "with": sanded}).savefig(tmp_path / "start.png")
 

@@ -16,6 +16,7 @@ import numpy as np
 import wrc
 
 STEP, RADIUS, GRAVITY = 1e-3, 0.46, 9.81  # s, m, m/s^2
+SANDER = 0.3  # before its axle [m]
 
 
 class Axle:
@@ -34,13 +35,16 @@ class Train:
 
     behind: of each axle, the front of the train [m]; axle_load [kg]; mass: of all [kg]; inertia: of an axle [kg m^2]
     full: torque of an axle's motors, < 0 of its brakes [N m]
+    rail: where its bins begin and end, and their length [m]. At a crawl a wheel that spins cleans the length of its contact: 5 mm
     """
 
-    def __init__(self, behind, axle_load, speed, mass=np.inf, inertia=np.inf, full=0.0):
+    def __init__(self, behind, axle_load, speed, mass=np.inf, inertia=np.inf, full=0.0, rail=(-110.0, 1500.0, 0.1)):
         model = wrc.Model(wheel="S1002", rail="60E1", track={"rail_inclination": 1 / 40}, preset="real time")
         self.axles = [Axle(model, each, speed) for each in behind]
         self.load, self.speed, self.mass, self.inertia, self.full = 0.5 * axle_load * GRAVITY, speed, mass, inertia, full
-        self.rail, self.laws, self.dry = wrc.Band(4000, 1.0, first=-500.0), wrc.surface_laws("low adhesion"), wrc.Friction(coefficient=0.4)
+        first, last, length = rail
+        self.rail = wrc.Band(int(np.ceil((last - first) / length)), length, first=first)
+        self.laws, self.dry = wrc.surface_laws("low adhesion"), wrc.Friction(coefficient=0.4)
         self.place, self.time, self.lines = 0.0, 0.0, []
         data = wrc.WheelInput(prescribed="VERTICAL_LOAD", vertical_load=self.load)
         self.data = wrc.WheelInput(start="WARM", wheel={"z": self.axles[0].contact.wrench(data).z})
@@ -52,7 +56,7 @@ class Train:
 
     def strew(self, axle, rate):
         """Sand before a wheel, over the way of a step [kg/s]."""
-        at, way = self.place - axle.behind, self.speed * STEP
+        at, way = self.place - axle.behind + SANDER, self.speed * STEP
         self.rail.add("SAND", rate * STEP / (self.rail.struct.width * way), at, at + way)
 
     def slip(self, axle):
@@ -151,9 +155,10 @@ def traction(seconds=60):
     return train, wishes, pulls[1:]
 
 
-def start(sand=False, seconds=60.0):
+def start(sand=False, seconds=30.0):
     """Creep control: a tread that runs 0.3 m/s too fast loses torque. Sanders stand before axles 1 and 4. The slope is 10 per mille."""
-    train = Train([0.0, 2.0, 4.0, 12.0, 14.0, 16.0], 22e3, 0.1, mass=6 * 22e3 + 1100e3, inertia=300.0, full=0.33 * 22e3 * GRAVITY * RADIUS)
+    train = Train([0.0, 2.0, 4.0, 12.0, 14.0, 16.0], 22e3, 0.1, mass=6 * 22e3 + 1100e3, inertia=300.0, full=0.33 * 22e3 * GRAVITY * RADIUS,
+                  rail=(-20.0, 120.0, 0.005))
     train.lay("OXIDE", 0.006)
     train.lay("WATER", 0.006)
     for _ in range(round(seconds / STEP)):
