@@ -114,7 +114,8 @@ struct SurfaceKernels {
   void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
   void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
-  /// whole vectors, without the effect of a source on itself. `skewed`: not all centres are the same.
+  /// whole vectors, and one more where they are odd. A source's effect on itself is not in them. `skewed`:
+  /// not all centres are the same.
   void (*influence)(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                     const SurfacePoints& points, bool skewed, double* rows, std::int64_t stride);
   /// The same of each source on itself, written to the diagonal of rows that are the sources'.

@@ -117,7 +117,10 @@ void eliminate_kernel(const EliminationTask& task) {
   if (!task.r) return;
   // Back substitution, upwards; solutions not known yet count as zero.
   const std::int64_t end = (task.size + group - 1) / group * group;
-  for (std::int64_t c = 0; c < end; ++c) task.r[c] = task.s[c] = 0.0;
+  for (std::int64_t c = 0; c < end; ++c) {
+    task.r[c] = 0.0;
+    if (task.s) task.s[c] = 0.0;
+  }
   for (i = task.size - 4; i >= 0; i -= 4) {
     // x_i = (r_i - sum of the known x) / pivot; within the four row by row.
     const std::int64_t from = (i + 4) / group * group;
@@ -134,7 +137,7 @@ void eliminate_kernel(const EliminationTask& task) {
       }
     };
     substitute(task.r, task.size);
-    substitute(task.s, task.size + 1);
+    if (task.s) substitute(task.s, task.size + 1);
   }
 }
 

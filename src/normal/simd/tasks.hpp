@@ -61,7 +61,7 @@ struct EliminationTask {
   std::int32_t size;
   std::int64_t stride;  ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
   double* matrix;       ///< destroyed
-  double *r, *s;        ///< the solutions, `stride` elements each; or both nullptr
+  double *r, *s;        ///< the solutions, `stride` elements each; s nullptr: of r alone; or both nullptr
 };
 
 /// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an

@@ -81,7 +81,7 @@ void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScra
     else
       row[a] = 1.0;
   }
-  problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, w.unused});
+  problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, nullptr});
 }
 
 }  // namespace
@@ -105,6 +105,7 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
     w.outside_x[count++] = s.deepest_x[i] + s.shift[i];
   }
   if (count == 0) return false;
+  for (double* const each : {w.outside_place, w.outside_x, w.outside_ny, w.outside_nz}) each[count] = 0.0;
   // Displacement at their middles by the active strips, row by row; the system's memory is free by now.
   const std::int32_t n = w.active.count;
   const std::int64_t stride = simd::whole_packs(n);

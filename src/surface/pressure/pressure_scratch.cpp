@@ -11,11 +11,11 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   for (StripSet* s : {&w.fine, &w.coarse})
     arena.each(padded, s->place, s->width, s->depth, s->curvature, s->deepest_x, s->ny, s->nz, s->L, s->shift,
                s->lambda, s->q);
-  // Rows of the elimination come in fours and end in two right-hand sides.
+  // Rows of the elimination come in fours and end in right-hand sides.
   const std::int64_t rows = (most + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(static_cast<std::int32_t>(rows)) + simd::most_lanes;
   w.matrix = arena.take(stride * rows);
-  arena.each(stride, w.solution, w.unused);
+  w.solution = arena.take(stride);
   // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;
   arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,

@@ -73,10 +73,10 @@ struct PressureScratch {
   double max_work = 0.0;  ///< that it may take
   double* depth_before;   ///< each strip: overlap of the solution that a solve starts from [m]
   ActiveStrips active;
-  std::int32_t* in_contact;            ///< each strip: 1 in the active set
-  double* half_length;                 ///< each strip: l, at least a part of its width [m]
-  double *matrix, *solution, *unused;  ///< elimination, which solves for two right-hand sides
-  std::int32_t* outside;               ///< strips asked whether they enter
+  std::int32_t* in_contact;   ///< each strip: 1 in the active set
+  double* half_length;        ///< each strip: l, at least a part of its width [m]
+  double *matrix, *solution;  ///< elimination
+  std::int32_t* outside;      ///< strips asked whether they enter
   double *outside_place, *outside_x, *outside_ny, *outside_nz;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;
   double* inverse_reach;                     ///< each strip: one over shift_reach() [1/m]

@@ -23,12 +23,6 @@ inline Pack for_both(const double* of, std::int32_t first) {
   return {a, a};
 }
 
-/// Calls take(a, b) for the numbers from .. end - 1 two by two; of an odd count the last comes twice.
-template <class Take>
-WRC_IN_LOOP void two_by_two(std::int32_t from, std::int32_t end, const Take& take) {
-  for (std::int32_t a = from; a < end; a += 2) take(a, a + 1 < end ? a + 1 : a);
-}
-
 /// Place of a distance over 1 m on the table's axis of rows: that of distance / l is the difference to the
 /// place of l.
 inline Pack axis_place(Pack distance) {
@@ -37,51 +31,53 @@ inline Pack axis_place(Pack distance) {
 }
 
 /// J on the middle plane of near sources with the effect of their width, on `seen` of the middle lines.
-WRC_IN_LOOP Pack with_widths(Pack seen, Pack distance, Pack width, Pack inverse_to_end) {
-  const Pack half = 0.5 * width;
-  const Mask near = (distance > 0.0) & (distance < near_strip * half);
+WRC_IN_LOOP Pack with_widths(Pack seen, Pack distance, Pack half_width, Pack inverse_to_end) {
+  constexpr double least = 1e-9;  // [m]: a source on itself is left to own_influence
+  const Mask near = distance < near_strip * half_width;
   if (!any(near)) return seen;
-  const Pack correction = width_correction(half / select(near, distance, 1.0), Pack(1.0));
-  return seen + select(near, correction, 0.0) * inverse_to_end;
+  const Pack correction = width_correction(half_width / larger(distance, least), inverse_to_end);
+  return seen + select(near, correction, 0.0);
 }
 
 /// Rows of C w / l J cos, a source per lane, two points at a time.
 template <bool skewed>
 void influence_rows(const SurfaceTables& tables, const SurfaceSources& sources, const SurfaceFaces& faces,
                     const SurfacePoints& points, double* rows, std::int64_t stride) {
+  const auto twice = [](Native x) { return Pack(x, x); };
+  const std::int32_t pairs = (points.count + 1) / 2;
   for (std::int32_t first = 0; first < sources.count; first += native_lanes) {
     const Native inverse = load_lanes(sources.inverse_length + first);
     const Native place = load_lanes(sources.place + first), centre = load_lanes(sources.centre + first);
-    const Native factor = load_lanes(sources.factor + first), width = load_lanes(faces.width + first);
-    const Native ny = load_lanes(faces.ny + first), nz = load_lanes(faces.nz + first);
+    const Native factor = load_lanes(sources.factor + first);
+    const Native half_width = broadcast(0.5) * load_lanes(faces.width + first);
+    const Native ny = factor * load_lanes(faces.ny + first), nz = factor * load_lanes(faces.nz + first);
     const Native inverse_place = skewed ? place_from_one({inverse, inverse}).a : inverse;
-    const auto twice = [](Native x) { return Pack(x, x); };
-    for (std::int32_t base = 0; base < points.count; base += 2 * found_ahead) {
-      const std::int32_t end = base + 2 * found_ahead < points.count ? base + 2 * found_ahead : points.count;
+    for (std::int32_t base = 0; base < pairs; base += found_ahead) {
+      const std::int32_t count = pairs - base < found_ahead ? pairs - base : found_ahead;
+      const auto both = [&](const double* of, std::int32_t k) {
+        return Pack(broadcast(of[2 * (base + k)]), broadcast(of[2 * (base + k) + 1]));
+      };
       MiddlePlaneCells cells[found_ahead];
       // Cells of the table of J(tau, 0) first, for many points, so that no load waits for its index.
-      two_by_two(base, end, [&](std::int32_t a, std::int32_t b) {
-        const Pack at(broadcast(points.place[a]), broadcast(points.place[b]));
-        find_cells(magnitude(twice(place) - at) * twice(inverse), cells[(a - base) / 2]);
-      });
-      two_by_two(base, end, [&](std::int32_t a, std::int32_t b) {
-        const auto both = [&](const double* of) { return Pack(broadcast(of[a]), broadcast(of[b])); };
-        const Pack distance = magnitude(twice(place) - both(points.place));
+      for (std::int32_t k = 0; k < count; ++k)
+        find_cells(magnitude(twice(place) - both(points.place, k)) * twice(inverse), cells[k]);
+      double* row = rows + 2 * base * stride + first;
+      for (std::int32_t k = 0; k < count; ++k, row += 2 * stride) {
+        const auto distance = [&] { return magnitude(twice(place) - both(points.place, k)); };
         // J on the middle plane; beside it, where centres differ, J(tau, xi). Then width, factor and cosine.
-        const MiddlePlane<Pack> middle = read_middle_plane(tables.line, cells[(a - base) / 2]);
+        const MiddlePlane<Pack> middle = read_middle_plane(tables.line, cells[k]);
         Pack seen = middle.potential;
         if constexpr (skewed) {
-          const Pack xi = magnitude(twice(centre) - both(points.x)) * twice(inverse);
+          const Pack xi = magnitude(twice(centre) - both(points.x, k)) * twice(inverse);
           seen = line_potential_near(tables.line, middle, xi, [&] {
-            return line_rows_at(axis_place(distance) + twice(inverse_place));
+            return line_rows_at(axis_place(distance()) + twice(inverse_place));
           });
         }
-        seen = with_widths(seen, distance, twice(width), middle.inverse_to_end);
-        const Pack cosine = both(points.ny) * twice(ny) + both(points.nz) * twice(nz);
-        const Pack on = twice(factor) * cosine * seen;
-        store_lanes(rows + a * stride + first, on.a);
-        store_lanes(rows + b * stride + first, on.b);
-      });
+        seen = with_widths(seen, distance(), twice(half_width), middle.inverse_to_end);
+        const Pack on = (both(points.ny, k) * twice(ny) + both(points.nz, k) * twice(nz)) * seen;
+        store_lanes(row, on.a);
+        store_lanes(row + stride, on.b);
+      }
     }
   }
 }

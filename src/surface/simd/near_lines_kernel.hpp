@@ -2,6 +2,7 @@
 /// (surface/pressure/smoothing.hpp).
 #pragma once
 
+#include "base/number.hpp"
 #include "base/pack.hpp"
 #include "surface/simd/tasks.hpp"
 
@@ -11,10 +12,17 @@ namespace {
 /// SurfaceKernels::near_lines: one strip per lane, its sums in the order of the sources.
 inline void near_lines_kernel(const NearLinesTask& task) {
   for (std::int32_t first = 0; first < task.count; first += lanes) {
+    // Sources within reach of any of these strips, as places increase: others would add zeros.
+    const std::int32_t last = (first + lanes < task.count ? first + lanes : task.count) - 1;
+    double farthest = task.inverse_reach[first];  // one over the longest reach [1/m]
+    for (std::int32_t i = first + 1; i <= last; ++i) farthest = wrc::smaller(farthest, task.inverse_reach[i]);
+    std::int32_t from = 0;
+    while (from < task.sources && (task.place[first] - task.source_place[from]) * farthest >= 1.0) ++from;
     const Pack place = load_pack(task.place + first), inverse = load_pack(task.inverse_reach + first);
     // Moments of the sources within reach; beyond it `near` is 0.
     Pack weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
-    for (std::int32_t b = 0; b < task.sources; ++b) {
+    for (std::int32_t b = from; b < task.sources; ++b) {
+      if ((task.source_place[b] - task.place[last]) * farthest >= 1.0) break;
       const Pack y = (task.source_place[b] - place) * inverse;
       const Pack near = larger(1.0 - y * y, 0.0);
       const Pack weight = near * near * near * task.weight[b], of_y = weight * y;

@@ -50,7 +50,7 @@ struct SurfacePoint {
   double place, x;
 };
 
-/// Middles of several strips, and their directions.
+/// Middles of several strips, and their directions: an even number of elements, also if `count` is odd.
 struct SurfacePoints {
   std::int32_t count;
   const double *place, *x, *ny, *nz;
