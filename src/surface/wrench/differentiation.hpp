@@ -39,11 +39,12 @@ struct DualForces {
 struct DifferencesScratch {
   double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *x, *friction, *fx, *fy, *mz;
   double *flexibility, *yield, *hardening;
-  double* share;                        ///< hot over cold friction in the solution [-]
-  double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
-  RollingScratch rolling;               ///< friction over temperature
-  tangential::PastStrip* written;       ///< strips of steps that remember
-  Arena remembering;                    ///< scratch of these steps
+  double* share;                                 ///< hot over cold friction in the solution [-]
+  double *base_fx, *base_fy, *base_mz;           ///< forces that differences are taken from
+  double *fx_by_time, *fy_by_time, *mz_by_time;  ///< of strips that remember [N/s], [N m/s]
+  RollingScratch rolling;                        ///< friction over temperature
+  tangential::PastStrip* written;                ///< strips of steps that remember
+  Arena remembering;                             ///< scratch of these steps
 };
 
 /// Memory of a differentiation.

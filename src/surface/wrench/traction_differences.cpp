@@ -83,31 +83,37 @@ class StripsAlongInput {
     return speed;
   }
 
-  /// Derivatives of the forces that the scratch holds, by one difference along each input. `change_by`:
-  /// largest relative change of any number per unit of an input, which a step makes `relative_step`.
-  /// `solve`: fills the scratch with the forces a step along an input.
-  template <class Change, class Solve>
-  void take_differences(const DualForces& forces, double relative_step, const Change& change_by,
-                        const Solve& solve) {
+  /// Derivatives of the forces that the scratch holds, by one difference along each input. A step changes
+  /// some number of the strips by the part `relative_step`, and none by more. `solve`: fills the scratch with
+  /// the forces a step along an input.
+  template <class Solve>
+  void take_differences(const DualForces& forces, double relative_step, const Solve& solve) {
     Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
     double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
-    for (int r = 0; r < results; ++r) std::copy_n(found[r], s_.count, base[r]);
+    for (int r = 0; r < results; ++r) std::copy_n(found_[r], s_.count, base[r]);
     for (std::size_t input = 0; input < frame_inputs; ++input) {
-      const double change = change_by(input);
+      const double change = largest_change(input);
       if (!(change > 0.0)) continue;
       const double step = relative_step / change;
       solve(input, step);
       for (int r = 0; r < results; ++r)
         for (std::int32_t k = 0; k < s_.count; ++k)
-          results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
+          results_of[r][k].d[input] = (found_[r][k] - base[r][k]) / step;
     }
+  }
+
+  /// Gives the forces their values.
+  void take_values(const double* const (&values)[results], const DualForces& forces) const {
+    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
+    for (int r = 0; r < results; ++r)
+      for (std::int32_t k = 0; k < s_.count; ++k) results_of[r][k] = values[r][k];
   }
 
   const Differentiation& d_;
   const LoadedStrips& s_;
   const DifferencesScratch& h_;
   const Number& speed_;
+  const double* const found_[results] = {h_.fx, h_.fy, h_.mz};
   ContactStrips strips_;  ///< those of the solution, with numbers of their own
 
  private:
@@ -126,22 +132,17 @@ class HeatedDifferences : StripsAlongInput {
   /// Fills the forces and their derivatives.
   void differentiate(const DualForces& forces) {
     constexpr int more_solutions = 3;  // from friction found
-    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
     // values: as the solution has them, from the start
-    const std::int32_t n = s_.count;
     solve(0, 0.0, 0);
-    for (int r = 0; r < results; ++r)
-      for (std::int32_t k = 0; k < n; ++k) results_of[r][k] = found[r][k];
+    take_values(found_, forces);
 
     // both sides of a difference iterate equally often, from the same shares
-    std::copy_n(h_.rolling.heat_share, n, h_.share);
+    std::copy_n(h_.rolling.heat_share, s_.count, h_.share);
     solve(0, 0.0, more_solutions);
 
     constexpr double relative_step = 3e-7;
-    take_differences(
-        forces, relative_step, [&](std::size_t input) { return largest_change(input); },
-        [&](std::size_t input, double step) { solve(input, step, more_solutions); });
+    take_differences(forces, relative_step,
+                     [&](std::size_t input, double step) { solve(input, step, more_solutions); });
   }
 
  private:
@@ -161,42 +162,40 @@ class HeatedDifferences : StripsAlongInput {
 class RememberedDifferences : StripsAlongInput {
  public:
   RememberedDifferences(const Differentiation& d, const Number& rolling_speed, const Number& divisor)
-      : StripsAlongInput(d, divisor, 7), rolling_speed_(rolling_speed), time_(d.problem.in.time) {
-    if (d.by == JacobianBy::place) time_.d[frame_time] = 1.0;
-  }
+      : StripsAlongInput(d, divisor, 7), rolling_speed_(rolling_speed), time_(d.problem.in.time) {}
 
   /// Fills the forces and their derivatives.
   void differentiate(const DualForces& forces) {
     const ContactStrips& solved = d_.solved.strips;
-    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const values[results] = {solved.fx, solved.fy, solved.mz};
-    for (int r = 0; r < results; ++r)
-      for (std::int32_t k = 0; k < s_.count; ++k) results_of[r][k] = values[r][k];
-
-    // the time of the step is among the numbers that an input changes
-    solve(0, 0.0);
+    take_values({solved.fx, solved.fy, solved.mz}, forces);
+    solve(0, 0.0, time_);
     constexpr double relative_step = 3e-8, least_time = 1e-3;  // [-], [s]
-    take_differences(
-        forces, relative_step,
-        [&](std::size_t input) {
-          return larger(largest_change(input), magnitude(time_.d[input]) / larger(time_.value, least_time));
-        },
-        [&](std::size_t input, double step) { solve(input, step); });
+    take_differences(forces, relative_step,
+                     [&](std::size_t input, double step) { solve(input, step, time_); });
+    if (d_.by == JacobianBy::track) return;
+
+    // the same strips at a later time
+    const double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
+    double* const by_time[results] = {h_.fx_by_time, h_.fy_by_time, h_.mz_by_time};
+    const double change = 1.0 / larger(time_, least_time), step = relative_step / change;
+    solve(0, 0.0, time_ + step);
+    for (int r = 0; r < results; ++r)
+      for (std::int32_t k = 0; k < s_.count; ++k) by_time[r][k] = (found_[r][k] - base[r][k]) / step;
   }
 
  private:
-  /// Solves the rolling step of strips moved by a step along an input. Its strips go to a list that no other
-  /// step uses.
-  void solve(std::size_t input, double step) {
+  /// Solves the rolling step of strips moved by a step along an input, at a time [s]. Its strips go to a list
+  /// that no other step uses.
+  void solve(std::size_t input, double step, double time) {
     const double divisor = go(input, step, h_.friction);
-    solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,
-                               {rolling_speed_.value + step * rolling_speed_.d[input], divisor,
-                                time_.value + step * time_.d[input], h_.written},
-                               h_.remembering, {h_.fx, h_.fy, h_.mz});
+    solve_remembered_tractions(
+        d_.problem, d_.solved.overlaps, strips_,
+        {rolling_speed_.value + step * rolling_speed_.d[input], divisor, time, h_.written}, h_.remembering,
+        {h_.fx, h_.fy, h_.mz});
   }
 
   const Number& rolling_speed_;
-  Number time_;
+  double time_;
 };
 
 }  // namespace
@@ -206,6 +205,7 @@ DifferencesScratch cut_differences(Arena& arena, const WorkSizes& sizes) {
   arena.each(sizes.strips, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
              h.flexibility, h.yield, h.hardening, h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy, h.base_mz);
   if (sizes.methods.remembers) {
+    arena.each(sizes.strips, h.fx_by_time, h.fy_by_time, h.mz_by_time);
     h.written = arena.take<tangential::PastStrip>(sizes.strips);
     h.remembering = arena;
     count_remembered_tractions(arena, sizes);

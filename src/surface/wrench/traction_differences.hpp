@@ -15,7 +15,7 @@ void differentiate_heated(const Differentiation& d, const RailFrameDual& speed, 
                           const DualForces& forces);
 
 /// Tractions of strips that remember, by one difference of their step along the change of the strips with
-/// each input. `divisor`: the speed by which slips were divided [m/s].
+/// each input, and along the time into the scratch. `divisor`: that by which slips were divided [m/s].
 void differentiate_remembered(const Differentiation& d, const RailFrameDual& rolling_speed,
                               const RailFrameDual& divisor, const DualForces& forces);
 

@@ -430,7 +430,8 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   const Number rolling_speed = differentiate_loaded_strips(d);
   const LoadedStrips& loaded = w.loaded;
   if (loaded.count == 0) return {};
-  if (problem.in.friction > 0.0) differentiate_rolling(d, rolling_speed);
+  const bool rolls = problem.in.friction > 0.0;
+  if (rolls) differentiate_rolling(d, rolling_speed);
 
   // force and moment about the wheel's reference point, rail axes
   const bool graded = solved.overlaps.grade != nullptr;
@@ -438,6 +439,14 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), loaded.centre[i], graded,
               {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
+  }
+  // the time of a step changes tractions alone
+  if (!problem.memory || !rolls || by == JacobianBy::track) return {};
+  const DifferencesScratch& h = w.differences;
+  for (std::int32_t i = 0; i < loaded.count; ++i) {
+    const StripOverlap<double> o = strip_of(solved.overlaps, solved.strips.candidate[i]);
+    add_force(o, loaded.centre[i].value, graded, {0.0, h.fx_by_time[i], h.fy_by_time[i], h.mz_by_time[i]},
+              out.force_by_time, out.moment_by_time);
   }
   return {};
 }
