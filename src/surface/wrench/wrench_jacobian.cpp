@@ -57,8 +57,8 @@ DifferentiationScratch cut(Arena& arena, const WorkSizes& sizes) {
   w.differences = cut_differences(differences, pressed);
 
   // whichever of them is largest
-  const std::int64_t behind = std::max(pressures.bytes(), differences.bytes()) - arena.bytes();
-  if (behind > 0) arena.take<char>(behind);
+  arena.go_behind(pressures);
+  arena.go_behind(differences);
   return w;
 }
 
