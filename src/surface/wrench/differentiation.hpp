@@ -41,7 +41,7 @@ struct DifferencesScratch {
   double *flexibility, *yield, *hardening;
   double* share;                                 ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;           ///< forces that differences are taken from
-  double *fx_by_time, *fy_by_time, *mz_by_time;  ///< of strips that remember [N/s], [N m/s]
+  double *fx_by_time, *fy_by_time, *mz_by_time;  ///< derivatives, with memory [N/s], [N m/s]
   RollingScratch rolling;                        ///< friction over temperature
   tangential::PastStrip* written;                ///< strips of steps that remember
   Arena remembering;                             ///< scratch of these steps

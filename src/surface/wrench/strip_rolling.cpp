@@ -95,7 +95,7 @@ namespace {
 struct RememberedScratch {
   double *slip_x, *spin;
   double* x;       ///< [m]
-  double* number;  ///< of the rail's strips
+  double* number;  ///< numbers of the rail's strips
 };
 
 RememberedScratch cut_remembered(Arena& arena, std::int32_t strips) {
