@@ -2,6 +2,7 @@
 /// the bytes of the same cuts, so that a size and its cut are one text.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -28,6 +29,9 @@ class Arena {
   void each(std::int64_t count, T*&... arrays) {
     ((arrays = take<T>(count)), ...);
   }
+
+  /// Goes on behind another cut of the same memory, where that reaches further.
+  void go_behind(const Arena& other) { bytes_ = std::max(bytes_, other.bytes_); }
 
   /// Bytes cut so far.
   std::int64_t bytes() const { return bytes_; }

@@ -81,7 +81,6 @@ void differentiate_inputs(const surface::RelativeMotionOf<Number>& m,
   }
   inputs[surface::frame_roller] = m.velocity.roller;
   inputs[surface::frame_friction] = Number::input(1.0, friction);
-  inputs[surface::frame_time] = Number::input(0.0, time);
 }
 
 /// Adds the columns of the distance along the track and of the wheel's angle; turning moves the wheel along
@@ -150,15 +149,16 @@ void hand_back_jacobian(const Model& model, const HostWheel& hosted, const Place
   // chain rule in the rail's axes; then the axes, the mirror and the reference point move with the inputs as
   // well
   Number force[3], moment[3];
-  const auto chained = [&inputs](const surface::RailFrameDual& in_rail) {
+  const auto chained = [&inputs](const surface::RailFrameDual& in_rail, double by_time) {
     Number n = in_rail.value;
+    n.d[time] = by_time;
     for (std::size_t j = 0; j < surface::frame_inputs; ++j)
       for (std::size_t k = 0; k < carried; ++k) n.d[k] += in_rail.d[j] * inputs[j].d[k];
     return n;
   };
   for (int i = 0; i < 3; ++i) {
-    force[i] = chained(found.force[i]);
-    moment[i] = chained(found.moment[i]);
+    force[i] = chained(found.force[i], found.force_by_time[i]);
+    moment[i] = chained(found.moment[i], found.moment_by_time[i]);
   }
   surface::into_track(relative, force);
   surface::into_track(relative, moment);

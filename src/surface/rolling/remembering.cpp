@@ -31,11 +31,12 @@ struct Scratch {
   double *lever_x, *lever_y;               ///< arms less distances from the parts' middles [m]
   double *asked_x, *asked_y, *asked_spin;  ///< slips that the steady force is asked for
   double *follows, *within;                ///< share of the steady force that follows; friction's
-  double* rolling;                         ///< surface_rolling_workspace()
-  patch::Strips region;                    ///< part
-  tangential::RememberingStrip *shared, *of_part, *scratch;  ///< all strips; part: of those, PatchStrips
-  PastStrip *written, *steady;                               ///< part; all strips in steady rolling
-  const PastStrip **past, **past_of_part;                    ///< those of all strips; PatchStrips
+  double* rolling;       ///< surface_rolling_workspace(), in the memory of `strips` and `written`
+  patch::Strips region;  ///< part
+  tangential::RememberingStrip *shared, *strips;  ///< all strips; part: PatchStrips
+  const tangential::RememberingStrip** of_part;   ///< part: those of all strips
+  PastStrip *written, *steady;                    ///< part; all strips in steady rolling
+  const PastStrip **past, **past_of_part;         ///< those of all strips; PatchStrips
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
@@ -45,10 +46,12 @@ Scratch cut(Arena& arena, std::int32_t most) {
              s.follows, s.within, s.region.y, s.region.width, s.region.centre, s.region.half_length,
              s.region.peak);
   s.region.capacity = most;
-  s.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
-  arena.each(most, s.shared, s.of_part, s.scratch);
-  arena.each(most, s.written, s.steady);
-  arena.each(most, s.past, s.past_of_part);
+  arena.each(most, s.shared, s.of_part, s.steady, s.past, s.past_of_part);
+  // steady forces are asked for between the parts' solution and their energy
+  Arena asked = arena;
+  s.rolling = asked.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
+  arena.each(most, s.strips, s.written);
+  arena.go_behind(asked);
   return s;
 }
 
@@ -196,7 +199,7 @@ class Rememberer {
       scratch_.number[k] = in_.number[j];
       scratch_.past_of_part[k] = scratch_.past[j];
       scratch_.inside[k] = inside(j);
-      if (shared) scratch_.of_part[k] = shared[j];
+      if (shared) scratch_.of_part[k] = shared + j;
       region.count = k + 1;
     });
     contact_.region = region;
@@ -204,7 +207,7 @@ class Rememberer {
     return {in_.past,
             in_.past_count,
             scratch_.written,
-            scratch_.scratch,
+            scratch_.strips,
             scratch_.number,
             scratch_.past_of_part,
             scratch_.inside,
@@ -220,7 +223,7 @@ class Rememberer {
     const tangential::Creepage& c = part.means.creepage;
     for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
       const double weight = part.share * scratch_.inside[k], arm = patch.arm();
-      const tangential::RememberingStrip& from = scratch_.scratch[k];
+      const tangential::RememberingStrip& from = scratch_.strips[k];
       tangential::RememberingStrip& to = scratch_.shared[j];
       for (std::int32_t i = 0; i < memory_cells; ++i) to.bound[i] += weight * from.bound[i];
       to.growth_x += weight * from.growth_x;

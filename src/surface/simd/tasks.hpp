@@ -134,7 +134,7 @@ struct StripNumbersTask {
 /// Numbers of strips with derivatives by the wrench's inputs in the rail's axes
 /// (surface/wrench/wrench_jacobian.hpp).
 struct StripNumbersSlopesTask {
-  static constexpr std::size_t inputs = 13;
+  static constexpr std::size_t inputs = 12;
   using Number = Dual<inputs>;
 
   const surface::SurfaceRollingInputOf<Number>* in;

@@ -90,17 +90,24 @@ Fault solve_heated_tractions(const SurfaceModel& model, const WheelOnRail& in, c
 
 namespace {
 
-/// Scratch of steps that remember, which have no fields. That of roll_remembering() lies behind it.
-RollingScratch cut_remembered(Arena& arena, WorkSizes sizes, std::int32_t strips) {
-  sizes.strips = strips;
-  sizes.cells = 0;
-  return cut_rolling(arena, sizes);
+/// Strips of steps that remember, seen along the direction of rolling. The scratch of roll_remembering() lies
+/// behind them.
+struct RememberedScratch {
+  double *slip_x, *spin;
+  double* x;       ///< [m]
+  double* number;  ///< numbers of the rail's strips
+};
+
+RememberedScratch cut_remembered(Arena& arena, std::int32_t strips) {
+  RememberedScratch r;
+  arena.each(strips, r.slip_x, r.spin, r.x, r.number);
+  return r;
 }
 
 }  // namespace
 
 void count_remembered_tractions(Arena& arena, const WorkSizes& sizes) {
-  cut_remembered(arena, sizes, sizes.strips);
+  cut_remembered(arena, sizes.strips);
   count_remembering(arena, sizes.strips);
 }
 
@@ -108,10 +115,9 @@ RememberingResult solve_remembered_tractions(const WheelProblem& problem, const 
                                              const ContactStrips& strips, const RememberedStep& step,
                                              Arena arena, const SurfaceRollingForces& forces) {
   const SurfaceModel& model = problem.model;
-  const RollingScratch scratch = cut_remembered(arena, work_sizes(model), strips.count);
+  const RememberedScratch scratch = cut_remembered(arena, strips.count);
   auto rolls = rolling_input<double>(model, problem.in, strips);
   rolls.peak = strips.solved_peak;
-  // seen along the direction of rolling
   const std::int32_t count = strips.count;
   const double direction = step.rolling_speed < 0.0 ? -1.0 : 1.0;
   for (std::int32_t k = 0; k < count; ++k) {

@@ -39,8 +39,7 @@ RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes) {
   arena.each(cells, r.fields.traction_x, r.fields.traction_y, r.fields.slip_x, r.fields.slip_y);
   r.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   arena.each(most, r.slip_x, r.spin, r.other_fx, r.other_fy, r.other_mz, r.cold_friction, r.heat_share);
-  r.x = r.region = r.number = nullptr;
-  if (sizes.methods.remembers) arena.each(most, r.x, r.number);
+  r.x = r.region = nullptr;
   if (sizes.methods.region.solve) {
     r.x = arena.take(most);
     r.region = arena.take(region_rolling_doubles(most, sizes.methods.region));

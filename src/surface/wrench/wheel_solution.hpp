@@ -64,8 +64,7 @@ struct RollingScratch {
   double *other_fx, *other_fy, *other_mz;  ///< forces of rolling the other way
   double *cold_friction,
       *heat_share;     ///< shares of friction over temperature (tangential/friction/heated_friction.hpp)
-  double *x, *region;  ///< methods that roll whole patches, and memory: x along the direction of rolling [m]
-  double* number;      ///< memory: numbers of the rail's strips
+  double *x, *region;  ///< methods that roll whole patches: x along the direction of rolling [m]
 };
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);

@@ -7,74 +7,31 @@
 #include "geometry/creepages.hpp"
 #include "kernels/kernels.hpp"
 #include "surface/geometry/along_track.hpp"
-#include "surface/pressure/pressure_jacobian.hpp"
 #include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
 #include "surface/wrench/strip_friction.hpp"
 #include "surface/wrench/strip_mechanics.hpp"
 #include "surface/wrench/strip_rolling.hpp"
+#include "surface/wrench/traction_differences.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc::surface {
 namespace {
 
 using Number = RailFrameDual;
-static_assert(frame_inputs == simd::StripNumbersSlopesTask::inputs);
-
-Number frame_number(const PlaceDual& a) {
-  Number n = a.value;
-  for (std::size_t k = 0; k < place_inputs; ++k) n.d[k] = a.d[k];
-  return n;
-}
 
 StripOverlap<Number> frame_overlap(const OverlapSlopes& o) {
   return {frame_number(o.depth), frame_number(o.centre), frame_number(o.curvature), frame_number(o.ny),
           frame_number(o.nz),    frame_number(o.wy),     frame_number(o.wz),        frame_number(o.grade)};
 }
 
-/// Numbers of the strips that carry load; one element per strip.
-struct LoadedStrips {
-  std::int32_t count = 0;
-  Number friction_factor = 1.0;  ///< on the friction of all
-  std::int32_t* pressed;         ///< number among the strips in contact
-  double *place, *width;         ///< [m]
-  Number *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction, *flexibility;
-  Number *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
-};
-
-/// Forces of one direction of rolling.
-struct DualForces {
-  Number *fx, *fy, *mz;
-};
-
-/// Plain numbers of differences, under friction over temperature and with memory.
-struct DifferencesScratch {
-  double *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *x, *friction, *fx, *fy, *mz;
-  double *flexibility, *yield, *hardening;
-  double* share;                        ///< hot over cold friction in the solution [-]
-  double *base_fx, *base_fy, *base_mz;  ///< forces that differences are taken from
-  RollingScratch rolling;               ///< friction over temperature
-  tangential::PastStrip* written;       ///< strips of steps that remember
-  Arena remembering;                    ///< scratch of these steps
-};
-
-struct Scratch {
-  PressedStrips pressed;
-  double* pressures;  ///< scratch of differentiate_pressures(), whose memory is that of all below
-  LoadedStrips loaded;
-  RollingArraysOf<Number> rolling;
-  double* values;                  ///< for the kernel: its numbers without derivatives
-  double* slopes;                  ///< from the kernel
-  DifferencesScratch differences;  ///< its memory is that of the three above
-};
-
 constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< strips that march together
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
-Scratch cut(Arena& arena, const WorkSizes& sizes) {
+DifferentiationScratch cut(Arena& arena, const WorkSizes& sizes) {
   const std::int32_t most = most_differentiated(sizes.strips);
-  Scratch w;
+  DifferentiationScratch w;
   // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
   arena.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
@@ -95,37 +52,14 @@ Scratch cut(Arena& arena, const WorkSizes& sizes) {
   w.rolling = cut_rolling_arrays<Number>(arena, most, strips_at_a_time);
   w.values = arena.take(strips_at_a_time * kernel_numbers);
   w.slopes = arena.take(strips_at_a_time * 3 * simd::strip_inputs);
-  DifferencesScratch& h = w.differences;
-  differences.each(most, h.half_length, h.peak, h.curvature, h.slip_x, h.slip_y, h.spin, h.x, h.friction,
-                   h.flexibility, h.yield, h.hardening, h.fx, h.fy, h.mz, h.share, h.base_fx, h.base_fy,
-                   h.base_mz);
-  WorkSizes rolling = sizes;
-  rolling.strips = most;
-  if (sizes.methods.remembers) {
-    h.written = differences.take<tangential::PastStrip>(most);
-    h.remembering = differences;
-    count_remembered_tractions(differences, rolling);
-  } else {
-    h.rolling = cut_rolling(differences, rolling);
-  }
+  WorkSizes pressed = sizes;
+  pressed.strips = most;
+  w.differences = cut_differences(differences, pressed);
 
   // whichever of them is largest
-  const std::int64_t behind = std::max(pressures.bytes(), differences.bytes()) - arena.bytes();
-  if (behind > 0) arena.take<char>(behind);
+  arena.go_behind(pressures);
+  arena.go_behind(differences);
   return w;
-}
-
-/// A solution that is being differentiated.
-struct Differentiation {
-  const WheelProblem& problem;
-  const WheelSolution& solved;
-  JacobianBy by;
-  Scratch& w;
-};
-
-/// Place of the k-th strip that carries load on the wheel's profile [m].
-Number y_on_wheel(const Scratch& w, std::int32_t k) {
-  return frame_number(w.pressed.overlap[w.loaded.pressed[k]].y_wheel);
 }
 
 RelativePoseOf<PlaceDual> resting_pose(const RelativePose& pose) {
@@ -289,9 +223,8 @@ void differentiate_friction(const Differentiation& d, const Number& speed) {
         (at_rest.value * sliding.chain(falls, tangential::speed_factor_slope(law, sliding.value)));
     s.flexibility[k] = at_rest.layer.flexibility;
     if (!moves_with_wheel(d.problem.in)) continue;
-    s.friction[k] += y_on_wheel(d.w, k).chain(0.0, at_rest.by_wheel_y * falls);
-    s.flexibility[k] =
-        y_on_wheel(d.w, k).chain(at_rest.layer.flexibility, at_rest.layer_by_wheel_y.flexibility);
+    s.friction[k] += d.y_on_wheel(k).chain(0.0, at_rest.by_wheel_y * falls);
+    s.flexibility[k] = d.y_on_wheel(k).chain(at_rest.layer.flexibility, at_rest.layer_by_wheel_y.flexibility);
   }
 }
 
@@ -372,7 +305,7 @@ void differentiate_strips(const Differentiation& d, const SurfaceRollingInputOf<
 tangential::LayerOf<Number> differentiate_layer(const Differentiation& d, std::int32_t k) {
   const FrictionAtRest of = friction_at_rest(d.problem, d.solved.overlaps, d.solved.strips.candidate[k]);
   const auto moved = [&](double value, double slope) {
-    return moves_with_wheel(d.problem.in) ? y_on_wheel(d.w, k).chain(value, slope) : Number(value);
+    return moves_with_wheel(d.problem.in) ? d.y_on_wheel(k).chain(value, slope) : Number(value);
   };
   return {d.w.loaded.flexibility[k], moved(of.layer.yield, of.layer_by_wheel_y.yield),
           moved(of.layer.hardening, of.layer_by_wheel_y.hardening)};
@@ -448,195 +381,6 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     for (Number* numbers : {s.slip_x, s.spin, forces.fx, forces.mz}) reverse(n, numbers);
 }
 
-/// The strips moved by a step along their change by an input, for differences of tractions.
-class StripsAlongInput {
- protected:
-  static constexpr int results = 3, lengths = 0, slips = 3, spins = 5, places = 6;
-
-  /// `numbers`: how many of the numbers in from_ the tractions depend on.
-  StripsAlongInput(const Differentiation& d, const Number& speed, int numbers)
-      : d_(d),
-        s_(d.w.loaded),
-        h_(d.w.differences),
-        speed_(speed),
-        strips_(d.solved.strips),
-        numbers_(numbers) {
-    // numbers that inputs change are its own; places, widths and candidates stay those of the solution
-    strips_.count = s_.count;
-    strips_.half_length = h_.half_length;
-    strips_.solved_peak = h_.peak;
-    strips_.curvature = h_.curvature;
-    strips_.slip_x = h_.slip_x;
-    strips_.slip_y = h_.slip_y;
-    strips_.spin = h_.spin;
-    strips_.x = h_.x;
-    strips_.friction = h_.friction;
-    strips_.flexibility = h_.flexibility;
-    strips_.yield = h_.yield;
-    strips_.hardening = h_.hardening;
-    for (int a = 0; a < numbers; ++a)
-      for (std::int32_t k = 0; k < s_.count; ++k) size_[a] = larger(size_[a], magnitude(from_[a][k].value));
-    // slips and spin share a size, so that a slip of zero has one
-    constexpr double least_slip = 1e-4;
-    const double slip =
-        larger(larger(size_[slips], size_[slips + 1]), larger(size_[spins] * size_[lengths], least_slip));
-    size_[slips] = size_[slips + 1] = slip;
-    size_[spins] = slip / size_[lengths];
-    size_[places] = size_[lengths];
-  }
-
-  /// Largest change of any number of the strips per unit of an input, relative to the number's size.
-  double largest_change(std::size_t input) const {
-    double change = larger(magnitude(speed_.d[input]) / speed_.value, magnitude(s_.friction_factor.d[input]));
-    for (int a = 0; a < numbers_; ++a)
-      for (std::int32_t k = 0; k < s_.count; ++k)
-        change = larger(change, magnitude(from_[a][k].d[input]) / size_[a]);
-    return change;
-  }
-
-  /// Moves the strips by a step along an input, and fills `friction` with cold friction. Returns the speed by
-  /// which slips were divided.
-  double go(std::size_t input, double step, double* friction) {
-    double* const to[] = {h_.half_length, h_.peak, h_.curvature, h_.slip_x, h_.slip_y, h_.spin, h_.x};
-    for (std::int32_t k = 0; k < s_.count; ++k)
-      for (int a = 0; a < numbers_; ++a) to[a][k] = from_[a][k].value + step * from_[a][k].d[input];
-    const double speed = speed_.value + step * speed_.d[input];
-    const double factor = 1.0 + step * s_.friction_factor.d[input];
-
-    // the law at each strip's own place and sliding speed
-    const WheelOnRail& in = d_.problem.in;
-    for (std::int32_t k = 0; k < s_.count; ++k) {
-      to[lengths][k] = larger(to[lengths][k], 0.0);
-      friction[k] = in.friction * factor;
-      if (in.law == nullptr) continue;
-      const FrictionAtRest cold = friction_at_rest(d_.problem, d_.solved.overlaps, strips_.candidate[k]);
-      const double way = moves_with_wheel(in) ? step * y_on_wheel(d_.w, k).d[input] : 0.0;
-      const double mu = larger(cold.value + way * cold.by_wheel_y, 0.0);
-      const tangential::Layer &layer = cold.layer, &slope = cold.layer_by_wheel_y;
-      strips_.flexibility[k] = layer.flexibility + way * slope.flexibility;
-      strips_.yield[k] = layer.yield + way * slope.yield;
-      strips_.hardening[k] = layer.hardening + way * slope.hardening;
-      friction[k] = mu * (strip_speed_factor(*in.law, strips_, k, speed) * factor);
-    }
-    return speed;
-  }
-
-  /// Derivatives of the forces that the scratch holds, by one difference along each input. `change_by`:
-  /// largest relative change of any number per unit of an input, which a step makes `relative_step`.
-  /// `solve`: fills the scratch with the forces a step along an input.
-  template <class Change, class Solve>
-  void take_differences(const DualForces& forces, double relative_step, const Change& change_by,
-                        const Solve& solve) {
-    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
-    double* const base[results] = {h_.base_fx, h_.base_fy, h_.base_mz};
-    for (int r = 0; r < results; ++r) std::copy_n(found[r], s_.count, base[r]);
-    for (std::size_t input = 0; input < frame_inputs; ++input) {
-      const double change = change_by(input);
-      if (!(change > 0.0)) continue;
-      const double step = relative_step / change;
-      solve(input, step);
-      for (int r = 0; r < results; ++r)
-        for (std::int32_t k = 0; k < s_.count; ++k)
-          results_of[r][k].d[input] = (found[r][k] - base[r][k]) / step;
-    }
-  }
-
-  const Differentiation& d_;
-  const LoadedStrips& s_;
-  const DifferencesScratch& h_;
-  const Number& speed_;
-  ContactStrips strips_;  ///< those of the solution, with numbers of their own
-
- private:
-  const Number* from_[7] = {s_.half_length, s_.peak, s_.curvature, s_.slip_x, s_.slip_y, s_.spin, s_.centre};
-  double size_[7] = {};
-  int numbers_;
-};
-
-/// Tractions under friction over temperature: by one difference of their solution along the change of the
-/// strips with each input.
-class HeatedDifferences : StripsAlongInput {
- public:
-  HeatedDifferences(const Differentiation& d, const Number& speed, bool backwards)
-      : StripsAlongInput(d, speed, 6), backwards_(backwards) {}
-
-  /// Fills the forces and their derivatives.
-  void differentiate(const DualForces& forces) {
-    constexpr int more_solutions = 3;  // from friction found
-    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const found[results] = {h_.fx, h_.fy, h_.mz};
-    // values: as the solution has them, from the start
-    const std::int32_t n = s_.count;
-    solve(0, 0.0, 0);
-    for (int r = 0; r < results; ++r)
-      for (std::int32_t k = 0; k < n; ++k) results_of[r][k] = found[r][k];
-
-    // both sides of a difference iterate equally often, from the same shares
-    std::copy_n(h_.rolling.heat_share, n, h_.share);
-    solve(0, 0.0, more_solutions);
-
-    constexpr double relative_step = 3e-7;
-    take_differences(
-        forces, relative_step, [&](std::size_t input) { return largest_change(input); },
-        [&](std::size_t input, double step) { solve(input, step, more_solutions); });
-  }
-
- private:
-  /// Solves the tractions of the strips a step along an input; `more` as in solve_heated_tractions().
-  void solve(std::size_t input, double step, int more) {
-    if (more > 0) std::copy_n(h_.share, s_.count, h_.rolling.heat_share);
-    const double speed = go(input, step, h_.rolling.cold_friction);
-    solve_heated_tractions(d_.problem.model, d_.problem.in, strips_, backwards_, speed, h_.rolling,
-                           {h_.fx, h_.fy, h_.mz}, more);
-  }
-
-  bool backwards_;
-};
-
-/// Tractions of strips that remember: by one difference of the step along the change of the strips with each
-/// input.
-class RememberedDifferences : StripsAlongInput {
- public:
-  RememberedDifferences(const Differentiation& d, const Number& rolling_speed, const Number& divisor)
-      : StripsAlongInput(d, divisor, 7), rolling_speed_(rolling_speed), time_(d.problem.in.time) {
-    if (d.by == JacobianBy::place) time_.d[frame_time] = 1.0;
-  }
-
-  /// Fills the forces and their derivatives.
-  void differentiate(const DualForces& forces) {
-    const ContactStrips& solved = d_.solved.strips;
-    Number* const results_of[results] = {forces.fx, forces.fy, forces.mz};
-    const double* const values[results] = {solved.fx, solved.fy, solved.mz};
-    for (int r = 0; r < results; ++r)
-      for (std::int32_t k = 0; k < s_.count; ++k) results_of[r][k] = values[r][k];
-
-    // the time of the step is among the numbers that an input changes
-    solve(0, 0.0);
-    constexpr double relative_step = 3e-8, least_time = 1e-3;  // [-], [s]
-    take_differences(
-        forces, relative_step,
-        [&](std::size_t input) {
-          return larger(largest_change(input), magnitude(time_.d[input]) / larger(time_.value, least_time));
-        },
-        [&](std::size_t input, double step) { solve(input, step); });
-  }
-
- private:
-  /// Solves the rolling step of strips moved by a step along an input. Its strips go to a list that no other
-  /// step uses.
-  void solve(std::size_t input, double step) {
-    const double divisor = go(input, step, h_.friction);
-    solve_remembered_tractions(d_.problem, d_.solved.overlaps, strips_,
-                               {rolling_speed_.value + step * rolling_speed_.d[input], divisor,
-                                time_.value + step * time_.d[input], h_.written},
-                               h_.remembering, {h_.fx, h_.fy, h_.mz});
-  }
-
-  const Number& rolling_speed_;
-  Number time_;
-};
-
 /// Tractions from velocities of the strips: slips over the speed, and both directions of rolling near
 /// standstill, as roll_strips() of strip_rolling.cpp.
 void differentiate_rolling(const Differentiation& d, const Number& rolling_speed) {
@@ -648,13 +392,13 @@ void differentiate_rolling(const Differentiation& d, const Number& rolling_speed
     for (Number* const slip : {s.slip_x, s.slip_y, s.spin}) slip[k] = slip[k] * per_speed;
 
   if (d.problem.memory)
-    return RememberedDifferences(d, rolling_speed, reference.divisor).differentiate({s.fx, s.fy, s.mz});
+    return differentiate_remembered(d, rolling_speed, reference.divisor, {s.fx, s.fy, s.mz});
 
   // friction first: tractions are bounded by it; heated, its share is found with them
   const tangential::FrictionLaw* const law = d.problem.in.law;
   if (law) differentiate_friction(d, reference.divisor);
   const auto roll_one_way = [&](bool backwards, const DualForces& forces) {
-    if (law && law->heated()) return HeatedDifferences(d, reference.divisor, backwards).differentiate(forces);
+    if (law && law->heated()) return differentiate_heated(d, reference.divisor, backwards, forces);
     differentiate_tractions(d, backwards, forces);
   };
   const bool backwards = rolling_speed.value < 0.0;
@@ -679,14 +423,15 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
                            Arena arena, RailFrameJacobian& out) noexcept {
   out = {};
   // stages as of the solution: overlaps and pressures, slips, tractions, sums
-  Scratch w = cut(arena, work_sizes(problem.model));
+  DifferentiationScratch w = cut(arena, work_sizes(problem.model));
   const Differentiation d{problem, solved, by, w};
   const Fault fault = take_pressed_strips(d);
   if (fault.status != WRC_OK) return fault;
   const Number rolling_speed = differentiate_loaded_strips(d);
   const LoadedStrips& loaded = w.loaded;
   if (loaded.count == 0) return {};
-  if (problem.in.friction > 0.0) differentiate_rolling(d, rolling_speed);
+  const bool rolls = problem.in.friction > 0.0;
+  if (rolls) differentiate_rolling(d, rolling_speed);
 
   // force and moment about the wheel's reference point, rail axes
   const bool graded = solved.overlaps.grade != nullptr;
@@ -694,6 +439,14 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
     const std::int32_t k = loaded.pressed[i];
     add_force(frame_overlap(w.pressed.overlap[k]), loaded.centre[i], graded,
               {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
+  }
+  // the time of a step changes tractions alone
+  if (!problem.memory || !rolls || by == JacobianBy::track) return {};
+  const DifferencesScratch& h = w.differences;
+  for (std::int32_t i = 0; i < loaded.count; ++i) {
+    const StripOverlap<double> o = strip_of(solved.overlaps, solved.strips.candidate[i]);
+    add_force(o, loaded.centre[i].value, graded, {0.0, h.fx_by_time[i], h.fy_by_time[i], h.mz_by_time[i]},
+              out.force_by_time, out.moment_by_time);
   }
   return {};
 }

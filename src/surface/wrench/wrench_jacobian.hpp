@@ -17,14 +17,12 @@ struct WorkSizes;
 
 /// Inputs of a wrench in rail axes: the wheel's place and attitude relative to the rail (PlaceInput), its
 /// velocities less those of rail material, along and about rail axes [m/s], [rad/s], the turning of a roller
-/// [rad/s], where it acts at a strip's own depth, a factor on all friction, which is 1 [-], and the time
-/// since the committed step [s].
+/// [rad/s], where it acts at a strip's own depth, and a factor on all friction, which is 1 [-].
 enum RailFrameInput : std::int32_t {
   frame_velocity = place_inputs,
   frame_turning = frame_velocity + 3,
   frame_roller = frame_turning + 3,
   frame_friction,
-  frame_time,
   frame_inputs
 };
 
@@ -33,6 +31,7 @@ using RailFrameDual = Dual<frame_inputs>;
 /// On the wheel, about its reference point, rail axes.
 struct RailFrameJacobian {
   RailFrameDual force[3], moment[3];
+  double force_by_time[3], moment_by_time[3];  ///< by the time since the committed step [N/s], [N m/s]
 };
 
 /// Inputs that a wrench is differentiated by: all RailFrameInput, or, of a model that varies(), the distance

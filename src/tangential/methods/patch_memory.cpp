@@ -253,7 +253,7 @@ void PatchStep::set_bounds(double share) {
     strip.growth_y = growth_y_;
     limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
     if (strips_.shared == nullptr) continue;
-    const RememberingStrip& shared = strips_.shared[j];
+    const RememberingStrip& shared = *strips_.shared[j];
     strip.growth_x = shared.growth_x;
     strip.growth_y = shared.growth_y;
     strip.turns = shared.turns;
@@ -337,7 +337,7 @@ void PatchStep::set_own(double travel) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.own_x = strip.own_y = strip.own_turn = 0.0;
     if (strips_.shared == nullptr) continue;
-    const RememberingStrip& shared = strips_.shared[j];
+    const RememberingStrip& shared = *strips_.shared[j];
     strip.own_x = travel * shared.own_x;
     strip.own_y = travel * shared.own_y;
     strip.own_turn = travel * shared.own_turn * (shared.arm / arm_);

@@ -97,7 +97,7 @@ struct PatchStrips {
   const double* inside = nullptr;             ///< share of each strip's width within the patch; with `number`
   /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
   /// are the same in all patches they are of. nullptr: those of the patch.
-  const RememberingStrip* shared = nullptr;
+  const RememberingStrip* const* shared = nullptr;
   LeftStrips left{};    ///< those that a rail's patch had
   double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
 };
