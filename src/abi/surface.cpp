@@ -352,10 +352,17 @@ Fault merge_surfaces(wrc_surface* into, const wrc_surface* from) {
   damage::Band ours, theirs;
   RETURN_IF_FAILED(read_surface(into, "into", ours));
   RETURN_IF_FAILED(read_surface(from, "from", theirs));
-  if (ours.first != theirs.first || ours.length != theirs.length || ours.width != theirs.width ||
-      ours.count != theirs.count || ours.closed != theirs.closed || ours.rows != theirs.rows ||
-      ours.row_first != theirs.row_first)
-    return Fault::range("from", "its bins lie elsewhere than those of `into`");
+  const char* cause = "its bins lie elsewhere than those of `into`";
+  const auto alike = [&](double theirs_is, double ours_is, const char* field, const char* unit) {
+    return check(theirs_is, field, unit, ours_is, ours_is, cause, cause);
+  };
+  RETURN_IF_FAILED(first_of({alike(from->count, into->count, "from.count", ""),
+                             alike(theirs.first, ours.first, "from.first", "m"),
+                             alike(theirs.length, ours.length, "from.length", "m"),
+                             alike(theirs.width, ours.width, "from.width", "m"),
+                             alike(theirs.closed ? 1.0 : 0.0, ours.closed ? 1.0 : 0.0, "from.closed", ""),
+                             alike(1.0 * theirs.rows, 1.0 * ours.rows, "from.rows", ""),
+                             alike(theirs.row_first, ours.row_first, "from.row_first", "m")}));
   return flags_of(false, damage::merge(ours, theirs));
 }
 
