@@ -167,9 +167,16 @@ class PatchStep {
  private:
   void take_past_of_rail();
   void take_past_of_plane();
+  void add_past_of_rail(std::int32_t j, double share, double to[3]) const;
+  void let_strips_leave();
   void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
-  void part(const double shift[3], double h, bool first, double local[3]);
+  /// A part of the step: is it the first, its share of the step, and that of the parts after it [-].
+  struct Share {
+    bool first;
+    double own, to_come;
+  };
+  void part(const double shift[3], double h, const Share& share, double local[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);
@@ -189,6 +196,7 @@ class PatchStep {
   double arm_ = 1.0;
   double largest_load_ = 0.0;
   double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
+  double left_[3] = {};  // forces of strips that leave in the step
 };
 
 /// Middles of the cells over the half length, from the leading edge on.
@@ -204,6 +212,11 @@ double last_part(double length);
 /// Is a path none, or so long that nothing before is seen? `length`: of the longest strip [m].
 bool hardly_rolls(double rolled, double length);
 bool forgets(double rolled, double length);
+
+/// Share of such a path in which steady rolling takes over, 1 from where nothing before is seen; and the
+/// strip's cells with that share of those in steady rolling.
+double forgotten(double rolled, double length);
+void tend_to(const PastStrip& steady, double share, PastStrip& strip);
 
 /// Energy that can be given back after a step, and the rest of it.
 struct EnergyLeft {
