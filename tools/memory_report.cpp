@@ -320,7 +320,8 @@ int scans() {
       "largest second difference over mu N, in steps, and in steps a 64th as long there: a jump stays\n");
   constexpr struct {
     double y, roll;
-  } places[] = {{4e-3, 0.0}, {0.0, 0.0}, {-1.2e-3, 0.0}, {-6.2e-3, 0.0}, {3e-3, -4e-3}};
+    double aside = 500.0;  ///< along y [um]; the last place loses its load further on
+  } places[] = {{4e-3, 0.0}, {0.0, 0.0}, {-1.2e-3, 0.0}, {-6.2e-3, 0.0}, {3e-3, -4e-3, 400.0}};
   for (const auto& place : places)
     for (const auto& motion : motions) {
       wrc_wheel_input& input = wheel.input;
@@ -339,7 +340,7 @@ int scans() {
       const Scan all[] = {{"y", 1000, 1.0,
                            [&](double at) {
                              from_start(0.0);
-                             input.wheel.y += um * (at - 500.0);
+                             input.wheel.y += um * (at - place.aside);
                              return 4e-3;
                            }},
                           {"z", 300, 0.1,

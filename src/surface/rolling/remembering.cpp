@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "surface/pressure/pressure.hpp"
 #include "surface/rolling/strip_parts.hpp"
@@ -261,7 +262,7 @@ class Rememberer {
         to.py[i] += weight * from.py[i];
       }
       // moments about the strip's own middle
-      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k];
+      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k] - patch.centre_y();
       to.force[0] += part.share * from.force[0];
       to.force[1] += part.share * from.force[1];
       to.force[2] += part.share * (from.force[2] - arm * (x * from.force[1] - y * from.force[0])) *
@@ -397,7 +398,9 @@ class Rememberer {
       strip.added[0] = forces_.fx[j] - strip.force[0];
       strip.added[1] = forces_.fy[j] - strip.force[1];
       strip.added[2] = forces_.mz[j] - moment_of(j, strip.force);
+      if (scratch_.shared[j].arm > 0.0) strip.force[2] /= scratch_.shared[j].arm;
       strip.energy = energy.left / count;
+      std::copy_n(scratch_.shared[j].bound, std::size(strip.bound), strip.bound);
       if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
     return energy.dissipated;
@@ -411,10 +414,10 @@ class Rememberer {
   Scratch scratch_;
   StripsInParts parts_;
   tangential::RollingContact contact_;
-  double longest_ = 0.0;  // strip [m]
-  double last_ = 0.0;     // length of the step's last part [m]
-  double energy_ = 0.0;   // could be given back before the step [J]
-  double stored_ = 0.0;   // in the tractions of its end [J]
+  double longest_ = 0.0;     // strip [m]
+  double last_ = 0.0;        // length of the step's last part [m]
+  double energy_ = 0.0;      // could be given back before the step [J]
+  double stored_ = 0.0;      // in the tractions of its end [J]
   double takes_over_ = 0.0;  // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
   Fault fault_;

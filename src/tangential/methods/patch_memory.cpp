@@ -187,8 +187,8 @@ void PatchStep::add_past_of_rail(std::int32_t j, double share, double to[3]) con
   const double fx = part * sign * strip->force[0], fy = part * strip->force[1];
   to[0] += fx;
   to[1] += fy;
-  to[2] += part * sign * strip->force[2] + arm_ * ((sign * strip->centre - centre_x_) * fy -
-                                                   (contact_.region.y[j] - centre_y_) * fx);
+  to[2] += arm_ * (part * sign * strip->force[2] + (sign * strip->centre - centre_x_) * fy -
+                   (contact_.region.y[j] - centre_y_) * fx);
 }
 
 void PatchStep::take_past_of_rail() {
@@ -196,7 +196,7 @@ void PatchStep::take_past_of_rail() {
   const LeftStrips& left = strips_.left;
   left_[0] = left.fx;
   left_[1] = left.fy;
-  left_[2] = left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
+  left_[2] = arm_ * (left.mz + left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
 }
 
 void PatchStep::take_past_of_plane() {
@@ -226,8 +226,8 @@ void PatchStep::take_past_of_plane() {
     const double y = (strip.y - memory.origin) / memory.slope;
     before_[0] += fx;
     before_[1] += fy;
-    before_[2] += weight * sign * strip.force[2] +
-                  arm_ * near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx);
+    before_[2] += arm_ * (weight * sign * strip.force[2] +
+                          near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx));
     for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
     energy_ += weight * strip.energy;
   }
@@ -378,19 +378,21 @@ void PatchStep::bring(double h, bool first) {
     if (adds) {
       std::fill_n(to.px, cells, 0.0);
       std::fill_n(to.py, cells, 0.0);
-      if (first) std::fill_n(to.had, cells, 0.0);
       for (std::int32_t i = 0; i < cells; ++i)
         to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
+    if (first) std::fill_n(to.had, cells, 0.0);
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
+      const double share = (one == from.second ? from.of_second : from.of_first) * (first ? to.kept : 1.0);
+      for (std::int32_t i = 0; first && i < cells; ++i)
+        to.had[i] += share * one->bound[std::min(i, cells - 1 - i)];
       PastStrip mirrored;
       const bool as_it_is = !first || contact_.memory.direction > 0.0;
       if (!as_it_is) mirrored = turned(*one, -1.0);
       const PastStrip& past = as_it_is ? *one : mirrored;
       contact_.grid->kernels->tangential.memory_bring(
-          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
-           (one == from.second ? from.of_second : from.of_first) * (first ? to.kept : 1.0), adds, first},
+          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h, share, adds},
           to);
       adds = true;
     }
@@ -401,15 +403,9 @@ void PatchStep::part(const double shift[3], double h, const Share& share, double
   // local = shift + S (F - F'), by Newton's method, from no yield; F' of strips that leave in proportion
   bring(h, share.first);
   const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{count,
-                            strips_.scratch,
-                            places.at,
-                            {shift[0], shift[1], shift[2]},
-                            h,
-                            0.5 * arm_ * h,
-                            share.to_come,
-                            strips_.written->px,
-                            sizeof(PastStrip) / sizeof(double)};
+  simd::MemoryPassTask task{
+      count,          strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},    h,
+      0.5 * arm_ * h, share.to_come,   strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double yields =

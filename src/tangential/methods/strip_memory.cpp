@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tangential/methods/strip_fastsim.hpp"
 
@@ -29,8 +30,9 @@ void keep_strips(const RollingContact& contact, double energy, const double adde
     written[j].energy = energy * part;
     for (int i = 0; i < 3; ++i) written[j].added[i] = added[i] * part;
     const RememberingStrip& at = memory.scratch()[j];
+    std::copy_n(at.bound, std::size(written[j].bound), written[j].bound);
     double* const force = written[j].force;
-    force[2] -= at.x * force[1] - at.y * force[0];
+    force[2] = (force[2] - at.x * force[1] + at.y * force[0]) / at.arm;
     written[j] = turned(written[j], contact.memory.direction);
   }
   memory.written += contact.region.count;

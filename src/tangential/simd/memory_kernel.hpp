@@ -48,10 +48,6 @@ inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) 
     const auto add = [&](double* cells, Pack brought) {
       store_pack(cells + i, (t.adds ? load_pack(cells + i) : none) + weight * brought);
     };
-    if (t.first) {
-      const Pack x = load_pack(t.px + i), y = load_pack(t.py + i);
-      add(to.had, root(x * x + y * y));
-    }
     add(to.px, b.weight * px.at + b.weight_behind * px.behind);
     add(to.py, b.weight * py.at + b.weight_behind * py.behind);
     Pack share = one;
@@ -92,9 +88,9 @@ inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s
   const Pack vx = Pack(s.growth_x) * share * by_x, vy = Pack(s.growth_y) * share * (by_y + turn * c.on_way);
   c.px = load_pack(s.px + i) - vx;
   c.py = load_pack(s.py + i) - vy;
-  // onto the disk, whose bound falls from the size of before in proportion to the step
+  // onto the disk, whose bound goes from that of before to that of the end in proportion to the step
   const Pack bound = load_pack(s.bound + i);
-  c.bound = bound + Pack(t.to_come) * larger(load_pack(s.had + i) - bound, Pack(0.0));
+  c.bound = bound + Pack(t.to_come) * (load_pack(s.had + i) - bound);
   const Pack sticks = root(c.px * c.px + c.py * c.py);
   c.slides = sticks > c.bound;
   c.faster = turned_by(s.turns, t.h / s.half_length, sticks, c.bound, vx, vy);

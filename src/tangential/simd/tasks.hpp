@@ -148,7 +148,7 @@ struct RememberingStrip {
   /// Tractions as the bodies bring them [Pa], and the share of the part for which a cell was in contact.
   double px[tangential::memory_cells], py[tangential::memory_cells], share[tangential::memory_cells];
   double bound[tangential::memory_cells];  ///< bounds of the tractions at the end of the step [Pa]
-  double had[tangential::memory_cells];    ///< sizes of the tractions that the cells had before it [Pa]
+  double had[tangential::memory_cells];    ///< those before it [Pa]
   double centre, half_length;              ///< [m]
   double area;                             ///< area of a cell [m^2]
   double arm;                              ///< the factor on arms [-]
@@ -165,8 +165,7 @@ struct MemoryBringTask {
   const double *place, *px, *py;
   double old_lead, half_length;  ///< [m]
   double h, weight;
-  bool adds;   ///< true: adds to the cells' tractions; false: replaces them
-  bool first;  ///< of the step's parts: so are the sizes of before
+  bool adds;  ///< true: adds to the cells' tractions; false: replaces them
 };
 
 /// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, `stride` from strip to
