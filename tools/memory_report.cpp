@@ -318,11 +318,16 @@ int scans() {
   double worst = 0.0;
   std::printf(
       "largest second difference over mu N, in steps, and in steps a 64th as long there: a jump stays\n");
-  for (const double y : {4e-3, 0.0, -1.2e-3, -6.2e-3})
+  constexpr struct {
+    double y, roll;
+    double aside = 500.0;  ///< along y [um]; the last place loses its load further on
+  } places[] = {{4e-3, 0.0}, {0.0, 0.0}, {-1.2e-3, 0.0}, {-6.2e-3, 0.0}, {3e-3, -4e-3, 400.0}};
+  for (const auto& place : places)
     for (const auto& motion : motions) {
       wrc_wheel_input& input = wheel.input;
       input.wheel.yaw = 1e-3;
-      wheel.stand(y, 80e3);
+      input.wheel.roll = place.roll;
+      wheel.stand(place.y, 80e3);
       wheel.roll(speed, motion.along, motion.across);
       for (int k = 0; k < 8; ++k) wheel.go(1e-3);
       const wrc_wheel_input start = input;
@@ -330,11 +335,12 @@ int scans() {
         input = start;
         return time;
       };
-      // a step of 4 mm for places; times from none on; speed through zero under a shift; shifts at rest
+      // a step of 4 mm for places; times from none on, here and elsewhere; speed through zero under a shift;
+      // shifts at rest
       const Scan all[] = {{"y", 1000, 1.0,
                            [&](double at) {
                              from_start(0.0);
-                             input.wheel.y += um * (at - 500.0);
+                             input.wheel.y += um * (at - place.aside);
                              return 4e-3;
                            }},
                           {"z", 300, 0.1,
@@ -343,7 +349,22 @@ int scans() {
                              input.wheel.z += 0.1 * um * (at - 150.0);
                              return 4e-3;
                            }},
+                          {"roll", 2000, 1.0,
+                           [&](double at) {
+                             from_start(0.0);
+                             input.wheel.roll += um * (at - 1000.0) / radius;
+                             input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+                             input.vertical_load = 80e3;
+                             return 4e-3;
+                           }},
                           {"time", 50000, 1.0, [&](double at) { return from_start(um * at / speed); }},
+                          {"time, elsewhere", 12000, 4.0,
+                           [&](double at) {
+                             from_start(0.0);
+                             input.wheel.y += 3e-4;
+                             input.wheel.z -= 1e-5;
+                             return 4.0 * um * (1.0 + at) / speed;
+                           }},
                           {"speed through 0", 4000, 1.0,
                            [&](double at) {
                              from_start(0.0);
@@ -361,7 +382,7 @@ int scans() {
         double at = 0.0, fine = 0.0;
         const double coarse = largest_bend(wheel, scan, 0.0, 1.0, scan.points, &at);
         const double jump = largest_bend(wheel, scan, std::max(0.0, at - 2.0), 1.0 / 64.0, 130, &fine);
-        std::printf("y %5.1f mm, %-11s  %-15s  steps of %.1f um  %.1e  %.1e  at %.2f um\n", 1e3 * y,
+        std::printf("y %5.1f mm, %-11s  %-15s  steps of %.1f um  %.1e  %.1e  at %.2f um\n", 1e3 * place.y,
                     motion.name, scan.name, scan.step, coarse, jump, scan.step * fine);
         worst = std::max(worst, jump);
       }

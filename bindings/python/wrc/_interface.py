@@ -4184,7 +4184,7 @@ class ContactCalls(_l.Handle):
             tangential stage. Distances add up. The next Contact.planar_tangential() takes them: every
             particle brings along its traction, and pressure is that of the end. Creepages times the distance
             are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
-            rolling. With speed 0 the wheel rests, and the displacement is a shift. Over four lengths of the
+            rolling. With speed 0 the wheel rests, and the displacement is a shift. Over two lengths of the
             patch rolling is steady. A contact begins without tractions, also after the bodies have been
             apart. Save and restore hold them. Theory manual, "Contact that remembers".
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "surface/pressure/pressure.hpp"
 #include "surface/rolling/strip_parts.hpp"
@@ -125,6 +126,7 @@ class Rememberer {
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
     from_now_ = tangential::forgets(in_.rolled, longest_);
+    takes_over_ = tangential::forgotten(in_.rolled, longest_);
   }
 
   /// The face of the rail to which a strip in contact belongs.
@@ -249,10 +251,11 @@ class Rememberer {
     constexpr double none[3] = {};
     double local[3], of_part[3], last = 0.0;
     patch.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, local, of_part, last);
-    const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last);
+    const double factor =
+        tangential::fitted_memory.ahead * (rests_ ? 0.0 : (1.0 - takes_over_) * in_.rolled / last);
     const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = patch.arm();
     last_ = last;
-    stored_ += part.share * patch.stored();
+    if (takes_over_ == 0.0) stored_ += part.share * patch.stored();
     for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
       const double weight = part.share * scratch_.inside[k];
       const PastStrip& from = scratch_.written[k];
@@ -262,7 +265,7 @@ class Rememberer {
         to.py[i] += weight * from.py[i];
       }
       // moments about the strip's own middle
-      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k];
+      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k] - patch.centre_y();
       to.force[0] += part.share * from.force[0];
       to.force[1] += part.share * from.force[1];
       to.force[2] += part.share * (from.force[2] - arm * (x * from.force[1] - y * from.force[0])) *
@@ -321,7 +324,7 @@ class Rememberer {
       }
       roll_on_surface(asked, scratch_.rolling, {}, forces_);
     }
-    if (from_now_) take_steady_cells();
+    if (takes_over_ > 0.0) take_steady_cells();
     for (std::int32_t j = 0; j < strips_.count; ++j) {
       PastStrip& strip = written()[j];
       const double of_cells[3] = {strip.force[0], strip.force[1], moment_of(j, strip.force)};
@@ -344,19 +347,14 @@ class Rememberer {
     if (!from_now_) stay_within_friction();
   }
 
-  /// Nothing before the step is seen: the cells are those of steady rolling.
+  /// Little or nothing before the step is seen: the cells tend to those of steady rolling.
   void take_steady_cells() {
-    for (std::int32_t j = 0; j < strips_.count; ++j) {
-      PastStrip& strip = written()[j];
-      const PastStrip& steady = scratch_.steady[j];
-      std::copy_n(steady.px, memory_cells, strip.px);
-      std::copy_n(steady.py, memory_cells, strip.py);
-      std::copy_n(steady.force, 3, strip.force);
-    }
+    for (std::int32_t j = 0; j < strips_.count; ++j)
+      tangential::tend_to(scratch_.steady[j], takes_over_, written()[j]);
     for_each_part([&](const Part& part) {
       const tangential::PatchStep patch(contact_, fill_strips(part, scratch_.shared), fault_);
       for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-        PastStrip& strip = scratch_.written[k] = scratch_.steady[j];
+        PastStrip& strip = scratch_.written[k] = written()[j];
         for (double& f : strip.force) f *= scratch_.inside[k];
       });
       stored_ += part.share * patch.stored();
@@ -403,7 +401,9 @@ class Rememberer {
       strip.added[0] = forces_.fx[j] - strip.force[0];
       strip.added[1] = forces_.fy[j] - strip.force[1];
       strip.added[2] = forces_.mz[j] - moment_of(j, strip.force);
+      if (scratch_.shared[j].arm > 0.0) strip.force[2] /= scratch_.shared[j].arm;
       strip.energy = energy.left / count;
+      std::copy_n(scratch_.shared[j].bound, std::size(strip.bound), strip.bound);
       if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
     return energy.dissipated;
@@ -417,10 +417,11 @@ class Rememberer {
   Scratch scratch_;
   StripsInParts parts_;
   tangential::RollingContact contact_;
-  double longest_ = 0.0;  // strip [m]
-  double last_ = 0.0;     // length of the step's last part [m]
-  double energy_ = 0.0;   // could be given back before the step [J]
-  double stored_ = 0.0;   // in the tractions of its end [J]
+  double longest_ = 0.0;     // strip [m]
+  double last_ = 0.0;        // length of the step's last part [m]
+  double energy_ = 0.0;      // could be given back before the step [J]
+  double stored_ = 0.0;      // in the tractions of its end [J]
+  double takes_over_ = 0.0;  // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
   Fault fault_;
 };

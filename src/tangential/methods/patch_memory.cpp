@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int32_t cells = memory_cells;
 
-// Lengths of the longest strip: a step of which nothing before is seen, and one that is none; parts of a
-// step, from its end on.
-constexpr double all_forgotten = 3.0, least_step = 1e-9;
+// Lengths of the longest strip: a step of which nothing before is seen, one of which half is, and one that is
+// none; parts of a step, from its end on.
+constexpr double all_forgotten = 2.0, half_forgotten = 1.75, least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
@@ -176,25 +176,27 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, F
   else
     take_past_of_plane();
   set_bounds(std::clamp(0.5 * (yield_[0] / rest.x + yield_[1] / rest.y) + factors_.share, 0.0, 0.9));
+  if (strips_.shared) let_strips_leave();
+}
+
+void PatchStep::add_past_of_rail(std::int32_t j, double share, double to[3]) const {
+  // the strip's width within the patch; moments about the patch's centre
+  const PastStrip* const strip = strips_.past_of[j];
+  if (strip == nullptr) return;
+  const double sign = contact_.memory.direction, part = share * strips_.inside[j];
+  const double fx = part * sign * strip->force[0], fy = part * strip->force[1];
+  to[0] += fx;
+  to[1] += fy;
+  to[2] += arm_ * (part * sign * strip->force[2] + (sign * strip->centre - centre_x_) * fy -
+                   (contact_.region.y[j] - centre_y_) * fx);
 }
 
 void PatchStep::take_past_of_rail() {
-  // forces of the past of the patch's strips, by their widths within it; moments about the patch's centre
-  const patch::Strips& region = contact_.region;
-  const double sign = contact_.memory.direction;
-  for (std::int32_t j = 0; j < region.count; ++j) {
-    const PastStrip* const strip = strips_.past_of[j];
-    if (strip == nullptr) continue;
-    const double fx = strips_.inside[j] * sign * strip->force[0], fy = strips_.inside[j] * strip->force[1];
-    before_[0] += fx;
-    before_[1] += fy;
-    before_[2] += strips_.inside[j] * sign * strip->force[2] +
-                  arm_ * ((sign * strip->centre - centre_x_) * fy - (region.y[j] - centre_y_) * fx);
-  }
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) add_past_of_rail(j, 1.0, before_);
   const LeftStrips& left = strips_.left;
-  before_[0] += left.fx;
-  before_[1] += left.fy;
-  before_[2] += left.mz + arm_ * (left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
+  left_[0] = left.fx;
+  left_[1] = left.fy;
+  left_[2] = arm_ * (left.mz + left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
 }
 
 void PatchStep::take_past_of_plane() {
@@ -224,10 +226,27 @@ void PatchStep::take_past_of_plane() {
     const double y = (strip.y - memory.origin) / memory.slope;
     before_[0] += fx;
     before_[1] += fy;
-    before_[2] += weight * sign * strip.force[2] +
-                  arm_ * near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx);
+    before_[2] += arm_ * (weight * sign * strip.force[2] +
+                          near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx));
     for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
     energy_ += weight * strip.energy;
+  }
+}
+
+void PatchStep::let_strips_leave() {
+  // Strips whose bounds have fallen far below their force are among those that leave, the more the further.
+  constexpr double far = 0.25;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    const PastStrip* const past = strips_.past_of[j];
+    if (past == nullptr) continue;
+    double borne = 0.0;
+    for (const double bound : strip.bound) borne += strip.area * bound;
+    const double had = std::sqrt(past->force[0] * past->force[0] + past->force[1] * past->force[1]);
+    strip.kept = std::min(1.0, borne / std::max(far * strips_.inside[j] * had, least));
+    if (strip.kept == 1.0) continue;
+    add_past_of_rail(j, strip.kept - 1.0, before_);
+    add_past_of_rail(j, 1.0 - strip.kept, left_);
   }
 }
 
@@ -246,6 +265,7 @@ void PatchStep::set_bounds(double share) {
     strip.half_length = r.half_length[j];
     strip.area = r.width[j] * r.half_length[j] * (2.0 / cells);
     strip.arm = arm_;
+    strip.kept = 1.0;
     strip.y = arm_ * (r.y[j] - centre_y_);
     strip.x = arm_ * (r.centre[j] - centre_x_);
     strip.reach = arm_ * r.half_length[j];
@@ -261,7 +281,8 @@ void PatchStep::set_bounds(double share) {
   }
   if (strips_.shared) return;
   // Cells turn the faster, the less of the patch slides.
-  const double used2 = (before_[0] * before_[0] + before_[1] * before_[1]) / std::max(limit_ * limit_, least);
+  const double fx = before_[0] + left_[0], fy = before_[1] + left_[1];
+  const double used2 = (fx * fx + fy * fy) / std::max(limit_ * limit_, least);
   const double turns = factors_.turns * std::max(0.0, 1.0 - used2);
   // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
   constexpr std::int32_t bins = 64;
@@ -360,33 +381,40 @@ void PatchStep::bring(double h, bool first) {
       for (std::int32_t i = 0; i < cells; ++i)
         to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
+    if (first) std::fill_n(to.had, cells, 0.0);
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
+      const double share = (one == from.second ? from.of_second : from.of_first) * (first ? to.kept : 1.0);
+      for (std::int32_t i = 0; first && i < cells; ++i)
+        to.had[i] += share * one->bound[std::min(i, cells - 1 - i)];
       PastStrip mirrored;
       const bool as_it_is = !first || contact_.memory.direction > 0.0;
       if (!as_it_is) mirrored = turned(*one, -1.0);
       const PastStrip& past = as_it_is ? *one : mirrored;
       contact_.grid->kernels->tangential.memory_bring(
-          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h,
-           one == from.second ? from.of_second : from.of_first, adds},
+          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h, share, adds},
           to);
       adds = true;
     }
   }
 }
 
-void PatchStep::part(const double shift[3], double h, bool first, double local[3]) {
-  // local = shift + S (F - F'), by Newton's method, from no yield
-  bring(h, first);
+void PatchStep::part(const double shift[3], double h, const Share& share, double local[3]) {
+  // local = shift + S (F - F'), by Newton's method, from no yield; F' of strips that leave in proportion
+  bring(h, share.first);
   const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{count, strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},
-                            h,     0.5 * arm_ * h,  strips_.written->px, sizeof(PastStrip) / sizeof(double)};
+  simd::MemoryPassTask task{
+      count,          strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},    h,
+      0.5 * arm_ * h, share.to_come,   strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double yields =
       1.0 - smooth_step((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole));
   double yield[3];
-  for (int i = 0; i < 3; ++i) yield[i] = yields * yield_[i];
+  for (int i = 0; i < 3; ++i) {
+    yield[i] = yields * yield_[i];
+    before_[i] += share.own * left_[i];
+  }
   for (int solution = 0; solution < solutions; ++solution) {
     simd::MemoryPassSums sums;
     kernels.memory_pass_sums(task, sums);
@@ -519,10 +547,11 @@ void PatchStep::go(const double per[3], double travel, double rolled, double loc
   for (std::int32_t k = parts - 1; k >= 0; --k) {
     const double part_of_step = parts == 1 ? 1.0 : share[k] / whole;
     last = part_of_step * rolled;
-    if (parts > 1) place_strips(1.0 - left_of_step(share, k) / whole);
+    const double to_come = left_of_step(share, k) / whole;
+    if (parts > 1) place_strips(1.0 - to_come);
     set_own(part_of_step * travel);
     for (int i = 0; i < 3; ++i) of_part[i] = part_of_step * travel * per[i];
-    part(of_part, last, k == parts - 1, local);
+    part(of_part, last, {k == parts - 1, part_of_step, to_come}, local);
   }
 }
 
@@ -530,7 +559,7 @@ double last_part(double length) { return usual_parts[0] * std::max(length, least
 
 double PatchStep::follows(double rolled) const {
   const double length = std::max(length_, least);
-  return forgets(rolled, length) ? 1.0 : 1.0 - natural_exp(-rolled / (factors_.follows * 0.5 * length));
+  return 1.0 - (1.0 - forgotten(rolled, length)) * natural_exp(-rolled / (factors_.follows * 0.5 * length));
 }
 
 double PatchStep::per_length(double size, double length) {
@@ -541,6 +570,18 @@ double PatchStep::per_length(double size, double length) {
 
 bool hardly_rolls(double rolled, double length) { return rolled <= least_step * std::max(length, least); }
 bool forgets(double rolled, double length) { return rolled > all_forgotten * std::max(length, least); }
+double forgotten(double rolled, double length) {
+  constexpr double from = 2.0 * half_forgotten - all_forgotten;
+  return smooth_step((rolled / std::max(length, least) - from) / (all_forgotten - from));
+}
+void tend_to(const PastStrip& steady, double share, PastStrip& strip) {
+  const auto mix = [&](double& own, double other) { own = (1.0 - share) * own + share * other; };
+  for (std::int32_t i = 0; i < cells; ++i) {
+    mix(strip.px[i], steady.px[i]);
+    mix(strip.py[i], steady.py[i]);
+  }
+  for (int i = 0; i < 3; ++i) mix(strip.force[i], steady.force[i]);
+}
 
 EnergyLeft count_energy(double before, double work, double stored) {
   // before + scale work >= kept_back scale^2 stored

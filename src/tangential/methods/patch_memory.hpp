@@ -22,8 +22,8 @@
 ///    bound is nearer to the centre than pressure is.
 ///  - Rolling steadily this is FASTSIM. The difference of steady strip FASTSIM to the same cells in steady
 ///    rolling is added and follows over the length rolled; at rest it stays. It is taken ahead by the yield of
-///    the moment. Conditions that stay end in strip FASTSIM, and a step over four lengths of the patch is
-///    strip FASTSIM.
+///    the moment. Conditions that stay end in strip FASTSIM, and a step over two lengths of the patch is
+///    strip FASTSIM, which takes over from 1.5 lengths on.
 ///  - Passivity: the contact counts the energy that it could give back. It is at most the energy stored in
 ///    cells and in U, and at most its value before and the step's work -F.D. Where less were left than a
 ///    quarter of the stored energy, tractions and forces are lowered to that. So the work over any path is
@@ -44,12 +44,14 @@ namespace wrc::tangential {
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
   double centre, half_length;  ///< [m]
-  double force[3];             ///< forces of its cells: Fx, Fy [N], Mz about its own middle [N m]
+  double
+      force[3];  ///< forces of its cells: Fx, Fy [N], Mz about its own middle over the factor on arms [N m]
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
+  double bound[memory_cells / 2];  ///< their bounds up to the middle; the others are symmetric [Pa]
 };
-static_assert(sizeof(PastStrip) == (10 + 2 * memory_cells) * sizeof(double),
+static_assert(sizeof(PastStrip) == (10 + 2 * memory_cells + memory_cells / 2) * sizeof(double),
               "no padding: its bytes are saved");
 
 using simd::RememberingStrip;
@@ -131,6 +133,7 @@ class PatchStep {
   double limit() const { return limit_; }  ///< friction limit, sum of mu_j N_j [N]
   double arm() const { return arm_; }      ///< factor on the arms of spin
   double centre_x() const { return centre_x_; }
+  double centre_y() const { return centre_y_; }
 
   /// Goes through the step in parts: displaced by `per` length over `travel`, and rolled. Leaves the
   /// displacement of the cells over the last part, that of the patch, and the rolled length of the part [m].
@@ -167,9 +170,16 @@ class PatchStep {
  private:
   void take_past_of_rail();
   void take_past_of_plane();
+  void add_past_of_rail(std::int32_t j, double share, double to[3]) const;
+  void let_strips_leave();
   void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
-  void part(const double shift[3], double h, bool first, double local[3]);
+  /// A part of the step: is it the first, its share of the step, and that of the parts after it [-].
+  struct Share {
+    bool first;
+    double own, to_come;
+  };
+  void part(const double shift[3], double h, const Share& share, double local[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);
@@ -189,6 +199,7 @@ class PatchStep {
   double arm_ = 1.0;
   double largest_load_ = 0.0;
   double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
+  double left_[3] = {};                                   // forces of strips that leave in the step
 };
 
 /// Middles of the cells over the half length, from the leading edge on.
@@ -204,6 +215,11 @@ double last_part(double length);
 /// Is a path none, or so long that nothing before is seen? `length`: of the longest strip [m].
 bool hardly_rolls(double rolled, double length);
 bool forgets(double rolled, double length);
+
+/// Share of such a path in which steady rolling takes over, 1 from where nothing before is seen; and the
+/// strip's cells with that share of those in steady rolling.
+double forgotten(double rolled, double length);
+void tend_to(const PastStrip& steady, double share, PastStrip& strip);
 
 /// Energy that can be given back after a step, and the rest of it.
 struct EnergyLeft {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "tangential/methods/strip_fastsim.hpp"
 
@@ -29,8 +30,9 @@ void keep_strips(const RollingContact& contact, double energy, const double adde
     written[j].energy = energy * part;
     for (int i = 0; i < 3; ++i) written[j].added[i] = added[i] * part;
     const RememberingStrip& at = memory.scratch()[j];
+    std::copy_n(at.bound, std::size(written[j].bound), written[j].bound);
     double* const force = written[j].force;
-    force[2] -= at.x * force[1] - at.y * force[0];
+    force[2] = (force[2] - at.x * force[1] + at.y * force[0]) / at.arm;
     written[j] = turned(written[j], contact.memory.direction);
   }
   memory.written += contact.region.count;
@@ -57,6 +59,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   PatchStep patch(contact, strips_of(memory), fault, factors);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
   const bool rests = hardly_rolls(rolled, patch.length()), from_now = forgets(rolled, patch.length());
+  const double takes_over = forgotten(rolled, patch.length());
   // Cells at the end of the step, and the displacements per length at which strip FASTSIM is asked
   double local[3] = {}, shift[3] = {}, last = 0.0, cells_force[3] = {};
   Creepage asked = contact.creepage;
@@ -67,7 +70,8 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
     double per[3];
     patch.about_centre(contact.creepage, 1.0, per);
     patch.go(per, rests ? contact.memory.rolled : rolled, rests ? 0.0 : rolled, local, shift, last);
-    for (int i = 0; i < 3; ++i) shift[i] += factors.ahead * (local[i] - shift[i]);
+    const double ahead = factors.ahead * (1.0 - takes_over);
+    for (int i = 0; i < 3; ++i) shift[i] += ahead * (local[i] - shift[i]);
     if (!rests) asked = patch.about_origin(shift, last);
   }
   // The difference to strip FASTSIM follows over the length that is rolled.
@@ -83,6 +87,8 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
     patch.about_centre(asked, 1.0, per);
     patch.steady(per, last, memory.list(2), of_cells);
     if (from_now) std::copy_n(cells_force, 3, of_cells);
+    for (std::int32_t j = 0; j < contact.region.count && takes_over > 0.0 && !from_now; ++j)
+      tend_to(memory.list(2)[j], takes_over, memory.other()[memory.written + j]);
     patch.refer_to_origin(of_cells);
     const double share = patch.follows(rolled);
     const double of_strips[3] = {forces.fx, forces.fy, forces.mz};

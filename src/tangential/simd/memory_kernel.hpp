@@ -88,8 +88,9 @@ inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s
   const Pack vx = Pack(s.growth_x) * share * by_x, vy = Pack(s.growth_y) * share * (by_y + turn * c.on_way);
   c.px = load_pack(s.px + i) - vx;
   c.py = load_pack(s.py + i) - vy;
-  // onto the disk
-  c.bound = load_pack(s.bound + i);
+  // onto the disk, whose bound goes from that of before to that of the end in proportion to the step
+  const Pack bound = load_pack(s.bound + i);
+  c.bound = bound + Pack(t.to_come) * (load_pack(s.had + i) - bound);
   const Pack sticks = root(c.px * c.px + c.py * c.py);
   c.slides = sticks > c.bound;
   c.faster = turned_by(s.turns, t.h / s.half_length, sticks, c.bound, vx, vy);

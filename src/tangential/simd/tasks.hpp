@@ -147,10 +147,12 @@ struct SurfaceStripsSlopesTask : SurfaceStripsTask {
 struct RememberingStrip {
   /// Tractions as the bodies bring them [Pa], and the share of the part for which a cell was in contact.
   double px[tangential::memory_cells], py[tangential::memory_cells], share[tangential::memory_cells];
-  double bound[tangential::memory_cells];  ///< bounds of the tractions [Pa]
+  double bound[tangential::memory_cells];  ///< bounds of the tractions at the end of the step [Pa]
+  double had[tangential::memory_cells];    ///< those before it [Pa]
   double centre, half_length;              ///< [m]
   double area;                             ///< area of a cell [m^2]
   double arm;                              ///< the factor on arms [-]
+  double kept;                             ///< share of its tractions of before [-]
   double y, x, reach;                      ///< arms: of its middle, and of its half length along x [m]
   double growth_x, growth_y;               ///< 1 / L [Pa/m]
   double turns;                            ///< by which tractions turn faster as cells slide
@@ -175,6 +177,7 @@ struct MemoryPassTask {
   double local[3];
   double h;         ///< rolled [m]
   double half_way;  ///< arm of half of it [m]
+  double to_come;   ///< share of the step that comes after [-]
   double* px;
   std::int64_t stride;
 };
