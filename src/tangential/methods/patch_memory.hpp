@@ -118,8 +118,8 @@ struct MemoryFactors {
   double follows;  ///< length over which the difference to strip FASTSIM is added, of a
   double ahead;    ///< factor by which the displacement of cells over that of the patch is taken ahead
 };
-inline constexpr MemoryFactors fitted_memory{0.0492,  -0.0456, 0.2844, -0.2348, 0.0083,
-                                             -0.0218, 0.2576,  0.7312, 2.2344};
+inline constexpr MemoryFactors fitted_memory{0.0293,  -0.0838, 0.2578, -0.2271, 0.0058,
+                                             -0.0052, 0.2780,  0.8484, 2.3122};
 
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
 class PatchStep {
