@@ -530,7 +530,8 @@ double last_part(double length) { return usual_parts[0] * std::max(length, least
 
 double PatchStep::follows(double rolled) const {
   const double length = std::max(length_, least);
-  return forgets(rolled, length) ? 1.0 : 1.0 - natural_exp(-rolled / (factors_.follows * 0.5 * length));
+  const double left = natural_exp(-rolled / (factors_.follows * 0.5 * length));
+  return 1.0 - left * (1.0 - beyond_half(rolled, all_forgotten * length));  // none where a step forgets
 }
 
 double PatchStep::per_length(double size, double length) {
