@@ -96,7 +96,7 @@ Report compare_memory_of_wheels(const Csv& file, const Csv& parameters, const Na
   Report report;
   report.kind = "memory";
   report.rows = file.rows();
-  report.measures = {"force", "vertical"};
+  report.measures = {"force", "beyond_steady", "vertical"};
   report.default_variant = "wheel";
   for (const Variant& variant : chosen(every_variant, only)) {
     const bool remembers = std::string(variant.name) == "wheel";
@@ -115,9 +115,12 @@ Report compare_memory_of_wheels(const Csv& file, const Csv& parameters, const Na
       const Solver& solver = pairs->of(pair);
       auto& errors = report.errors[variant.name];
       const long last = wander.step_of(1e-3 * file(row, "s_mm"));
+      const bool has_steady = !file.text(row, "Fx_steady_N").empty();
+      PairOptions forgets = pair;
+      forgets.remembers = false;
       try {
         if (!remembers) {
-          if (file.text(row, "Fx_steady_N").empty()) continue;
+          if (!has_steady) continue;
           WheelCase wheel = wander.at(last);
           const Vector force = solved(wheel, solver);
           errors["force"].add(row,
@@ -134,6 +137,16 @@ Report compare_memory_of_wheels(const Csv& file, const Csv& parameters, const Na
         }
         errors["force"].add(row, error_of(force, file, row, "Fx_track_N", "Fy_track_N", wander.friction()));
         errors["vertical"].add(row, force[2] / file(row, "Fz_track_N") - 1.0);
+        if (!has_steady) continue;
+        // the part that memory adds to the steady force, beside the reference's
+        WheelCase wheel = wander.at(last);
+        const Vector beyond = difference(force, solved(wheel, pairs->of(forgets)));
+        const Vector reference =
+            difference(vector_of(file, row, "Fx_track_N", "Fy_track_N", "Fz_track_N"),
+                       vector_of(file, row, "Fx_steady_N", "Fy_steady_N", "Fz_steady_N"));
+        const double limit = wander.friction() * std::abs(file(row, "Fz_track_N"));
+        errors["beyond_steady"].add(row,
+                                    std::hypot(beyond[0] - reference[0], beyond[1] - reference[1]) / limit);
       } catch (const std::exception& error) {
         report.fail(row, variant.name, error.what(), {"force", "vertical"});
       }

@@ -1,11 +1,13 @@
 // How far the tangential methods are from exact theory on patches nobody has fitted anything to:
 //     calibration_report [--json | --check] [count seed]
 //     calibration_report [--json | --check] surface [count seed]
+//     calibration_report [--json] memory [count seed]
 // Draws `count` random SDEC patches of `seed` and a fifth as many of a wheel on a rail (200 and 1000 by
 // default: about ten seconds), solves them exactly and prints the errors of the default and of the FASTSIM
 // variants; with --check the command fails where the default is less accurate than stated.
 // `surface`: strips with slips of their own on the rail's surface, against exact theory on the curved surface
-// (400 and 1000 by default: some minutes). `calibration_report FILE.csv` judges what make_patches has
+// (400 and 1000 by default: some minutes). `memory`: sequences of contact that remembers, by their kinds (80
+// and 1000 by default: some minutes). `calibration_report FILE.csv` judges what make_patches has
 // written.
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include <utility>
 
 #include "compare/report.hpp"
+#include "memory_errors.hpp"
 #include "patch/material.hpp"
 #include "rolling.hpp"
 #include "surface_case.hpp"
@@ -126,6 +129,37 @@ std::vector<ExactSurfaceCase> solved_on_surface(std::uint64_t seed, std::uint64_
   return cases;
 }
 
+/// Sequences of steps of contact that remembers: errors after each step, of all and of each kind; of closed
+/// loops that of their work.
+compare::Report judge_memory(std::uint64_t seed, std::uint64_t count) {
+  compare::Report report;
+  report.kind = "memory";
+  report.measures = {"force", "moment", "work"};
+  report.default_variant = "all";
+  report.variants = {"all"};
+  for (std::uint64_t row = 0; row < count; ++row) {
+    const char* const kind = memory_kind(row);
+    if (report.errors.find(kind) == report.errors.end()) report.variants.emplace_back(kind);
+    MemoryCase exact = random_memory_case(seed, row);
+    solve_exactly(exact);
+    const RememberedCase sequence(std::move(exact));
+    double loop = 0.0;
+    const std::vector<MemoryError> errors = sequence.errors(tangential::fitted_memory, loop);
+    report.rows += errors.size();
+    for (const char* const of : {"all", kind}) {
+      auto& into = report.errors[of];
+      for (const MemoryError& e : errors) {
+        into["force"].add(row, std::hypot(e.x, e.y));
+        into["moment"].add(row, std::fabs(e.turn));
+      }
+      if (sequence.exact().loop > 0) into["work"].add(row, loop);
+    }
+    std::fprintf(stderr, "\r%llu of %llu", row + 1ULL, count + 0ULL);
+  }
+  std::fprintf(stderr, "\n");
+  return report;
+}
+
 bool is_of_surface(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -171,9 +205,16 @@ int main(int argc, char** argv) {
   char** const values = argv + 1 + options;
   try {
     std::vector<compare::Report> reports;
-    if (rest > 0 && std::strcmp(values[0], "surface") == 0 && (rest == 1 || rest == 3)) {
-      reports = judge_surface(solved_on_surface(rest == 3 ? std::strtoull(values[2], nullptr, 10) : 1000,
-                                                rest == 3 ? std::strtoull(values[1], nullptr, 10) : 400));
+    const auto named = [&](const char* name) {
+      return rest > 0 && std::strcmp(values[0], name) == 0 && (rest == 1 || rest == 3);
+    };
+    const auto number = [&](int k, std::uint64_t usual) {
+      return rest == 3 ? std::strtoull(values[k], nullptr, 10) : usual;
+    };
+    if (named("surface")) {
+      reports = judge_surface(solved_on_surface(number(2, 1000), number(1, 400)));
+    } else if (named("memory")) {
+      reports.push_back(judge_memory(number(2, 1000), number(1, 80)));
     } else if (rest == 1 && is_of_surface(values[0])) {
       reports = judge_surface(read_surface_cases(values[0]));
     } else if (rest == 1) {
@@ -184,8 +225,9 @@ int main(int argc, char** argv) {
       reports.push_back(judge("sdec", solved(random_sdec, seed, count)));
       reports.push_back(judge("wheelrail", solved(random_wheel_on_rail, seed, (count + 4) / 5)));
     } else {
-      std::fprintf(stderr,
-                   "usage: calibration_report [--json | --check] [[surface] count seed | FILE.csv]\n");
+      std::fprintf(
+          stderr,
+          "usage: calibration_report [--json | --check] [[surface | memory] count seed | FILE.csv]\n");
       return 2;
     }
     for (const compare::Report& report : reports) report.print_table();

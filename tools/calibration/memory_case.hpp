@@ -2,6 +2,7 @@
 /// the factors of contact that remembers (src/tangential/methods/patch_memory.hpp) are fitted to.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct MemoryStep {
   int direction;
   double rolled;      ///< amount [m]
   double x, y, turn;  ///< [m], [m], [rad]
+  double load;        ///< at the end of the step, even within [N]
   double fx, fy, mz;  ///< exact, at the end of the step [N], [N], [N m]
 };
 
@@ -23,14 +25,24 @@ struct MemoryCase {
   Patch patch;
   std::vector<MemoryStep> steps;
   int loop = 0;
+
+  bool load_varies() const {
+    return std::any_of(steps.begin(), steps.end(),
+                       [&](const MemoryStep& s) { return s.load != patch.normal_force; });
+  }
 };
 
-/// Case `row` of the endless list that belongs to `seed`. Ellipses with a/b 0.3 to 3. In turn: loops at rest
-/// along a line, circles at rest, paths at rest, a shift that rolls off, waves of creepage of 1 to 12 a, and
-/// rolling that stops and reverses.
+/// Case `row` of the endless list that belongs to `seed`. Ellipses with a/b 0.3 to 3. One of four is at rest,
+/// in turn: loops along a line, circles, paths, loads that vary by 30 %. The others roll: off after a shift,
+/// with waves of creepage of 1 to 12 a, with stops and reversals, under loads that vary.
 MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row);
+const char* memory_kind(std::uint64_t row);  ///< the name of its kind
 
-/// Adds the exact forces, on cells of a/8 and of a/16, extrapolated.
+/// A patch under another load (Hertz).
+Patch under_load(Patch patch, double load);
+
+/// Adds the exact forces, on cells of a/8 and a/16, extrapolated. At rest the error is of second order in the
+/// cell, by the staircase of the border; from the first step that rolls on it is of first order.
 void solve_exactly(MemoryCase& c);
 
 std::string patch_text(const MemoryCase& c);  ///< the first columns
