@@ -23,9 +23,13 @@ struct Options {
   double step = 1e-3;               ///< of a run along the track [m]
   double exact_every = 0.0;         ///< distance at which a run asks the exact solver [m]; 0: never
   std::string keep;                 ///< file from which an ended run goes on; empty: none
+  std::vector<int> beside;          ///< lateral places of a run, from the case's own [mm]; empty: all
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
+  }
+  bool wants_beside(int place) const {
+    return beside.empty() || std::find(beside.begin(), beside.end(), place) != beside.end();
   }
 };
 
