@@ -17,12 +17,11 @@
 namespace compare {
 namespace {
 
-constexpr double from = -60e-3, to = 460e-3;  // where a run begins and ends, within the sections [m]
-constexpr double inside = 5e-3;               // from the ends of the sections [m]
-constexpr int beside = 6;                     // lateral places to both sides, 1 mm apart
-constexpr double leap = 0.05;                 // change of the force from one step to the next, of N [-]
-constexpr double piece = 10e-3;               // of a line, kept and told when it is done [m]
-constexpr double told_jump = 2e-3;            // from which a piece's largest jump is listed, of N [-]
+constexpr double inside = 5e-3;     // from the ends of the sections [m]
+constexpr int beside = 6;           // lateral places to both sides, 1 mm apart
+constexpr double leap = 0.05;       // change of the force from one step to the next, of N [-]
+constexpr double piece = 10e-3;     // of a line, kept and told when it is done [m]
+constexpr double told_jump = 2e-3;  // from which a piece's largest jump is listed, of N [-]
 
 /// Results of a run, numbers for each key, kept in a file line by line. A run that was ended goes on from
 /// there.
@@ -123,11 +122,12 @@ std::vector<double> follow(Line& line, const std::string& key, bool list, Kept& 
   std::vector<double> sums(numbers_of_line, 0.0);
   const auto each = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(piece / line.step)));
   for (std::size_t first = 0; first < line.places(); first += each) {
-    char from_here[40];
-    std::snprintf(from_here, sizeof from_here, ", from %.3f mm", 1e3 * line.distance(first));
-    std::fprintf(stderr, "\r%s%s ", key.c_str(), from_here);
-    const auto found = kept.of(
-        key + from_here, [&] { return follow(line, first, std::min(first + each, line.places()), list); });
+    const std::size_t last = std::min(first + each, line.places());
+    char part[80];
+    std::snprintf(part, sizeof part, ", from %.3f to %.3f mm", 1e3 * line.distance(first),
+                  1e3 * line.distance(last - 1));
+    std::fprintf(stderr, "\r%s%s ", key.c_str(), part);
+    const auto found = kept.of(key + part, [&] { return follow(line, first, last, list); });
     if (list && found[jump] > told_jump)
       std::printf("     jump of %.2e at %.3f mm\n", found[jump], 1e3 * found[jump_at]);
     for (const std::size_t sum : {flagged, failed, leaps}) sums[sum] += found[sum];
@@ -210,8 +210,8 @@ Report compare_runs(const Csv& file, const Options& options) {
     kept.check("case " + std::to_string(rows.number) + ", " + options.setting, {force.begin(), force.end()});
     for (int k = -beside; k <= beside; ++k) {
       if (!options.wants_beside(k)) continue;
-      Line line{made, case_of(file, rows.first, {}), std::max(from, made.begin + inside),
-                std::min(to, made.end - inside), options.step};
+      Line line{made, case_of(file, rows.first, {}), std::max(options.from, made.begin + inside),
+                std::min(options.to, made.end - inside), options.step};
       line.wheel.input.wheel.y += 1e-3 * k;
       const std::size_t row = report.rows++;
       char text[160];
