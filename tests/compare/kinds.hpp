@@ -21,11 +21,17 @@ struct Options {
   double smoothing = 4.5e-3;        ///< wrc_profile.smoothing of measured points with noise [m]
   double cell = 2e-4;               ///< of the exact solver [m]
   double step = 1e-3;               ///< of a run along the track [m]
+  double from = -60e-3;             ///< where a run begins along the track, within the sections [m]
+  double to = 460e-3;               ///< where it ends [m]
   double exact_every = 0.0;         ///< distance at which a run asks the exact solver [m]; 0: never
   std::string keep;                 ///< file from which an ended run goes on; empty: none
+  std::vector<int> beside;          ///< lateral places of a run, from the case's own [mm]; empty: all
 
   bool wanted(long number) const {
     return cases.empty() || std::find(cases.begin(), cases.end(), number) != cases.end();
+  }
+  bool wants_beside(int place) const {
+    return beside.empty() || std::find(beside.begin(), beside.end(), place) != beside.end();
   }
 };
 

@@ -5,9 +5,10 @@
 ///   [--json]
 ///   wrc_compare wheelset|scan|loop FILE.csv --only NORMAL+TANGENTIAL[,NORMAL+TANGENTIAL] ...
 ///   wrc_compare rollers|...|track FILE.csv [--case N[,N]] [--list] [--only VARIANT[,VARIANT]] [--cell MM] [--json]
-///   wrc_compare run FILE.csv [--step MM] [--exact MM] [--keep FILE] [--setting NAME] [--case N[,N]] [--list]
-///   [--json]
+///   wrc_compare run FILE.csv [--step MM] [--from MM] [--to MM] [--y MM[,MM]] [--exact MM] [--keep FILE]
+///   [--setting NAME] [--case N[,N]] [--list] [--json]
 ///   wrc_compare exact-wheel FILE.csv [--case N[,N]] [--list] [--cell MM] [--json]
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -28,7 +29,7 @@ struct Length {
   double Options::*value;
 };
 struct Lengths {
-  Length each[3];
+  Length each[5];
 };
 constexpr Lengths none{};
 
@@ -102,7 +103,11 @@ constexpr Kind kinds[] = {
     {"run",
      nullptr,
      compare::compare_runs,
-     {{{"--cell", &Options::cell}, {"--step", &Options::step}, {"--exact", &Options::exact_every}}},
+     {{{"--cell", &Options::cell},
+       {"--step", &Options::step},
+       {"--exact", &Options::exact_every},
+       {"--from", &Options::from},
+       {"--to", &Options::to}}},
      "those of track: each rail in small steps under the load of its first case, no reference needed"},
 };
 
@@ -128,10 +133,12 @@ void usage(FILE* to) {
       "rollers to track have the columns of tests/data/README.md, geometry beside FILE, and --only "
       "wrc_contact_wrench (the\n"
       "        default), wrc_exact_wrench\n"
-      "run: -60 to 460 mm within each rail's sections, at 13 lateral places 1 mm apart:\n"
+      "run: within each rail's sections, at 13 lateral places 1 mm apart:\n"
       "--step MM: from place to place [1]\n"
+      "--from MM, --to MM: another part of the track [-60, 460]\n"
       "--exact MM: the exact solver beside it every so many mm [never]\n"
-      "--keep FILE: notes of lines and places done; a run that was ended goes on from them\n");
+      "--y MM[,MM]: these lateral places alone, -6 to 6 in whole mm, so that several processes share a run\n"
+      "--keep FILE: notes of pieces of 10 mm done; a run that was ended goes on from them\n");
 }
 
 /// Refuses the command line.
@@ -199,6 +206,12 @@ int main(int argc, char** argv) {
       for (const std::string& word : split(words[++i])) {
         if (!number(word, value)) return misused("'" + word + "' is no number of a case");
         options.cases.push_back(static_cast<long>(value));
+      }
+    } else if (words[i] == "--y" && kind->cases == compare::compare_runs && has_value) {
+      for (const std::string& word : split(words[++i])) {
+        if (!number(word, value) || std::fabs(value) > 6.0 || value != std::floor(value))
+          return misused("'" + word + "' is no lateral place of -6 to 6 in whole mm");
+        options.beside.push_back(static_cast<int>(value));
       }
     } else if (words[i] == "--keep" && kind->cases == compare::compare_runs && has_value) {
       options.keep = words[++i];
