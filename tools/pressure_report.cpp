@@ -79,7 +79,8 @@ class Case {
   surface::PressureProblem problem() const {
     return {kernels_for(best_instruction_set()),
             {influence_->tables(), influence_->mean_under.data()},
-            steel.normal_compliance()};
+            steel.normal_compliance(),
+            surface::usual_lambda_length};
   }
 
   surface::PressureScratch w;
