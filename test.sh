@@ -67,7 +67,7 @@ mingw() {
   elif [ "$tier" = all ]; then
     tree mingw
   else
-    tree mingw -E '^(hostile_input|fmi_mistakes|fmi_wheelset_motion|fmi_traction)$' -- abi_tests golden_hash first_step exact_check load_at_run_time fmi_importer fmi_films wrc_fmu wine_folder
+    tree mingw -E '^(hostile_input|fmi_mistakes|fmi_wheelset_motion|fmi_stop|fmi_traction|fmi_start)$' -- abi_tests golden_hash first_step exact_check load_at_run_time fmi_importer fmi_films wrc_fmu wine_folder
   fi
 }
 
