@@ -88,8 +88,7 @@ END
 #define NAN __builtin_nanf("")
 double fabs(double), fmax(double, double), fmin(double, double), sin(double), cos(double), tan(double), atan(double), sqrt(double),
     log(double), hypot(double, double), copysign(double, double), pow(double, double), fmod(double, double), floor(double), ceil(double),
-    exp(double),
-    atan2(double, double);
+    exp(double), atan2(double, double);
 END
   printf '#pragma once\n#include <stdlib.h>\nint isspace(int);\nint isdigit(int);\n' >"$to/ctype.h"
   printf '#pragma once\nint* _errno(void);\n#define errno (*_errno())\n' >"$to/errno.h"
