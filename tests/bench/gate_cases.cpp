@@ -9,6 +9,7 @@
 #include "along_track.hpp"
 #include "proof/wheel.hpp"
 #include "test_config.hpp"
+#include "wrc/wrc_surface.h"
 
 namespace {
 
@@ -26,7 +27,8 @@ struct Case {
     line,
     wheel_line,
     track,
-    round
+    round,
+    films
   } part;
 };
 
@@ -50,6 +52,7 @@ constexpr Case cases[] = {
     {"wheel_not_round", defaults, Case::round},
     {"accumulate_60x32", defaults, Case::line},
     {"accumulate_wheel_on_rail", defaults, Case::wheel_line},
+    {"wheel_on_rail_with_films", defaults, Case::films},
 };
 
 /// The same wheel on a rail of nine sections that rises and falls by 10 um, passed where it is as high as the
@@ -91,11 +94,62 @@ struct AlongTrack {
 /// Does a part go on from wrc_contact_wrench()? The others do from wrc_planar_step().
 bool of_wheel_on_rail(int part) {
   return part == Case::wrench || part == Case::derivatives || part == Case::wheel_line ||
-         part == Case::track || part == Case::round;
+         part == Case::track || part == Case::round || part == Case::films;
 }
 
 /// What wheel_on_rail() steps on instead of the wheel's own contact.
 wrc_contact* special = nullptr;
+
+/// Films with layers in 14 rows across both bodies: wrench, passage and the wheel's rest of each step.
+struct Films {
+  wrc_surface rail = wrc_surface_default(), wheel = rail;
+  wrc_surface_laws laws = wrc_surface_laws_default();
+  wrc_surface_bin rail_bin[14 * 20] = {}, wheel_bin[14 * 24] = {};
+  double rows[WRC_FILM_NUMBERS(14, 14)] = {};
+  wrc_surface_passage passage = sized<wrc_surface_passage>();
+
+  explicit Films(wrc_contact* contact) {
+    if (wrc_surface_laws_use(&laws, "low adhesion, layers", nullptr, 0) < 0) std::exit(1);
+    rail.count = 20;
+    rail.length = 1.0;
+    rail.bins = rail_bin;
+    wheel.count = 24;
+    wheel.length = 2.89 / 24.0;
+    wheel.closed = 1;
+    wheel.bins = wheel_bin;
+    for (wrc_surface* each : {&rail, &wheel}) {
+      each->bin_size = sizeof(wrc_surface_bin);
+      each->rows = 14;
+      each->width = 5e-3;
+      each->row_first = -37e-3;
+    }
+    // water, oxide and organic film all along the rail [kg/m^2]
+    const double amounts[] = {0.01, 0.001, 0.006};
+    for (int q = 0; q < 3; ++q)
+      if (wrc_surface_add(&rail, q, amounts[q], 0.0, 20.0, nullptr, 0) < 0) std::exit(1);
+    passage.film_rows = rows;
+    passage.film_numbers = sizeof rows / sizeof rows[0];
+    passage.contact = contact;
+  }
+  /// Friction of the next 20 mm.
+  void go(int i, wrc_friction& friction) {
+    const wrc_friction clean = wrc_friction_default();
+    passage.rail_from = 5.0 + 0.02 * i;
+    passage.rail_to = passage.rail_from + 0.02;
+    passage.wheel_from = 0.02 * i;
+    passage.wheel_to = passage.wheel_from + 0.02;
+    if (wrc_surface_friction(&rail, &wheel, &laws, &passage, &clean, &friction, nullptr, 0) < 0) std::exit(1);
+  }
+  /// The step's frictional energy in 1 ms acts on the films.
+  void pass(const wrc_wrench& wrench) {
+    passage.energy = wrench.power * 1e-3;
+    if (wrc_surface_pass(&rail, &wheel, &laws, &passage, nullptr, nullptr, 0) < 0) std::exit(1);
+    if (wrc_surface_rest(&wheel, &laws, 1e-3, nullptr, 0) < 0) std::exit(1);
+  }
+};
+
+/// Films of the case that has them.
+Films* films = nullptr;
 
 /// A wheel on a rail at 80 to 100 kN; with its derivatives or without.
 void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrench) {
@@ -113,7 +167,11 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrenc
   if (part == Case::round) input.angle = 0.1 - 0.0125 * (i % 16);
   if (part == Case::track || part == Case::round)
     wrc_contact_wrench(special, &input, &wrench);
-  else if (derivatives)
+  else if (part == Case::films) {
+    films->go(i, input.friction);
+    if (wrc_contact_wrench(wheel.contact, &input, &wrench) < 0) std::exit(1);
+    films->pass(wrench);
+  } else if (derivatives)
     wrc_contact_wrench_derivatives(wheel.contact, &input, &wrench, &found);
   else
     wrc_contact_wrench(wheel.contact, &input, &wrench);
@@ -172,6 +230,7 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
         break;
       case Case::track:
       case Case::round:
+      case Case::films:
         wheel_on_rail(wheel, false, i, part);
         break;
       case Case::line:
@@ -203,6 +262,8 @@ int main(int count, char** arguments) {
     wheel.load.normal_force = 80e3;
     const AlongTrack along_track(methods, each.part == Case::track);
     special = along_track.contact;
+    static Films of_case(wheel.contact);
+    films = &of_case;
     // The last solution of the contact is the one that the case goes on from.
     wheel_on_rail(wheel, false, 0, each.part);
     if (!of_wheel_on_rail(each.part) && wheel.step() < 0) return 1;
