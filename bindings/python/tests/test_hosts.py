@@ -107,8 +107,9 @@ def test_a_commit_for_each_step_that_cvode_accepts():
     assert abs(rests) < 1.0
 
 
-def test_a_commit_before_each_step_of_exudyn():
+@pytest.mark.parametrize("step", [0.9, 0.98, 1, 1.02])  # ms
+def test_a_commit_before_each_step_of_exudyn(step):
     pytest.importorskip("exudyn")
-    told = run("memory/exudyn_loop.py", "--seconds", 0.1)
+    told = run("memory/exudyn_loop.py", "--seconds", 0.1, "--step", step)
     iterations, = numbers(r"memory: no step failed, (\S+) Newton iterations per step", told)
     assert iterations < 3.0

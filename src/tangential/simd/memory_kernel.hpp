@@ -111,6 +111,8 @@ inline void memory_pass_kernel(const MemoryPassTask& t) {
     }
 }
 
+constexpr double turning = 0.1;  ///< part of a bound over which the slopes of a cell turn to sliding
+
 /// Sums over the cells of a place and all strips, then over places in their order: the same with any lanes.
 inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sums) {
   constexpr std::int32_t numbers = 12;
@@ -125,6 +127,10 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
       const Pack inverse = one / select(c.slides, c.size, one);
       const Pack ratio = select(c.slides, c.bound * inverse, one);
       const Pack ex = select(c.slides, c.px * inverse, none), ey = select(c.slides, c.py * inverse, none);
+      // Slopes turn from those of a cell that sticks to those of one that slides over a part of its bound:
+      // forces after a fixed number of Newton's steps jump wherever the slopes do.
+      const Pack beyond = larger(c.size - c.bound, none) / larger(Pack(turning) * c.bound, Pack(1e-290));
+      const Pack slid = select(c.slides, smaller(beyond, one), none);
       const Pack px = c.px * ratio * area, py = c.py * ratio * area;
       sum[0] += px;
       sum[1] += py;
@@ -132,7 +138,7 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
       // -d(force)/d(local): slopes of the point on the disk, ratio (1 - e e)
       const Pack part = load_pack(s.share + i) * area * ratio * c.faster;
       const Pack gx = Pack(s.growth_x) * part, gy = Pack(s.growth_y) * part;
-      const Pack xx = select(c.slides, ey * ey, one), yy = select(c.slides, ex * ex, one), xy = -(ex * ey);
+      const Pack xx = one - slid * (ex * ex), yy = one - slid * (ey * ey), xy = -(slid * (ex * ey));
       const Pack x_x = gx * xx, x_y = gy * xy, y_x = gx * xy, y_y = gy * yy;
       const Pack x_turn = x_y * c.on_way - x_x * y, y_turn = y_y * c.on_way - y_x * y;
       sum[3] += x_x;
