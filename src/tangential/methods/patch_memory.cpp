@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int32_t cells = memory_cells;
 
-// Lengths of the longest strip: a step of which nothing before is seen, one of which half is, and one that is
-// none; parts of a step, from its end on.
-constexpr double all_forgotten = 2.0, half_forgotten = 1.75, least_step = 1e-9;
+// Lengths of the longest strip: a step from which on steady rolling takes over, one of which nothing before
+// is seen, and one that is none; parts of a step, from its end on.
+constexpr double forgets_from = 1.5, all_forgotten = 2.0, least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
@@ -571,8 +571,7 @@ double PatchStep::per_length(double size, double length) {
 bool hardly_rolls(double rolled, double length) { return rolled <= least_step * std::max(length, least); }
 bool forgets(double rolled, double length) { return rolled > all_forgotten * std::max(length, least); }
 double forgotten(double rolled, double length) {
-  constexpr double from = 2.0 * half_forgotten - all_forgotten;
-  return smooth_step((rolled / std::max(length, least) - from) / (all_forgotten - from));
+  return smooth_step((rolled / std::max(length, least) - forgets_from) / (all_forgotten - forgets_from));
 }
 void tend_to(const PastStrip& steady, double share, PastStrip& strip) {
   const auto mix = [&](double& own, double other) { own = (1.0 - share) * own + share * other; };
