@@ -28,7 +28,7 @@
  * @endcode
  *
  * Bins are short enough where the wheel's slip hardly changes along one. A wheel that spins at a crawl cleans the length of its
- * contact: there bins of 5 mm are right, at line speed 0.1 to 1 m. Put a sander's sand on the rail before the wheel, not under it.
+ * contact, so bins of 5 mm are right there. At line speed 0.1 to 1 m are. Put a sander's sand on the rail before the wheel, not under it.
  *
  * @par Rows across
  *

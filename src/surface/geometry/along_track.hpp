@@ -150,8 +150,7 @@ struct StripOverX {
   SectionBlend blend;  ///< sections at the place looked at last
   Number ny, nz;       ///< direction of the rays, into the rail
 
-  RayStart<Number> start(const Number& x) {
-    constexpr int derivatives = std::is_same_v<Number, double> ? 2 : 3;
+  RayStart<Number> start(const Number& x, int derivatives = std::is_same_v<Number, double> ? 2 : 3) {
     const Number there = distance + x;
     blend = blend_at(rail, rail.face[face_of(rail, strip)], value_of(there), blend, derivatives);
     const StripAlongTrack<Number> s = strip_at(rail, blend, strip, there);
@@ -179,7 +178,7 @@ struct LargestOverlap {
 /// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
 inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
   constexpr int steps = 2;
-  const RayStart<double> from = strip.start(x);
+  const RayStart<double> from = strip.start(x, 0);  // a ray needs no slopes of the rail
   for (int n = 0; n < steps; ++n) {
     end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
     settle(strip.wheel, end);
@@ -370,6 +369,7 @@ Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curv
   const auto depth_of = [&](const Number& place) {
     RayEnd<double> there = found.end;
     depth_at(plain, value_of(place), there);
+    if constexpr (std::is_same_v<Number, double>) return there.depth;
     return carried(s, s.start(place), there).depth;
   };
   const Number moved = value_of(distance) - distance;  // 0; its derivative moves the ends against the wheel
