@@ -399,13 +399,13 @@ void PatchStep::bring(double h, bool first) {
   }
 }
 
-void PatchStep::part(const double shift[3], double h, const Share& share, double local[3]) {
+void PatchStep::solve_part(const double shift[3], double h, const Part& part, double local[3]) {
   // local = shift + S (F - F'), by Newton's method, from no yield; F' of strips that leave in proportion
-  bring(h, share.first);
+  bring(h, part.first);
   const std::int32_t count = contact_.region.count;
   simd::MemoryPassTask task{
       count,          strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},    h,
-      0.5 * arm_ * h, share.to_come,   strips_.written->px, sizeof(PastStrip) / sizeof(double)};
+      0.5 * arm_ * h, part.to_come,    strips_.written->px, sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double yields =
@@ -413,7 +413,7 @@ void PatchStep::part(const double shift[3], double h, const Share& share, double
   double yield[3];
   for (int i = 0; i < 3; ++i) {
     yield[i] = yields * yield_[i];
-    before_[i] += share.own * left_[i];
+    before_[i] += part.share * left_[i];
   }
   for (int solution = 0; solution < solutions; ++solution) {
     simd::MemoryPassSums sums;
@@ -551,7 +551,7 @@ void PatchStep::go(const double per[3], double travel, double rolled, double loc
     if (parts > 1) place_strips(1.0 - to_come);
     set_own(part_of_step * travel);
     for (int i = 0; i < 3; ++i) of_part[i] = part_of_step * travel * per[i];
-    part(of_part, last, {k == parts - 1, part_of_step, to_come}, local);
+    solve_part(of_part, last, {k == parts - 1, part_of_step, to_come}, local);
   }
 }
 

@@ -44,8 +44,8 @@ namespace wrc::tangential {
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
   double centre, half_length;  ///< [m]
-  double
-      force[3];  ///< forces of its cells: Fx, Fy [N], Mz about its own middle over the factor on arms [N m]
+  /// Forces of its cells: Fx, Fy [N], and Mz about its own middle over the factor on arms [N m].
+  double force[3];
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
@@ -174,12 +174,12 @@ class PatchStep {
   void let_strips_leave();
   void set_bounds(double share);
   Neighbours past_of(std::int32_t j) const;
-  /// A part of the step: is it the first, its share of the step, and that of the parts after it [-].
-  struct Share {
+  /// A part of a step: is it the first, its share of the step, and that of the parts after it [-].
+  struct Part {
     bool first;
-    double own, to_come;
+    double share, to_come;
   };
-  void part(const double shift[3], double h, const Share& share, double local[3]);
+  void solve_part(const double shift[3], double h, const Part& part, double local[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);
@@ -216,9 +216,9 @@ double last_part(double length);
 bool hardly_rolls(double rolled, double length);
 bool forgets(double rolled, double length);
 
-/// Share of such a path in which steady rolling takes over, 1 from where nothing before is seen; and the
-/// strip's cells with that share of those in steady rolling.
+/// Share of steady rolling in such a path: 1 where nothing before is seen.
 double forgotten(double rolled, double length);
+/// Gives a strip's cells that share of those in steady rolling.
 void tend_to(const PastStrip& steady, double share, PastStrip& strip);
 
 /// Energy that can be given back after a step, and the rest of it.
