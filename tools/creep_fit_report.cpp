@@ -261,13 +261,15 @@ int main(int argc, char** argv) {
   const int draws = !words.empty() ? std::atoi(words[0].c_str()) : 1000;
   const double noise = words.size() > 1 ? std::atof(words[1].c_str()) : 0.05;
   bool fine = true, found = false;
+  const bool allowed = draws > 0 && noise >= 0.0;
   for (const Law& law : laws) {
+    if (!allowed) break;
     if (words.size() > 2 && words[2] != law.name) continue;
     found = true;
     const std::string file = keep.empty() ? keep : keep + "." + std::to_string(&law - laws);
-    fine = draws > 0 && noise >= 0.0 && report(law, draws, noise, file) && fine;
+    fine = report(law, draws, noise, file) && fine;
   }
-  if (found && draws > 0 && noise >= 0.0) return fine ? 0 : 1;
+  if (found) return fine ? 0 : 1;
   std::fprintf(stderr, "usage: creep_fit_report [DRAWS] [NOISE] [LAW] [--keep FILE]\n");
   return 2;
 }

@@ -32,7 +32,7 @@ namespace {
 
 using namespace compare;
 
-constexpr double pi = 3.14159265358979323846, radius = 0.46;
+constexpr double radius = 0.46;
 
 class Random {
  public:
@@ -463,19 +463,9 @@ struct Displaced {
 
   /// By the exact solver on cells a / n.
   double by_cells(std::uint32_t n) const {
-    wrc_grid grid = sized<wrc_grid>();
-    grid.nx = grid.ny = 2 * n;
-    grid.dx = ellipse.a / n;
-    grid.dy = ellipse.b / n;
-    grid.x0 = -(n - 0.5) * grid.dx;
-    grid.y0 = -(n - 0.5) * grid.dy;
-    TransientCells exact(grid, steel, friction);
-    const double peak = 1.5 * ellipse.normal_force / (pi * ellipse.a * ellipse.b);
-    exact.press([&](double x, double y) {
-      return peak * std::sqrt(std::fmax(
-                        0.0, 1.0 - x * x / (ellipse.a * ellipse.a) - y * y / (ellipse.b * ellipse.b)));
-    });
-    return work(grid.dx, [&](const wrc_creepage& creepage) { return exact.step(creepage); });
+    TransientCells exact(compare::grid_about(ellipse.a, ellipse.b, n, n), steel, friction);
+    exact.press_ellipse(ellipse.a, ellipse.b, ellipse.normal_force);
+    return work(exact.grid().dx, [&](const wrc_creepage& creepage) { return exact.step(creepage); });
   }
 
   /// Exact: the error is of second order in the cell, as the border is a staircase.

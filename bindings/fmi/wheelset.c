@@ -17,7 +17,9 @@
 
 #include "model.h"
 
-enum { places = 4, rates = 6, moving = 9, sum_of_force = 9, sum_of_power = 10, states = 11, wheels = 2 };
+enum { places = 4, rates = 6, wheels = 2 };
+/* Numbers of the motion; behind them both sums. */
+enum { moving = places + rates - 1, sum_of_force = moving, sum_of_power, states };
 enum { most_halvings = 16 };
 
 /* q, then v without its sums: where the outputs of wheelset.def have them. */

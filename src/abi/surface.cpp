@@ -353,16 +353,17 @@ Fault merge_surfaces(wrc_surface* into, const wrc_surface* from) {
   RETURN_IF_FAILED(read_surface(into, "into", ours));
   RETURN_IF_FAILED(read_surface(from, "from", theirs));
   const char* cause = "its bins lie elsewhere than those of `into`";
-  const auto alike = [&](double theirs_is, double ours_is, const char* field, const char* unit) {
-    return check(theirs_is, field, unit, ours_is, ours_is, cause, cause);
+  const auto alike = [&](double number, double wanted, const char* field, const char* unit) {
+    return check(number, field, unit, wanted, wanted, cause, cause);
   };
-  RETURN_IF_FAILED(first_of({alike(from->count, into->count, "from.count", ""),
-                             alike(theirs.first, ours.first, "from.first", "m"),
-                             alike(theirs.length, ours.length, "from.length", "m"),
-                             alike(theirs.width, ours.width, "from.width", "m"),
-                             alike(theirs.closed ? 1.0 : 0.0, ours.closed ? 1.0 : 0.0, "from.closed", ""),
-                             alike(1.0 * theirs.rows, 1.0 * ours.rows, "from.rows", ""),
-                             alike(theirs.row_first, ours.row_first, "from.row_first", "m")}));
+  RETURN_IF_FAILED(
+      first_of({alike(static_cast<double>(theirs.count), static_cast<double>(ours.count), "from.count", ""),
+                alike(theirs.first, ours.first, "from.first", "m"),
+                alike(theirs.length, ours.length, "from.length", "m"),
+                alike(theirs.width, ours.width, "from.width", "m"),
+                alike(theirs.closed ? 1.0 : 0.0, ours.closed ? 1.0 : 0.0, "from.closed", ""),
+                alike(theirs.rows, ours.rows, "from.rows", ""),
+                alike(theirs.row_first, ours.row_first, "from.row_first", "m")}));
   return flags_of(false, damage::merge(ours, theirs));
 }
 

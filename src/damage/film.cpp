@@ -21,8 +21,11 @@ bool less(const WholeNumber& a, const WholeNumber& b) {  // amounts, not below 0
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 
+bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
+
 /// A share, 0 .. 1, of an amount; never more than that.
 WholeNumber part_of(const WholeNumber& all, double share) {
+  if (nothing(all)) return {};
   if (all.high >> 62 != 0) return {};  // the sum passed its range, or was never zeroed
   const WholeNumber part = whole(number(all) * share);
   return less(all, part) ? all : part;
@@ -123,8 +126,6 @@ struct Piece {
   double way;      ///< the body's, through the contact [m]
   double touched;  ///< share of the band's width that the contact covers
 };
-
-bool nothing(const WholeNumber& all) { return all.low == 0 && all.high == 0; }
 
 /// Does the substance lie on a bin of the piece?
 bool lies(std::int32_t quantity, const Piece& piece) {
@@ -340,9 +341,8 @@ bool rest(const Band& band, const FilmLaws& laws, double duration) {
   const double cools = spent(duration / laws.cooling_time), dries = spent(duration / laws.drying_time);
   for (std::int64_t k = 0; k < band.all(); ++k) {
     FilmBin& bin = band.bin(k);
-    const WholeNumber &warm = bin.sum[amount][heat], &wet = bin.sum[amount][water];
-    if (!nothing(warm)) take(bin, heat, removed, part_of(warm, cools), in_range);
-    if (!nothing(wet)) take(bin, water, evaporated, part_of(wet, dries), in_range);
+    take(bin, heat, removed, part_of(bin.sum[amount][heat], cools), in_range);
+    take(bin, water, evaporated, part_of(bin.sum[amount][water], dries), in_range);
   }
   return in_range;
 }

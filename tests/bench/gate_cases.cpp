@@ -262,7 +262,7 @@ int main(int count, char** arguments) {
     wheel.load.normal_force = 80e3;
     const AlongTrack along_track(methods, each.part == Case::track);
     special = along_track.contact;
-    static Films of_case(wheel.contact);
+    Films of_case(wheel.contact);
     films = &of_case;
     // The last solution of the contact is the one that the case goes on from.
     wheel_on_rail(wheel, false, 0, each.part);

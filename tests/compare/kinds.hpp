@@ -12,6 +12,9 @@ namespace compare {
 using Names = std::vector<std::string>;
 
 /// What the wheel's kinds may be told on the command line.
+/// Lateral places of a run to both sides, 1 mm apart.
+inline constexpr int most_beside = 6;
+
 struct Options {
   std::string kind;                 ///< its name on the command line
   std::vector<long> cases;          ///< to run; empty: all

@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
       }
     } else if (words[i] == "--y" && kind->cases == compare::compare_runs && has_value) {
       for (const std::string& word : split(words[++i])) {
-        if (!number(word, value) || std::fabs(value) > 6.0 || value != std::floor(value))
+        if (!number(word, value) || std::fabs(value) > compare::most_beside || value != std::floor(value))
           return misused("'" + word + "' is no lateral place of -6 to 6 in whole mm");
         options.beside.push_back(static_cast<int>(value));
       }

@@ -14,8 +14,6 @@
 namespace compare {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// One line of memory_params.csv.
 struct Sequence {
   std::string family;
@@ -87,23 +85,14 @@ class ExactOnCells {
   static wrc_grid grid_of(const Sequence& q, std::uint32_t n) {
     // 9 % about the ellipse hold that of 30 % more load
     const std::uint32_t half = q.of_halfspace ? n + n / 8 : n;
-    wrc_grid grid = sized<wrc_grid>();
-    grid.nx = grid.ny = 2 * half;
-    grid.dx = q.a / n;
-    grid.dy = q.b / n;
-    grid.x0 = -(half - 0.5) * grid.dx;
-    grid.y0 = -(half - 0.5) * grid.dy;
-    return grid;
+    return grid_about(q.a, q.b, n, half);
   }
 
   void press(const Sequence& q, double load) {
     if (load == pressed_) return;
     pressed_ = load;
     if (q.of_halfspace) return cells_.press_gap(q.gap_x, q.gap_y, load);
-    const double peak = 1.5 * load / (pi * q.a * q.b);
-    cells_.press([&](double x, double y) {
-      return peak * std::sqrt(std::fmax(0.0, 1.0 - x * x / (q.a * q.a) - y * y / (q.b * q.b)));
-    });
+    cells_.press_ellipse(q.a, q.b, load);
   }
 
   TransientCells cells_;

@@ -18,7 +18,6 @@ namespace compare {
 namespace {
 
 constexpr double inside = 5e-3;     // from the ends of the sections [m]
-constexpr int beside = 6;           // lateral places to both sides, 1 mm apart
 constexpr double leap = 0.05;       // change of the force from one step to the next, of N [-]
 constexpr double piece = 10e-3;     // of a line, kept and told when it is done [m]
 constexpr double told_jump = 2e-3;  // from which a piece's largest jump is listed, of N [-]
@@ -208,7 +207,7 @@ Report compare_runs(const Csv& file, const Options& options) {
     own.solve(*made.solver);
     const Vector force = own.force();
     kept.check("case " + std::to_string(rows.number) + ", " + options.setting, {force.begin(), force.end()});
-    for (int k = -beside; k <= beside; ++k) {
+    for (int k = -most_beside; k <= most_beside; ++k) {
       if (!options.wants_beside(k)) continue;
       Line line{made, case_of(file, rows.first, {}), std::max(options.from, made.begin + inside),
                 std::min(options.to, made.end - inside), options.step};

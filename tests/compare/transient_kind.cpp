@@ -14,8 +14,6 @@
 namespace compare {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// One line of transient_params.csv.
 struct Sequence {
   long number = 0;

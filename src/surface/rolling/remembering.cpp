@@ -125,8 +125,8 @@ class Rememberer {
     }
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
-    from_now_ = tangential::forgets(in_.rolled, longest_);
     takes_over_ = tangential::forgotten(in_.rolled, longest_);
+    from_now_ = takes_over_ == 1.0;
   }
 
   /// The face of the rail to which a strip in contact belongs.

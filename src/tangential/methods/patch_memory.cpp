@@ -569,7 +569,6 @@ double PatchStep::per_length(double size, double length) {
 }
 
 bool hardly_rolls(double rolled, double length) { return rolled <= least_step * std::max(length, least); }
-bool forgets(double rolled, double length) { return rolled > all_forgotten * std::max(length, least); }
 double forgotten(double rolled, double length) {
   return smooth_step((rolled / std::max(length, least) - forgets_from) / (all_forgotten - forgets_from));
 }

@@ -212,10 +212,8 @@ void march_steadily(const RollingContact& contact, const RememberingStrip* strip
 /// Over which a step of which nothing before is seen brings its cells [m].
 double last_part(double length);
 
-/// Is a path none, or so long that nothing before is seen? `length`: of the longest strip [m].
+/// Is a path none? `length`: of the longest strip [m].
 bool hardly_rolls(double rolled, double length);
-bool forgets(double rolled, double length);
-
 /// Share of steady rolling in such a path: 1 where nothing before is seen.
 double forgotten(double rolled, double length);
 /// Gives a strip's cells that share of those in steady rolling.

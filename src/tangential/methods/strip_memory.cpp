@@ -58,8 +58,8 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   Memory& memory = memory_at(contact.memory.at);
   PatchStep patch(contact, strips_of(memory), fault, factors);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
-  const bool rests = hardly_rolls(rolled, patch.length()), from_now = forgets(rolled, patch.length());
   const double takes_over = forgotten(rolled, patch.length());
+  const bool rests = hardly_rolls(rolled, patch.length()), from_now = takes_over == 1.0;
   // Cells at the end of the step, and the displacements per length at which strip FASTSIM is asked
   double local[3] = {}, shift[3] = {}, last = 0.0, cells_force[3] = {};
   Creepage asked = contact.creepage;
@@ -86,9 +86,11 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
     double per[3], of_cells[3];
     patch.about_centre(asked, 1.0, per);
     patch.steady(per, last, memory.list(2), of_cells);
-    if (from_now) std::copy_n(cells_force, 3, of_cells);
-    for (std::int32_t j = 0; j < contact.region.count && takes_over > 0.0 && !from_now; ++j)
-      tend_to(memory.list(2)[j], takes_over, memory.other()[memory.written + j]);
+    if (from_now)
+      std::copy_n(cells_force, 3, of_cells);
+    else if (takes_over > 0.0)
+      for (std::int32_t j = 0; j < contact.region.count; ++j)
+        tend_to(memory.list(2)[j], takes_over, memory.other()[memory.written + j]);
     patch.refer_to_origin(of_cells);
     const double share = patch.follows(rolled);
     const double of_strips[3] = {forces.fx, forces.fy, forces.mz};
