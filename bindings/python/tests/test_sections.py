@@ -8,6 +8,7 @@ import pytest
 import wrc
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "examples/rails"))
+import dipped_joint
 import rails
 import turnout
 
@@ -168,3 +169,9 @@ def test_a_bogie_through_the_crossing(monkeypatch):
         most.append(vertical.max())
         assert vertical.min() > 0.0 and abs(told[-1][1][1] - told[0][1][1]) < 2e-4  # it stays on the rail, and stands as before
     assert 100e3 < most[0] < 250e3 and most[1] == pytest.approx(most[0], rel=0.25)
+
+
+def test_dipped_joint_beside_the_formula():
+    contact = rails.model_of(wrc.rail_faces(dipped_joint.rail())).contact("RIGHT")
+    spring = dipped_joint.rolled(contact, 160 / 3.6)[:, 2].max()
+    assert spring == pytest.approx(dipped_joint.formula(160 / 3.6), rel=0.02)
