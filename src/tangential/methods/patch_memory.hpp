@@ -48,7 +48,7 @@ struct PastStrip {
   double force[3];
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
-  double slip[3];   ///< of the step, on a rail: creepages of its middle [-], spin [1/m]
+  double slip[3];   ///< in the step, on a rail: creepages of its middle [-], spin [1/m]
   double way;       ///< rolled under these conditions over the contact's length, backwards below zero [-]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
   double bound[memory_cells / 2];  ///< their bounds up to the middle; the others are symmetric [Pa]
