@@ -117,10 +117,10 @@ TEST_F(SurfaceMemory, SteadyInputsEndInTheSteadyWrench) {
     stand(y);
     roll(2.0);
     const wrc_wrench end = steady();
-    for (int i = 0; i < 50; ++i) go(4e-4);  // 40 mm, 3.5 lengths
-    EXPECT_LT(apart(wrench, end), 2e-3) << y;
-    for (int i = 0; i < 50; ++i) go(4e-4);
-    EXPECT_LT(apart(wrench, end), 1e-4) << y;
+    for (int i = 0; i < 38; ++i) go(4e-4);  // 30 mm, two lengths
+    EXPECT_LT(apart(wrench, end), 5e-4) << y;
+    for (int i = 0; i < 38; ++i) go(4e-4);
+    EXPECT_LT(apart(wrench, end), 1e-9) << y;
     // in one step over many lengths
     stand(y);
     roll(2.0);

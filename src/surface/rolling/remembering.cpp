@@ -15,6 +15,10 @@ using tangential::PastStrip;
 
 constexpr double least_force = 1e-290;  // [N]
 
+// Tractions settle to steady rolling where conditions stay: the rate over a length of the contact, and the
+// factor on changes, over the largest traction, that shorten the way under the same conditions [-].
+constexpr double settles = 100.0, change_counts = 400.0;
+
 /// Numbers of strips that are remembered.
 struct PastNumbers {
   const PastStrip* past;
@@ -251,8 +255,7 @@ class Rememberer {
     constexpr double none[3] = {};
     double local[3], of_part[3], last = 0.0;
     patch.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, local, of_part, last);
-    const double factor =
-        tangential::fitted_memory.ahead * (rests_ ? 0.0 : (1.0 - takes_over_) * in_.rolled / last);
+    const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last);
     const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = patch.arm();
     last_ = last;
     if (takes_over_ == 0.0) stored_ += part.share * patch.stored();
@@ -279,13 +282,27 @@ class Rememberer {
     });
   }
 
+  /// Way of a strip under the same conditions before this step, over the contact's length [-].
+  double way_before(std::int32_t j) const {
+    const PastStrip* const past = scratch_.past[j];
+    return past ? std::max(0.0, in_.direction * past->way) : 0.0;
+  }
+
+  /// Share of steady rolling in the way under the same conditions, as long as it will be in the next step.
+  double settled(double before) const {
+    const double step = in_.rolled / longest_;
+    return tangential::forgotten(before + step + std::min(step, 0.5 * before), 1.0);
+  }
+
   /// Slips at which the steady forces of the strips are asked, those of the bodies and of the yield, and the
   /// cells in steady rolling at the same.
   void march_cells() {
     for (std::int32_t j = 0; j < strips_.count; ++j) {
-      const double x = in_.travel * strips_.slip_x[j] + scratch_.ahead_x[j];
-      const double y = in_.travel * strips_.slip_y[j] + scratch_.ahead_y[j];
-      const double turn = in_.travel * strips_.spin[j] + scratch_.ahead_turn[j];
+      // changes in this step do not count: the force has no steep place where conditions begin to change
+      const double ahead = 1.0 - settled(way_before(j));
+      const double x = in_.travel * strips_.slip_x[j] + ahead * scratch_.ahead_x[j];
+      const double y = in_.travel * strips_.slip_y[j] + ahead * scratch_.ahead_y[j];
+      const double turn = in_.travel * strips_.spin[j] + ahead * scratch_.ahead_turn[j];
       const double size = std::max({std::abs(x), std::abs(y), std::abs(turn) * strips_.half_length[j]});
       const double per = tangential::PatchStep::per_length(size, in_.rolled);
       scratch_.asked_x[j] = per * x;
@@ -298,9 +315,9 @@ class Rememberer {
       cells.area = strips_.width[j] * cells.half_length * (2.0 / memory_cells);
       cells.x = cells.y = 0.0;
       cells.reach = cells.arm * cells.half_length;
-      cells.own_x = per * (in_.travel * cells.own_x + scratch_.cells_x[j]);
-      cells.own_y = per * (in_.travel * cells.own_y + scratch_.cells_y[j]);
-      cells.own_turn = per * (in_.travel * cells.own_turn + scratch_.cells_turn[j]);
+      cells.own_x = per * (in_.travel * cells.own_x + ahead * scratch_.cells_x[j]);
+      cells.own_y = per * (in_.travel * cells.own_y + ahead * scratch_.cells_y[j]);
+      cells.own_turn = per * (in_.travel * cells.own_turn + ahead * scratch_.cells_turn[j]);
     }
     constexpr double none[3] = {};
     const double h = from_now_ ? tangential::last_part(longest_) : last_;
@@ -338,8 +355,10 @@ class Rememberer {
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
+        double& steadily = scratch_.steady[j].added[i];
+        steadily = *force[i] - of_steady_cells[i];
         added = past ? (held * (i == 1 ? 1.0 : in_.direction)) * past->added[i] : 0.0;
-        if (!rests_) added += scratch_.follows[j] * (*force[i] - of_steady_cells[i] - added);
+        if (!rests_) added += scratch_.follows[j] * (steadily - added);
         if (from_now_) continue;  // the steady force itself
         *force[i] = of_cells[i] + added;
       }
@@ -380,6 +399,44 @@ class Rememberer {
     }
   }
 
+  /// Change of a strip's conditions since the committed step: tractions by its slips over the largest, bound
+  /// and outline [-].
+  double change_of(std::int32_t j) const {
+    const PastStrip &strip = written()[j], &past = *scratch_.past[j];
+    const tangential::RememberingStrip& cells = scratch_.shared[j];
+    const double length = 2.0 * strip.half_length,
+                 stiff[3] = {cells.growth_x * length, cells.growth_y * length,
+                             cells.growth_y * length * strip.half_length};
+    double change = 0.0, size = cells.bound[memory_cells / 2];
+    for (int i = 0; i < 3; ++i) {
+      change += stiff[i] * std::abs(strip.slip[i] - past.slip[i]);
+      size += stiff[i] * std::abs(strip.slip[i]);
+    }
+    const double bound = cells.bound[memory_cells / 2], had = past.bound[memory_cells / 2 - 1];
+    return change / std::max(size, least_force) +
+           std::abs(bound - had) / std::max({bound, had, least_force}) +
+           (std::abs(strip.half_length - past.half_length) +
+            std::abs(strip.centre - in_.direction * past.centre)) /
+               strip.half_length;
+  }
+
+  /// Under conditions that stay, tractions settle to those of steady rolling. The next step begins from them;
+  /// this one's forces stay, so trials are as smooth as ever.
+  void settle(std::int32_t j) {
+    PastStrip& strip = written()[j];
+    const double step = in_.rolled / longest_, per = in_.travel / in_.rolled;
+    strip.slip[0] = per * strips_.slip_x[j];
+    strip.slip[1] = per * strips_.slip_y[j];
+    strip.slip[2] = per * strips_.spin[j];
+    double before = way_before(j);
+    if (before > 0.0) before /= 1.0 + change_counts * change_of(j);
+    strip.way = std::min(before + step, tangential::all_forgotten);
+    const double rate = settles * step * settled(before), share = rate / (1.0 + rate);
+    const PastStrip& steady = scratch_.steady[j];
+    tangential::tend_to(steady, share, strip);
+    for (int i = 0; i < 3; ++i) strip.added[i] += share * (steady.added[i] - strip.added[i]);
+  }
+
   /// Counts the energy, lowers forces to it, and completes the strips written. Returns the dissipated work
   /// [J].
   double finish() {
@@ -390,17 +447,15 @@ class Rememberer {
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
-      if (energy.scale < 1.0) {
-        for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
-        for (std::int32_t i = 0; i < memory_cells; ++i) {
-          strip.px[i] *= energy.scale;
-          strip.py[i] *= energy.scale;
-        }
-        for (double& f : strip.force) f *= energy.scale;
-      }
       strip.added[0] = forces_.fx[j] - strip.force[0];
       strip.added[1] = forces_.fy[j] - strip.force[1];
       strip.added[2] = forces_.mz[j] - moment_of(j, strip.force);
+      if (!rests_) settle(j);
+      if (energy.scale < 1.0) {
+        for (double* const f : {forces_.fx, forces_.fy, forces_.mz}) f[j] *= energy.scale;
+        tangential::lower(energy.scale, strip);
+        for (double& f : strip.added) f *= energy.scale;
+      }
       if (scratch_.shared[j].arm > 0.0) strip.force[2] /= scratch_.shared[j].arm;
       strip.energy = energy.left / count;
       std::copy_n(scratch_.shared[j].bound, std::size(strip.bound), strip.bound);

@@ -8,6 +8,8 @@
 ///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both
 ///    are solved from the same past, and tractions and forces are their means by shares.
 ///  - The steady force that the memory tends to is that of the surface (surface_rolling.hpp), strip by strip.
+///  - Under conditions that stay, the tractions that are kept settle to those of steady rolling after 1.5 to 2
+///    lengths of the contact, as within one long step. Forces of the step itself are not touched.
 ///  - The energy that could be given back is counted for the contact as a whole.
 #pragma once
 

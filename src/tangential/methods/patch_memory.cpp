@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int32_t cells = memory_cells;
 
-// Lengths of the longest strip: a step from which on steady rolling takes over, one of which nothing before
-// is seen, and one that is none; parts of a step, from its end on.
-constexpr double forgets_from = 1.5, all_forgotten = 2.0, least_step = 1e-9;
+// Lengths of the longest strip: a step from which on steady rolling takes over, and one that is none; parts
+// of a step, from its end on.
+constexpr double forgets_from = 1.5, least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
@@ -127,6 +127,7 @@ PastStrip turned(const PastStrip& strip, double direction) {
   PastStrip s = strip;
   if (direction > 0.0) return s;
   s.centre = -s.centre;
+  s.way = -s.way;
   for (double* three : {s.force, s.added}) {
     three[0] = -three[0];
     three[2] = -three[2];
@@ -507,14 +508,7 @@ double PatchStep::stored() const {
 }
 
 void PatchStep::lower(double scale) {
-  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    PastStrip& strip = strips_.written[j];
-    for (std::int32_t i = 0; i < cells; ++i) {
-      strip.px[i] *= scale;
-      strip.py[i] *= scale;
-    }
-    for (double& part : strip.force) part *= scale;
-  }
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) tangential::lower(scale, strips_.written[j]);
 }
 
 double PatchStep::adhesion_fraction() const {
@@ -579,6 +573,14 @@ void tend_to(const PastStrip& steady, double share, PastStrip& strip) {
     mix(strip.py[i], steady.py[i]);
   }
   for (int i = 0; i < 3; ++i) mix(strip.force[i], steady.force[i]);
+}
+
+void lower(double scale, PastStrip& strip) {
+  for (std::int32_t i = 0; i < cells; ++i) {
+    strip.px[i] *= scale;
+    strip.py[i] *= scale;
+  }
+  for (double& part : strip.force) part *= scale;
 }
 
 EnergyLeft count_energy(double before, double work, double stored) {

@@ -48,10 +48,12 @@ struct PastStrip {
   double force[3];
   double added[3];  ///< its part of the difference to strip FASTSIM, Mz about the origin, on a rail its own
   double energy;    ///< it could give back [J]
+  double slip[3];   ///< in the step, on a rail: creepages of its middle [-], spin [1/m]
+  double way;       ///< rolled under these conditions over the contact's length, backwards below zero [-]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
   double bound[memory_cells / 2];  ///< their bounds up to the middle; the others are symmetric [Pa]
 };
-static_assert(sizeof(PastStrip) == (10 + 2 * memory_cells + memory_cells / 2) * sizeof(double),
+static_assert(sizeof(PastStrip) == (14 + 2 * memory_cells + memory_cells / 2) * sizeof(double),
               "no padding: its bytes are saved");
 
 using simd::RememberingStrip;
@@ -212,12 +214,17 @@ void march_steadily(const RollingContact& contact, const RememberingStrip* strip
 /// Over which a step of which nothing before is seen brings its cells [m].
 double last_part(double length);
 
+/// Lengths of the longest strip: a step of which nothing before is seen.
+inline constexpr double all_forgotten = 2.0;
+
 /// Is a path none? `length`: of the longest strip [m].
 bool hardly_rolls(double rolled, double length);
 /// Share of steady rolling in such a path: 1 where nothing before is seen.
 double forgotten(double rolled, double length);
 /// Gives a strip's cells that share of those in steady rolling.
 void tend_to(const PastStrip& steady, double share, PastStrip& strip);
+/// A strip's cells, times `scale`.
+void lower(double scale, PastStrip& strip);
 
 /// Energy that can be given back after a step, and the rest of it.
 struct EnergyLeft {

@@ -28,6 +28,8 @@ void keep_strips(const RollingContact& contact, double energy, const double adde
   PastStrip* const written = memory.other() + memory.written;
   for (std::int32_t j = 0; j < contact.region.count; ++j) {
     written[j].energy = energy * part;
+    std::fill_n(written[j].slip, 3, 0.0);
+    written[j].way = 0.0;
     for (int i = 0; i < 3; ++i) written[j].added[i] = added[i] * part;
     const RememberingStrip& at = memory.scratch()[j];
     std::copy_n(at.bound, std::size(written[j].bound), written[j].bound);
