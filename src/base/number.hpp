@@ -12,6 +12,7 @@ WRC_IN_LOOP double magnitude(double a) { return a < 0.0 ? -a : a; }
 WRC_IN_LOOP double larger(double a, double b) { return a > b ? a : b; }
 WRC_IN_LOOP double smaller(double a, double b) { return a < b ? a : b; }
 WRC_IN_LOOP double select(bool which, double yes, double no) { return which ? yes : no; }
+WRC_IN_LOOP bool any(bool which) { return which; }
 
 /// From 0 to 1 over t from 0 to 1, with zero slope at both ends; t beyond them counts as the end.
 WRC_IN_LOOP double smooth_step(double t) {

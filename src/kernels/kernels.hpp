@@ -12,8 +12,9 @@ struct Strips;
 }
 
 namespace wrc::surface {
+struct FollowedStrips;
 struct Overlaps;
-}
+}  // namespace wrc::surface
 
 namespace wrc::tangential {
 struct MarchGrid;
@@ -51,6 +52,7 @@ struct SlopesRowTask;
 struct BlendRowsTask;
 struct NearLinesTask;
 struct SectionStripsTask;
+struct FollowRailTask;
 struct OutlineTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
@@ -138,6 +140,8 @@ struct SurfaceKernels {
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
+  /// Finds the largest overlaps of strips along a rail that varies, and their parabolas.
+  void (*follow_rail)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const OutlineTask& task);
   /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than

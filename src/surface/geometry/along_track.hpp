@@ -8,8 +8,6 @@
 /// Number is double, or one that carries derivatives.
 #pragma once
 
-#include <type_traits>
-
 #include "base/golden_section.hpp"
 #include "base/number.hpp"
 #include "surface/geometry/out_of_round.hpp"
@@ -22,11 +20,15 @@ namespace wrc::surface {
 /// A concave rail is curved less than the wheel by this at least, else both would touch twice along x.
 inline constexpr double least_curvature_left = 0.2;
 
-/// Where the ray of a strip starts at a distance along the track, and how that place moves; from the wheel's
-/// reference point, rail axes.
+/// Where the ray of a strip starts, from the wheel's reference point, rail axes [m].
 template <class Number>
-struct RayStart {
-  Number x, y, z;                   ///< [m]
+struct RayPlace {
+  Number x, y, z;
+};
+
+/// The same, and how that place moves along the track.
+template <class Number>
+struct RayStart : RayPlace<Number> {
   Number slope_y, slope_z;          ///< by x [-]
   Number curvature_y, curvature_z;  ///< [1/m]
 };
@@ -39,34 +41,41 @@ struct RayEnd {
   Number u, depth;
 };
 
+/// A piece of the wheel's profile.
+inline PieceOf<double> piece_at(const Curve& wheel, std::int32_t piece) {
+  PieceOf<double> coefficients;
+  for (int d = 0; d < 4; ++d) {
+    coefficients.y[d] = wheel.y[d][piece];
+    coefficients.z[d] = wheel.z[d][piece];
+  }
+  return coefficients;
+}
+
 /// A ray beside the wheel: where its end lies on the profile and round the wheel, and the end by a step of
 /// Newton's method nearer to where both meet.
 template <class Number>
 struct RayBeside {
   OnProfile<Number> profile;
   Number sine, cosine,
-      per_radius;  ///< angle round the axle before the lowest point; 1 / distance from the axle
-  RayEnd<Number> next;
+      per_radius;   ///< angle round the axle before the lowest point; 1 / distance from the axle
+  Number u, depth;  ///< as RayEnd
 };
 
-/// With q = R^T (P + d n) a ray meets the wheel where q_y = Y(u) and root(q_x^2 + q_z^2) = r(u).
-template <class Number>
-RayBeside<Number> step_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
-                             const RayStart<Number>& from, const Number& ny, const Number& nz,
-                             const RayEnd<Number>& end) {
+/// With q = R^T (P + d n) a ray meets the wheel where q_y = Y(u) and root(q_x^2 + q_z^2) = r(u). `u`,
+/// `depth`: of its end on a piece of the profile.
+template <class Number, class OfPose, class Coefficient>
+WRC_IN_LOOP RayBeside<Number> step_along(const PieceOf<Coefficient>& piece,
+                                         const RelativePoseOf<OfPose>& pose, const RayPlace<Number>& from,
+                                         const Number& ny, const Number& nz, const Number& u,
+                                         const Number& depth) {
   const auto& R = pose.rotation;
   // the ray and its end in wheel axes
   Number ray[3], q[3];
   for (int k = 0; k < 3; ++k) {
     ray[k] = R[1][k] * ny + R[2][k] * nz;
-    q[k] = R[0][k] * from.x + R[1][k] * from.y + R[2][k] * from.z + end.depth * ray[k];
+    q[k] = R[0][k] * from.x + R[1][k] * from.y + R[2][k] * from.z + depth * ray[k];
   }
-  PieceOf<double> piece;
-  for (int d = 0; d < 4; ++d) {
-    piece.y[d] = wheel.y[d][end.piece];
-    piece.z[d] = wheel.z[d][end.piece];
-  }
-  const OnProfile<Number> p = on_profile(piece, end.u);
+  const OnProfile<Number> p = on_profile(piece, u);
   const Number radius = root(q[0] * q[0] + q[2] * q[2]), per_radius = Number(1.0) / radius;
   const Number sine = q[0] * per_radius, cosine = q[2] * per_radius;
   // residuals of both conditions, and the step of depth and length that removes them
@@ -77,18 +86,18 @@ RayBeside<Number> step_along(const Curve& wheel, const RelativePoseOf<Number>& p
           sine,
           cosine,
           per_radius,
-          {end.piece, end.u + (outwards * beside - ray[1] * below) * per,
-           end.depth + (p.dz * beside - p.dy * below) * per}};
+          u + (outwards * beside - ray[1] * below) * per,
+          depth + (p.dz * beside - p.dy * below) * per};
 }
 
 /// The overlap over x at the end of a ray, and the wheel there.
 template <class Number>
 struct OverlapAlong {
-  RayEnd<Number> next;  ///< nearer to the ray's end by a step of Newton's method
-  Number slope, bend;   ///< first and second derivative of the overlap by x [-], [1/m]
-  Number ny, nz;        ///< the wheel's normal across the track, of length one
-  Number own;           ///< curvature of the wheel's circle along its normal [1/m]
-  Number profile_y;     ///< on the wheel's profile [m]
+  Number u, depth;     ///< nearer to the ray's end by a step of Newton's method
+  Number slope, bend;  ///< first and second derivative of the overlap by x [-], [1/m]
+  Number ny, nz;       ///< the wheel's normal across the track, of length one
+  Number own;          ///< curvature of the wheel's circle along its normal [1/m]
+  Number profile_y;    ///< on the wheel's profile [m]
 };
 
 /// With N the wheel's outward normal at the ray's end and T = (1, P') the way of the ray's start, the overlap
@@ -96,12 +105,13 @@ struct OverlapAlong {
 ///     d' = -N.T / N.n,      d'' = (II(v, v) - N.P'') / N.n,      v = T + d' n,
 /// II(v, v) = (Y' r'' - r' Y'') / |(Y', r')|^3 v_s^2 - Y' / (|(Y', r')| r) v_t^2: of the wheel's surface, v_s
 /// along its profile and v_t round it.
-template <class Number>
-OverlapAlong<Number> overlap_along(const Curve& wheel, const RelativePoseOf<Number>& pose,
-                                   const RayStart<Number>& from, const Number& ny, const Number& nz,
-                                   const RayEnd<Number>& end) {
+template <class Number, class OfPose, class Coefficient>
+WRC_IN_LOOP OverlapAlong<Number> overlap_along(const PieceOf<Coefficient>& piece,
+                                               const RelativePoseOf<OfPose>& pose,
+                                               const RayStart<Number>& from, const Number& ny,
+                                               const Number& nz, const Number& u, const Number& depth) {
   const auto& R = pose.rotation;
-  const RayBeside<Number> at = step_along(wheel, pose, from, ny, nz, end);
+  const RayBeside<Number> at = step_along<Number>(piece, pose, from, ny, nz, u, depth);
   const OnProfile<Number>& p = at.profile;
   // slope of the overlap, from the wheel's normal N
   const Number nx = p.uy * at.sine, normal_z = p.uy * at.cosine;
@@ -109,7 +119,11 @@ OverlapAlong<Number> overlap_along(const Curve& wheel, const RelativePoseOf<Numb
                        R[1][0] * nx - R[1][1] * p.uz + R[1][2] * normal_z,
                        R[2][0] * nx - R[2][1] * p.uz + R[2][2] * normal_z};
   const Number per_facing = Number(1.0) / (N[1] * ny + N[2] * nz);
-  OverlapAlong<Number> o{at.next, {}, {}, {}, {}, p.uy * at.per_radius, p.y};
+  OverlapAlong<Number> o;
+  o.u = at.u;
+  o.depth = at.depth;
+  o.own = p.uy * at.per_radius;
+  o.profile_y = p.y;
   o.slope = -(N[0] + N[1] * from.slope_y + N[2] * from.slope_z) * per_facing;
   // the way v on the wheel's surface: parts round it and along its profile, and the curvature of both
   const Number way_y = from.slope_y + o.slope * ny, way_z = from.slope_z + o.slope * nz;
@@ -138,6 +152,15 @@ inline void settle(const Curve& wheel, RayEnd<double>& end) {
   }
 }
 
+/// Turns rays into the mean of both surfaces' normals, that of the rail from its unit tangent.
+template <class Number>
+WRC_IN_LOOP void turn_rays(const OverlapAlong<Number>& o, const Number& ty, const Number& tz, Number& ny,
+                           Number& nz) {
+  const Number y = o.ny - tz, z = o.nz + ty, per = Number(1.0) / root(y * y + z * z);
+  ny = y * per;
+  nz = z * per;
+}
+
 /// One strip of a rail that varies, seen along x: rays from its places along the track, all in one direction,
 /// to the wheel.
 template <class Number>
@@ -150,22 +173,11 @@ struct StripOverX {
   SectionBlend blend;  ///< sections at the place looked at last
   Number ny, nz;       ///< direction of the rays, into the rail
 
-  RayStart<Number> start(const Number& x, int derivatives = std::is_same_v<Number, double> ? 2 : 3) {
+  RayStart<Number> start(const Number& x, int derivatives = 3) {
     const Number there = distance + x;
     blend = blend_at(rail, rail.face[face_of(rail, strip)], value_of(there), blend, derivatives);
     const StripAlongTrack<Number> s = strip_at(rail, blend, strip, there);
-    return {x, s.y - pose.y, s.z - pose.z, s.slope_y, s.slope_z, s.curvature_y, s.curvature_z};
-  }
-  OverlapAlong<Number> overlap(const RayStart<Number>& from, const RayEnd<Number>& end) const {
-    return overlap_along(wheel, pose, from, ny, nz, end);
-  }
-  /// Turns the rays into the mean of both surfaces' normals at x, the place looked at last.
-  void turn(const OverlapAlong<Number>& o, const Number& x) {
-    Number ty, tz;
-    tangent_at(rail, blend, strip, distance + x, ty, tz);
-    const Number y = o.ny - tz, z = o.nz + ty, per = Number(1.0) / root(y * y + z * z);
-    ny = y * per;
-    nz = z * per;
+    return {{x, s.y - pose.y, s.z - pose.z}, s.slope_y, s.slope_z, s.curvature_y, s.curvature_z};
   }
 };
 
@@ -180,7 +192,10 @@ inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end)
   constexpr int steps = 2;
   const RayStart<double> from = strip.start(x, 0);  // a ray needs no slopes of the rail
   for (int n = 0; n < steps; ++n) {
-    end = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, end).next;
+    const RayBeside<double> at = step_along<double>(piece_at(strip.wheel, end.piece), strip.pose, from,
+                                                    strip.ny, strip.nz, end.u, end.depth);
+    end.u = at.u;
+    end.depth = at.depth;
     settle(strip.wheel, end);
   }
   return end.depth;
@@ -206,30 +221,6 @@ inline void search_largest(StripOverX<double>& strip, double low, double high, L
   found.x = 0.5 * (before + behind);
   depth_at(strip, found.x, end);
   found.end = end;
-}
-
-/// Newton's method for the largest overlap within low..high, from `found`; the rays are turned with it.
-inline void find_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
-  constexpr int most_steps = 12;
-  constexpr double longest = 10e-3, close = 1e-8;  // [m]
-  const LargestOverlap begin = found;
-  for (int n = 0; n < most_steps; ++n) {
-    const RayStart<double> from = strip.start(found.x);
-    const OverlapAlong<double> o = strip.overlap(from, found.end);
-    const double moved = o.next.depth - found.end.depth;
-    found.end = o.next;
-    settle(strip.wheel, found.end);
-    // concave where it is to be largest; a step at most `longest`
-    const double step = o.slope / larger(-o.bend, least_curvature_left * o.own);
-    const double x = found.x + smaller(larger(step, -longest), longest);
-    const double to = smaller(larger(x, low), high) - found.x;
-    found.x += to;
-    // both steps square the residual
-    if (magnitude(to) < close && magnitude(moved) < close) return;
-    strip.turn(o, from.x);
-  }
-  found = begin;
-  search_largest(strip, low, high, found);
 }
 
 /// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
@@ -271,7 +262,7 @@ struct OverlapAtEnd {
 template <class Number>
 struct CutStrip {
   Number middle, curvature;  ///< t_c [m], [1/m]
-  bool cut;                  ///< false: the contact ends before the surface does
+  Number mean_slope;         ///< s + k a/2 [-]: not above 0, the contact ends before the surface does
 };
 template <class Number>
 CutStrip<Number> cut_strip(const OverlapAtEnd<Number>& o) {
@@ -279,124 +270,108 @@ CutStrip<Number> cut_strip(const OverlapAtEnd<Number>& o) {
   const Number deep = contact_share * (larger(o.depth, Number(0.0)) + least_contact_depth);
   const Number length = 2.0 * deep / (steep + root(steep * steep + 4.0 * bent * deep));
   const Number end = o.slope + o.curvature * length, load = o.slope + bent * length;
-  return {0.25 * length * end / load, 4.0 * load / length,
-          value_of(o.slope) > -0.5 * value_of(o.curvature) * value_of(length)};
+  return {0.25 * length * end / load, 4.0 * load / length, o.slope + 0.5 * o.curvature * length};
 }
 
-/// Cuts a strip's parabola off at the end of its surface. `room`: from the parabola's top to the end [m].
-/// `way`: 1 ahead, -1 behind. `steep`: slope by which the overlap falls from the end into the surface, where
-/// it is largest at the end, else 0 [-]. The parabola then is that of the mirror image, through the overlap
-/// at `half` [m]. `least`: smallest curvature [1/m].
-template <class Number>
-void cut_at_end(double way, const Number& room, const Number& steep, const Number& half, const Number& least,
-                StripOverlap<Number>& o) {
+/// Cuts a strip's parabola off at the end of its surface, where that is near. `room`: from the parabola's top
+/// to the end [m]. `way`: 1 ahead, -1 behind. `steep`: slope by which the overlap falls from the end into the
+/// surface, where it is largest at the end, else 0 [-]. The parabola then is that of the mirror image,
+/// through the overlap at `half` [m]. `least`: smallest curvature [1/m].
+template <class Number, class Yes>
+void cut_at_end(Yes near, const Number& way, const Number& room, const Number& steep, const Number& half,
+                const Number& least, StripOverlap<Number>& o) {
   const Number curvature = larger(o.curvature - 2.0 * steep / half, least);
   const OverlapAtEnd<Number> at_end{o.depth - 0.5 * curvature * room * room, steep - curvature * room,
                                     curvature};
   const CutStrip<Number> strip = cut_strip(at_end);
-  if (!strip.cut) return;
   const Number t = strip.middle;
-  o.centre += way * (room - t);
-  o.depth = at_end.depth - t * (at_end.slope + 0.5 * curvature * t);
-  o.curvature = strip.curvature;
+  const auto cut = value_of(select(near, strip.mean_slope, Number(0.0))) > 0.0;
+  const auto put = [&](const Number& value, Number& to) { to = select(cut, value, to); };
+  put(o.centre + way * (room - t), o.centre);
+  put(at_end.depth - t * (at_end.slope + 0.5 * curvature * t), o.depth);
+  put(strip.curvature, o.curvature);
   // slope by which the overlap falls as the wheel moves on: the end rests, and the wheel rolls over it
-  o.grade = o.grade + way * (at_end.slope + curvature * t);
+  put(o.grade + way * (at_end.slope + curvature * t), o.grade);
 }
 
-/// The end of a ray with its derivatives: two steps of Newton's method from the plain one.
+/// A strip at its largest overlap along x.
 template <class Number>
-RayEnd<Number> carried(const StripOverX<Number>& strip, const RayStart<Number>& from,
-                       const RayEnd<double>& end) {
-  RayEnd<Number> carrying{end.piece, end.u, end.depth};
-  for (int n = 0; n < 2; ++n)
-    carrying = step_along(strip.wheel, strip.pose, from, strip.ny, strip.nz, carrying).next;
-  return carrying;
-}
-inline RayEnd<double> carried(const StripOverX<double>&, const RayStart<double>&, const RayEnd<double>& end) {
-  return end;
-}
+struct AtLargest {
+  RayStart<Number> from;
+  Number ny, nz, depth;  ///< the ray's direction, and the overlap along it [m]
+  OverlapAlong<Number> over;
+  Number end_slope;  ///< slope of the overlap where it is largest at an end of the face, else 0 [-]
+  Number high, low;  ///< where the face ends, ahead and behind [m]
+};
 
-template <class Number>
-RelativePose plain_pose(const RelativePoseOf<Number>& pose) {
-  RelativePose plain;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) plain.rotation[i][k] = value_of(pose.rotation[i][k]);
-  plain.y = value_of(pose.y);
-  plain.z = value_of(pose.z);
-  return plain;
-}
-
-/// The overlap of a strip on a rail that varies. `found`: a place near the largest and the ray's end, in
-/// plain numbers, which become those of the largest; `o`: normal and place near those, then the strip's
-/// overlap. Returns the place on the wheel's profile [m].
-template <class Number>
-Number follow_rail(const PlacedRail& placed, const VaryingRail& rail, const Curve& wheel,
-                   const RelativePoseOf<Number>& pose, std::int32_t strip, const Number& distance,
-                   LargestOverlap& found, StripOverlap<Number>& o) {
-  const std::int32_t face = face_of(rail, strip);
-  const RelativePose rest = plain_pose(pose);
-  StripOverX<double> plain{rail,           wheel,         rest, strip, value_of(distance), placed.blend[face],
-                           value_of(o.ny), value_of(o.nz)};
-  const double low = placed.low[face], high = placed.high[face];
-  find_largest(plain, low, high, found);
-  StripOverX<Number> s{rail, wheel, pose, strip, distance, plain.blend, plain.ny, plain.nz};
-  Number x = found.x;
-  const bool inside = found.x > low && found.x < high,
-             at_end = !inside && magnitude(found.x) < farthest_along;
-  RayStart<Number> from = s.start(x);
-  RayEnd<Number> end = carried(s, from, found.end);
-  OverlapAlong<Number> over = s.overlap(from, end);
-  if constexpr (!std::is_same_v<Number, double>) {
-    // x moves as the slope there does; at the end of a face with that
-    if (inside)
-      x = x + over.slope * (1.0 / larger(-value_of(over.bend), least_curvature_left * value_of(over.own)));
-    else if (at_end)
-      x = x + (value_of(distance) - distance);
-    from = s.start(x);
-    end = s.overlap(from, end).next;
-    s.turn(s.overlap(from, end), x);
-    end = s.overlap(from, end).next;
-    over = s.overlap(from, end);
-  }
+/// The overlap of a strip: parabolas through the overlap at a place and half a contact ahead and behind;
+/// beyond the end of a face that on the other side. First about the largest by its curvature, then about the
+/// top of that parabola. `depth_at`: the overlap at a place [m].
+template <class Number, class DepthAt>
+void fit_along(const AtLargest<Number>& at, const DepthAt& depth_at, StripOverlap<Number>& o) {
+  // place, normal and grade are those of the largest overlap
+  const Number& x = at.from.x;
   o.centre = x;
-  o.ny = s.ny;
-  o.nz = s.nz;
-  o.wy = from.y + end.depth * s.ny;
-  o.wz = from.z + end.depth * s.nz;
-  o.grade = s.ny * from.slope_y + s.nz * from.slope_z;
-  // Parabolas through the overlap at a place and half a contact ahead and behind; beyond the end of a face
-  // that on the other side. First about the largest by its curvature, then about the top of that parabola.
-  const auto depth_of = [&](const Number& place) {
-    RayEnd<double> there = found.end;
-    depth_at(plain, value_of(place), there);
-    if constexpr (std::is_same_v<Number, double>) return there.depth;
-    return carried(s, s.start(place), there).depth;
-  };
-  const Number moved = value_of(distance) - distance;  // 0; its derivative moves the ends against the wheel
-  const Number ends[2] = {high + moved, low + moved};
-  Number half = half_contact(end.depth, larger(-over.bend, least_curvature_left * over.own)), top = end.depth;
+  o.ny = at.ny;
+  o.nz = at.nz;
+  o.wy = at.from.y + at.depth * at.ny;
+  o.wz = at.from.z + at.depth * at.nz;
+  o.grade = at.ny * at.from.slope_y + at.nz * at.from.slope_z;
+  const Number least = least_curvature_left * at.over.own;
+  Number half = half_contact(at.depth, larger(-at.over.bend, least)), top = at.depth;
   for (int pass = 0; pass < 2; ++pass) {
     if (pass > 0) {
       half = half_contact(o.depth, o.curvature);
-      top = depth_of(o.centre);
+      top = depth_at(o.centre);
     }
-    const Number side[2] = {depth_of(o.centre + half), depth_of(o.centre - half)};
+    // beyond an end of the face the other side counts, in part where the end lies within half a contact
+    const Number side[2] = {depth_at(o.centre + half), depth_at(o.centre - half)};
     const auto share = [&](const Number& room) {
       return smaller(larger(room / half, Number(0.0)), Number(1.0));
     };
-    const Number ahead = side[1] + share(ends[0] - o.centre) * (side[0] - side[1]),
-                 behind = side[0] + share(o.centre - ends[1]) * (side[1] - side[0]);
-    fit_parabola(top, ahead, behind, half, over.own, o);
+    const Number ahead = side[1] + share(at.high - o.centre) * (side[0] - side[1]),
+                 behind = side[0] + share(o.centre - at.low) * (side[1] - side[0]);
+    fit_parabola(top, ahead, behind, half, at.over.own, o);
   }
-  const Number to_end[2] = {ends[0] - x, x - ends[1]};
-  const bool is_ahead = value_of(to_end[0]) < value_of(to_end[1]);
-  const Number room = is_ahead ? to_end[0] : to_end[1];
-  if (value_of(room) < value_of(half)) {
-    const double way = is_ahead ? 1.0 : -1.0;
-    const Number steep = at_end ? way * over.slope : Number(0.0);
-    cut_at_end(way, room - way * (o.centre - x), steep, half, least_curvature_left * over.own, o);
-  }
-  return over.profile_y;
+  // the nearer end of the face, where it lies under the contact
+  const Number to_end[2] = {at.high - x, x - at.low};
+  const auto is_ahead = value_of(to_end[0]) < value_of(to_end[1]);
+  const Number room = select(is_ahead, to_end[0], to_end[1]),
+               way = select(is_ahead, Number(1.0), Number(-1.0));
+  const auto near = value_of(room) < value_of(half);
+  if (any(near)) cut_at_end(near, way, room - way * (o.centre - x), way * at.end_slope, half, least, o);
+}
+
+/// Strips of one face on their way along the track, as many as the widest instruction set has lanes.
+struct FollowedStrips {
+  static constexpr std::int32_t most = 16;
+  using Each = double[most];
+
+  std::int32_t count;
+  std::int32_t strip[most];
+  /// A place near the largest overlap and the ray's end there (RayEnd), then those of the largest.
+  Each x;
+  std::int32_t piece[most];
+  Each u, depth;
+  StripOverlap<Each> overlap;  ///< normals, then all
+  Each settled;  ///< 0: Newton's method did not find the largest; place and ray's end are as given
+};
+
+/// Adds a strip, with the normal of `o`.
+inline void put_largest(std::int32_t strip, const LargestOverlap& near, const StripOverlap<double>& o,
+                        FollowedStrips& s) {
+  const std::int32_t i = s.count++;
+  s.strip[i] = strip;
+  s.x[i] = near.x;
+  s.piece[i] = near.end.piece;
+  s.u[i] = near.end.u;
+  s.depth[i] = near.end.depth;
+  s.overlap.ny[i] = o.ny;
+  s.overlap.nz[i] = o.nz;
+}
+inline StripOverlap<double> overlap_of(const FollowedStrips& s, std::int32_t i) {
+  const StripOverlap<FollowedStrips::Each>& o = s.overlap;
+  return {o.depth[i], o.centre[i], o.curvature[i], o.ny[i], o.nz[i], o.wy[i], o.wz[i], o.grade[i]};
 }
 
 /// A place to begin at, and the overlap there [m].

@@ -3,6 +3,15 @@
 namespace wrc::surface {
 namespace {
 
+RelativePose plain_pose(const RelativePoseOf<PlaceDual>& pose) {
+  RelativePose plain;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) plain.rotation[i][k] = pose.rotation[i][k].value;
+  plain.y = pose.y.value;
+  plain.z = pose.z.value;
+  return plain;
+}
+
 /// How far the end of a ray moves along the outline as the ray and the outline move: from miss(u) = 0, the
 /// derivatives of `miss` at a fixed u over its slope by u, which is of plain numbers.
 PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>& pose,
@@ -13,9 +22,7 @@ PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>&
   const PlaceDual miss = ray_miss(ray, outline_place(pose, attitude, y, r, steepness));
 
   // slope d miss / du of the outline at rest
-  RelativePose rest;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) rest.rotation[i][k] = pose.rotation[i][k].value;
+  const RelativePose rest = plain_pose(pose);
   const OutlineAttitude rests{attitude.e1.value, attitude.e2.value, attitude.e3.value};
   const OutlineSlope<double> by_u =
       outline_slope(rest, rests, at, outline_place(rest, rests, at.y, at.radius, at.slope));
@@ -24,6 +31,28 @@ PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>&
   for (std::size_t d = 0; d < place_inputs; ++d) end.d[d] = -miss.d[d] / slope;
   return end;
 }
+
+/// A ray beside the wheel, with derivatives; its end is on the piece of `end`.
+struct RayWithSlopes {
+  const PieceOf<double> piece;
+  PlaceDual u, depth;
+
+  RayWithSlopes(const Curve& wheel, const RayEnd<double>& end)
+      : piece(piece_at(wheel, end.piece)), u(end.u), depth(end.depth) {}
+
+  /// The end by two steps of Newton's method, from the plain one.
+  void carry(const StripOverX<PlaceDual>& strip, const RayPlace<PlaceDual>& from) {
+    for (int n = 0; n < 2; ++n) {
+      const RayBeside<PlaceDual> at =
+          step_along<PlaceDual>(piece, strip.pose, from, strip.ny, strip.nz, u, depth);
+      u = at.u;
+      depth = at.depth;
+    }
+  }
+  OverlapAlong<PlaceDual> overlap(const StripOverX<PlaceDual>& strip, const RayStart<PlaceDual>& from) const {
+    return overlap_along<PlaceDual>(piece, strip.pose, from, strip.ny, strip.nz, u, depth);
+  }
+};
 
 }  // namespace
 
@@ -45,11 +74,7 @@ RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose) {
 OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
                              const RelativePoseOf<PlaceDual>& pose,
                              const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t k, double at) {
-  PieceOf<double> piece;
-  for (int d = 0; d < 4; ++d) {
-    piece.y[d] = wheel.y[d][k];
-    piece.z[d] = wheel.z[d][k];
-  }
+  const PieceOf<double> piece = piece_at(wheel, k);
   const StripRay<PlaceDual> ray{place.y - pose.y, place.z - pose.z, place.ty, place.tz};
   // A ray that ended at a border of its piece was held there: it does not move.
   const bool inside = at > 0.0 && at < wheel.s[k + 1] - wheel.s[k];
@@ -60,6 +85,67 @@ OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
   OverlapSlopes s{ray_overlap(pose, ray, p, o).strip, p.y};
   s.grade = 0.0;
   return s;
+}
+
+OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& placed,
+                             const RelativePoseOf<PlaceDual>& pose, const PlaceDual& distance,
+                             FollowedStrips& near) {
+  const VaryingRail& rail = surfaces.varying;
+  const Curve& wheel = surfaces.wheel.curve;
+  const std::int32_t strip = near.strip[0], face = face_of(rail, strip);
+  const double low = placed.low[face], high = placed.high[face];
+  const RelativePose rest = plain_pose(pose);
+  // the largest overlap in plain numbers
+  follow_rail(surfaces, placed, rest, near);
+  const RayEnd<double> end{near.piece[0], near.u[0], near.depth[0]};
+  const double ny = near.overlap.ny[0], nz = near.overlap.nz[0];
+  StripOverX<double> plain{rail, wheel, rest, strip, distance.value, placed.blend[face], ny, nz};
+  StripOverX<PlaceDual> s{rail, wheel, pose, strip, distance, placed.blend[face], ny, nz};
+
+  // x moves as the slope there does, at the end of a face with that; the rays turn as the normals do
+  PlaceDual x = near.x[0];
+  const PlaceDual moved = distance.value - distance;  // 0; its derivative moves the ends against the wheel
+  const bool inside = x.value > low && x.value < high,
+             at_end = !inside && magnitude(x.value) < farthest_along;
+  AtLargest<PlaceDual> at;
+  at.from = s.start(x);
+  RayWithSlopes ray(wheel, end);
+  ray.carry(s, at.from);
+  at.over = ray.overlap(s, at.from);
+  if (inside)
+    x = x + at.over.slope * (1.0 / larger(-at.over.bend.value, least_curvature_left * at.over.own.value));
+  else if (at_end)
+    x = x + moved;
+  at.from = s.start(x);
+  const auto step = [&] {
+    at.over = ray.overlap(s, at.from);
+    ray.u = at.over.u;
+    ray.depth = at.over.depth;
+  };
+  step();
+  PlaceDual ty, tz;
+  tangent_at(rail, s.blend, strip, distance + x, ty, tz);
+  turn_rays(ray.overlap(s, at.from), ty, tz, s.ny, s.nz);
+  step();
+  at.over = ray.overlap(s, at.from);
+  at.ny = s.ny;
+  at.nz = s.nz;
+  at.depth = ray.depth;
+  at.end_slope = at_end ? at.over.slope : PlaceDual(0.0);
+  at.high = high + moved;
+  at.low = low + moved;
+  // the overlap at other places: a ray in plain numbers, which then carries derivatives
+  const auto depth_at_place = [&](const PlaceDual& place) {
+    RayEnd<double> there = end;
+    depth_at(plain, place.value, there);
+    RayWithSlopes carried(wheel, there);
+    carried.carry(s, s.start(place));
+    return carried.depth;
+  };
+  OverlapSlopes o;
+  fit_along(at, depth_at_place, o);
+  o.y_wheel = at.over.profile_y;
+  return o;
 }
 
 }  // namespace wrc::surface

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/dual.hpp"
-#include "surface/geometry/outline.hpp"
+#include "surface/geometry/surface_geometry.hpp"
 
 namespace wrc::surface {
 
@@ -27,6 +27,12 @@ struct StripPlace {
 OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
                              const RelativePoseOf<PlaceDual>& pose,
                              const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t piece, double u);
+
+/// That of a strip on a rail that changes along the track, of the wheel's reference point at `distance` [m].
+/// `near`: the strip alone, near its largest overlap.
+OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& rail,
+                             const RelativePoseOf<PlaceDual>& pose, const PlaceDual& distance,
+                             FollowedStrips& near);
 
 /// A pose that carries its derivatives by all PlaceInput.
 RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose);

@@ -1,6 +1,7 @@
 #include "surface/geometry/surface_geometry.hpp"
 
 #include "base/number.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc::surface {
 
@@ -50,38 +51,92 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
   return rail;
 }
 
+void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                 FollowedStrips& s) {
+  const VaryingRail& varying = surfaces.varying;
+  const std::int32_t face = face_of(varying, s.strip[0]);
+  const double low = rail.low[face], high = rail.high[face];
+  // all at once, by Newton's method
+  simd::FollowRailTask task{
+      &varying, &varying.face[face], &surfaces.wheel.curve, &pose, rail.distance, low, high, false};
+  surfaces.kernels->surface.follow_rail(task, s);
+  // where Newton's method found none, the largest is searched
+  for (std::int32_t i = 0; i < s.count; ++i) {
+    if (s.settled[i] > 0.0) continue;
+    StripOverX<double> strip{varying,         surfaces.wheel.curve, pose,
+                             s.strip[i],      rail.distance,        rail.blend[face],
+                             s.overlap.ny[i], s.overlap.nz[i]};
+    LargestOverlap found{s.x[i], {s.piece[i], s.u[i], s.depth[i]}};
+    search_largest(strip, low, high, found);
+    s.x[i] = found.x;
+    s.piece[i] = found.end.piece;
+    s.u[i] = found.end.u;
+    s.depth[i] = found.end.depth;
+    task.at_largest = true;
+  }
+  // their parabolas; the others' come out again as they were
+  if (task.at_largest) surfaces.kernels->surface.follow_rail(task, s);
+}
+
 namespace {
 
-/// The overlap of a strip, and the end of its ray.
-struct FollowedStrip : StripOverlap<double> {
-  RayEnd<double> end;
-};
+/// Strips on their way to overlaps with all that varies. Those of a face that changes gather until there are
+/// as many as a kernel follows; all stay in their order.
+struct FollowedOverlaps {
+  const SurfaceGeometry& surfaces;
+  const PlacedRail& rail;
+  const RelativePose& pose;
+  double angle, margin;
+  Overlaps& o;
+  std::int32_t kept;  ///< those deeper than -margin, at the beginning of `o`
+  std::int32_t face;  ///< that the strips gathered belong to
+  FollowedStrips gathered;
 
-/// Adds all that varies to the overlap of one strip. Returns whether it is deeper than -margin then.
-bool follow_track(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                  std::int32_t strip, double angle, double margin, FollowedStrip& o) {
-  const Curve& wheel = surfaces.wheel.curve;
-  const bool round = surfaces.out_of_round.rows == 0;
-  double y = 0.0;
-  if (changes_along(surfaces, strip)) {
+  /// Adds what else varies, and keeps the strip if it is deeper than the margin then.
+  void keep(std::int32_t strip, std::int32_t piece, double u, StripOverlap<double> s) {
+    const double y = surfaces.out_of_round.rows > 0 ? evaluate(surfaces.wheel.curve, piece, u).y : 0.0;
+    follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, s);
+    if (!(s.depth > -margin)) return;
+    o.strip[kept] = strip;
+    o.piece[kept] = piece;
+    o.u[kept] = u;
+    put_strip(s, kept, o);
+    ++kept;
+  }
+
+  /// Follows those that have gathered.
+  void finish() {
+    FollowedStrips& g = gathered;
+    if (g.count == 0) return;
+    follow_rail(surfaces, rail, pose, g);
+    for (std::int32_t i = 0; i < g.count; ++i) keep(g.strip[i], g.piece[i], g.u[i], overlap_of(g, i));
+    g.count = 0;
+  }
+
+  /// Takes overlap i, of a round wheel and a rail that is the same all along.
+  void take(std::int32_t i) {
+    const std::int32_t strip = o.strip[i], of_face = face_of(surfaces.varying, strip);
+    StripOverlap<double> s = strip_of(o, i);
+    s.grade = 0.0;
+    // those gathered before come first
+    if (gathered.count == FollowedStrips::most || of_face != face) finish();
+    face = of_face;
+    if (!changes_along(surfaces, strip)) return keep(strip, o.piece[i], o.u[i], s);
+
     // strips that stay clear of the margin by a first look are no candidates
     constexpr double looks_within = 0.2e-3;  // [m]
-    const FirstLook look = look_along(rail, surfaces.varying, strip, o);
-    LargestOverlap found{look.x, {o.end.piece, o.end.u, look.depth}};
+    const FirstLook look = look_along(rail, surfaces.varying, strip, s);
+    LargestOverlap found{look.x, {o.piece[i], o.u[i], look.depth}};
+    // far from the axle the parabola does not hold: rays look for the place
     if (magnitude(look.x) > near_axle) {
-      const std::int32_t face = face_of(surfaces.varying, strip);
-      StripOverX<double> s{surfaces.varying, wheel, pose, strip, rail.distance, rail.blend[face], o.ny, o.nz};
-      found = climb_along(s, rail.low[face], rail.high[face], look.x, o.end);
+      StripOverX<double> over{surfaces.varying, surfaces.wheel.curve, pose, strip,
+                              rail.distance,    rail.blend[face],     s.ny, s.nz};
+      found = climb_along(over, rail.low[face], rail.high[face], look.x, {o.piece[i], o.u[i], s.depth});
     }
-    if (!(found.end.depth > -margin - looks_within - surfaces.out_of_round.largest)) return false;
-    y = follow_rail<double>(rail, surfaces.varying, wheel, pose, strip, rail.distance, found, o);
-    o.end = found.end;
-  } else if (!round) {
-    y = evaluate(wheel, o.end.piece, o.end.u).y;
+    if (!(found.end.depth > -margin - looks_within - surfaces.out_of_round.largest)) return;
+    put_largest(strip, found, s, gathered);
   }
-  follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, o);
-  return o.depth > -margin;
-}
+};
 
 }  // namespace
 
@@ -99,20 +154,12 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   if (!varying) return o;
   // Those deeper than the margin stay once all that varies is added. They make room for others, which can be
   // no more often than the rail has strips.
-  std::int32_t kept = 0;
+  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, o, 0, 0, {}};
   for (;;) {
-    for (std::int32_t i = kept; i < o.count; ++i) {
-      FollowedStrip s{strip_of(o, i), {o.piece[i], o.u[i], o.depth[i]}};
-      s.grade = 0.0;
-      if (!follow_track(surfaces, rail, pose, o.strip[i], angle, margin, s)) continue;
-      o.strip[kept] = o.strip[i];
-      o.piece[kept] = s.end.piece;
-      o.u[kept] = s.end.u;
-      put_strip(s, kept, o);
-      ++kept;
-    }
-    o.count = kept;
-    if (!o.full || kept == o.capacity) return o;
+    for (std::int32_t i = followed.kept; i < o.count; ++i) followed.take(i);
+    followed.finish();
+    o.count = followed.kept;
+    if (!o.full || o.count == o.capacity) return o;
     find_more_overlaps(kernels, strips, surfaces.wheel, pose, margin + more, rail.gain, scratch, o);
   }
 }

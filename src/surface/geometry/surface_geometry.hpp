@@ -39,6 +39,10 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept;
 
+/// The overlaps of strips of one face, which changes along the track.
+void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                 FollowedStrips& strips);
+
 /// Does the surface of a strip change along the track?
 inline bool changes_along(const SurfaceGeometry& surfaces, std::int32_t strip) {
   const VaryingRail& rail = surfaces.varying;

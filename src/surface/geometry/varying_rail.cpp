@@ -323,27 +323,21 @@ SectionBlend blend_between(const VaryingRail& rail, std::int32_t left, double di
   SectionBlend b{};
   b.left = left;
   b.right = left + 1;
-  // The quintic Hermite functions of the header and their derivatives by t, scaled to derivatives by the
-  // distance: h1 = up, h0 = 1 - up, h2 = leaving, h3 = reaching.
-  const double h = rail.distance[left + 1] - rail.distance[left], per = 1.0 / h,
+  const double apart = rail.distance[left + 1] - rail.distance[left], per = 1.0 / apart,
                t = (distance - rail.distance[left]) * per;
-  const double t2 = t * t;
-  const auto put = [&b](int d, double up, double leaving, double reaching) {
-    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - up;
-    b.weight[d][1] = up;
-    b.weight[d][2] = leaving;
-    b.weight[d][3] = reaching;
+  const auto put = [&b](int d, const SectionWeights<double>& w) {
+    b.weight[d][0] = (d == 0 ? 1.0 : 0.0) - w.up;
+    b.weight[d][1] = w.up;
+    b.weight[d][2] = w.leaving;
+    b.weight[d][3] = w.reaching;
   };
-  put(0, t2 * t * (10.0 + t * (6.0 * t - 15.0)), t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * h,
-      t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * h);
+  put(0, value_weights(t, apart));
   if (derivatives < 1) return b;
-  put(1, 30.0 * t2 * (1.0 + t * (t - 2.0)) * per, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
-      t2 * (t * (28.0 - 15.0 * t) - 12.0));
-  put(2, 60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per, t * (t * (96.0 - 60.0 * t) - 36.0) * per,
-      t * (t * (84.0 - 60.0 * t) - 24.0) * per);
+  put(1, slope_weights(t, per));
+  put(2, curvature_weights(t, per));
   if (derivatives < 3) return b;
-  put(3, 60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per, (t * (192.0 - 180.0 * t) - 36.0) * per * per,
-      (t * (168.0 - 180.0 * t) - 24.0) * per * per);
+  put(3, {60.0 * (1.0 + 6.0 * t * (t - 1.0)) * per * per * per, (t * (192.0 - 180.0 * t) - 36.0) * per * per,
+          (t * (168.0 - 180.0 * t) - 24.0) * per * per});
   return b;
 }
 

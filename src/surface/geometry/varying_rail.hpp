@@ -75,6 +75,33 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
                         const StripWidths& widths, std::int32_t most_strips, const VaryingRailArrays& arrays,
                         VaryingRail& rail);
 
+/// Weights at a place between two sections: on the right value, and on the slopes left and right. That on the
+/// left value is 1 less the first, in derivatives 0 less it.
+template <class Number>
+struct SectionWeights {
+  Number up, leaving, reaching;
+};
+
+/// The quintic Hermite functions of the header, and their first two derivatives by the distance. `t`: from 0
+/// to 1; `apart`: of the sections [m]; `per`: 1 over that.
+template <class Number>
+WRC_IN_LOOP SectionWeights<Number> value_weights(const Number& t, const Number& apart) {
+  const Number t2 = t * t;
+  return {t2 * t * (10.0 + t * (6.0 * t - 15.0)), t * (1.0 + t2 * (t * (8.0 - 3.0 * t) - 6.0)) * apart,
+          t2 * t * (t * (7.0 - 3.0 * t) - 4.0) * apart};
+}
+template <class Number>
+WRC_IN_LOOP SectionWeights<Number> slope_weights(const Number& t, const Number& per) {
+  const Number t2 = t * t;
+  return {30.0 * t2 * (1.0 + t * (t - 2.0)) * per, 1.0 + t2 * (t * (32.0 - 15.0 * t) - 18.0),
+          t2 * (t * (28.0 - 15.0 * t) - 12.0)};
+}
+template <class Number>
+WRC_IN_LOOP SectionWeights<Number> curvature_weights(const Number& t, const Number& per) {
+  return {60.0 * t * (1.0 + t * (2.0 * t - 3.0)) * per * per, t * (t * (96.0 - 60.0 * t) - 36.0) * per,
+          t * (t * (84.0 - 60.0 * t) - 24.0) * per};
+}
+
 /// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
 /// their values and slopes in the outline and its derivatives by the distance, up to the number asked for.
 struct SectionBlend {

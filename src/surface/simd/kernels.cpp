@@ -2,6 +2,7 @@
 #include "kernels/kernels.hpp"
 
 #include "surface/simd/blend_rows_kernel.hpp"
+#include "surface/simd/follow_rail_kernel.hpp"
 #include "surface/simd/influence_kernel.hpp"
 #include "surface/simd/influence_slopes_kernel.hpp"
 #include "surface/simd/near_lines_kernel.hpp"
@@ -27,6 +28,7 @@ constexpr SurfaceKernels surface_kernels = {
     .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
     .section_strips = section_strips_kernel,
+    .follow_rail = follow_rail_kernel,
     .outline = outline_kernel,
     .cross_rays = cross_rays_kernel,
     .follow_rays = follow_rays_kernel,

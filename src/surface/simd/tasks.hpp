@@ -10,6 +10,8 @@
 
 namespace wrc::surface {
 
+struct RailFace;
+struct VaryingRail;
 template <class Number>
 struct SurfaceRollingInputOf;
 template <class Number>
@@ -112,6 +114,17 @@ struct SectionStripsTask {
                               ///< and second derivatives by the distance
   const double* step;         ///< range of u across each strip [m]
   double *y, *z, *ty, *tz, *width;  ///< as RailStrips
+};
+
+/// Strips of one face of a rail that varies, whose overlaps a wheel's rays follow along the track
+/// (surface/geometry/along_track.hpp).
+struct FollowRailTask {
+  const surface::VaryingRail* rail;
+  const surface::RailFace* face;
+  const surface::Curve* wheel;
+  const surface::RelativePose* pose;
+  double distance, low, high;  ///< as PlacedRail [m]
+  bool at_largest;             ///< the strips' places are those of their largest overlaps
 };
 
 /// A wheel's outline, and the strips whose rays it may cross.

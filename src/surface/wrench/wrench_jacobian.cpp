@@ -6,7 +6,6 @@
 #include "base/number.hpp"
 #include "geometry/creepages.hpp"
 #include "kernels/kernels.hpp"
-#include "surface/geometry/along_track.hpp"
 #include "surface/rolling/layered_strips.hpp"
 #include "surface/rolling/strip_numbers.hpp"
 #include "surface/simd/tasks.hpp"
@@ -91,12 +90,9 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   }
   // the same corrections as of plain numbers, in the same order
   if (changes_along(model, j)) {
-    OverlapSlopes o;
-    static_cast<StripOverlap<PlaceDual>&>(o) = {overlaps.depth[i], overlaps.centre[i], overlaps.curvature[i],
-                                                overlaps.ny[i],    overlaps.nz[i],     overlaps.wy[i],
-                                                overlaps.wz[i],    overlaps.grade[i]};
-    LargestOverlap found{overlaps.centre[i], {piece, u, overlaps.depth[i]}};
-    o.y_wheel = follow_rail<PlaceDual>(rail, model.varying, model.wheel.curve, pose, j, distance, found, o);
+    FollowedStrips near{};
+    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, strip_of(overlaps, i), near);
+    OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }

@@ -54,9 +54,6 @@ static LayerCell layer_cell(const Shape& shape, const Shape& elastic, std::int32
   return cell;
 }
 
-/// Packs have several lanes. (These two are each unit's own: units of instruction sets share no function.)
-static inline bool any(bool which) { return which; }
-
 /// Particles carry this from cell to cell.
 template <class Number>
 struct LayerState {
