@@ -122,8 +122,8 @@ struct MemoryFactors {
   double follows;  ///< length over which the difference to strip FASTSIM is added, of a
   double ahead;    ///< factor by which the displacement of cells over that of the patch is taken ahead
 };
-inline constexpr MemoryFactors fitted_memory{0.0105,  -0.1060, 0.2479, -0.2032, 0.0072,
-                                             -0.0047, 0.3200,  0.9152, 2.3330};
+inline constexpr MemoryFactors fitted_memory{0.0105,  -0.1060, 0.2479, -0.2032, -0.0167,
+                                             -0.0047, 0.2513,  0.9152, 2.3330};
 
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
 class PatchStep {

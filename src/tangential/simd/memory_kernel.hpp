@@ -70,11 +70,13 @@ struct PassedCells {
 
 /// Factor on the displacement for the direction in which a cell slides: 1 as it begins to slide, and where
 /// the patch rolls further in half lengths, times `rolling`, than the cell is displaced in times its bound.
+/// It grows as 2 c - c^2, c the part of the displacement that goes beyond the bound: a cell displaced across
+/// its traction needs more than one displaced nearly along it.
 constexpr double turned_by_rolling = 5.0;
 inline Pack turned_by(Pack turns, Pack rolled, Pack sticks, Pack bound, Pack vx, Pack vy) {
   const Pack v2 = vx * vx + vy * vy, v = root(v2), still = Pack(turned_by_rolling) * rolled * bound;
   const Pack beyond = smaller(larger(sticks - bound, Pack(0.0)), v);
-  return Pack(1.0) + turns * beyond * v / larger(v2 + still * still, Pack(1e-290));
+  return Pack(1.0) + turns * beyond * (Pack(2.0) * v - beyond) / larger(v2 + still * still, Pack(1e-290));
 }
 
 inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s, std::int32_t i) {
