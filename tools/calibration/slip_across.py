@@ -22,7 +22,7 @@ SPEED, STRIPS, SHEAR = 20.0, 32, 82e9
 
 
 def header_constants():
-    found = re.search(r"slip_across_constants\[\] = \{(.*?)\}", HEADER.read_text(), re.S)
+    found = re.search(r"double c\[\] = \{(.*?)\}", HEADER.read_text(), re.S)
     return np.array([float(each) for each in found.group(1).split(",")])
 
 
