@@ -60,13 +60,13 @@ struct EdgeTask {
 ///
 /// Where there is memory for `places` rows alone, rows from `first` to `end` are eliminated by those before,
 /// as they come in `rows`: the first `places` in their places, then some at a time. They go where rows far
-/// above have no columns left. With the last one the solutions are found. All but the last `end` are multiples
-/// of eight.
+/// above have no columns left. With the last one the solutions are found. All but the last `end` are
+/// multiples of eight.
 struct EliminationTask {
   std::int32_t size;
-  std::int64_t stride;  ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
-  double* matrix;       ///< destroyed
-  double *r, *s;        ///< the solutions, `stride` elements each; s nullptr: of r alone; or both nullptr
+  std::int64_t stride;     ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
+  double* matrix;          ///< destroyed
+  double *r, *s;           ///< the solutions, `stride` elements each; s nullptr: of r alone; or both nullptr
   double* rows = nullptr;  ///< nullptr: all rows, in their places
   std::int32_t first = 0, end = 0, places = 0;
 };

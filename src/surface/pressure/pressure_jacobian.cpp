@@ -44,7 +44,7 @@ struct Scratch {
   double* matrix;
   double *by_lengths, *lengths;  ///< these two in it
   double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
-  double* kept;   ///< some columns of all rows before they are blended with their neighbours'
+  double* kept;                  ///< some columns of all rows before they are blended with their neighbours'
   std::int64_t kept_columns;
   double* x;      ///< changes of L and c
   double* share;  ///< shares of rows in a sum
