@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int32_t inputs = place_inputs;
 constexpr std::int32_t directions = simd::SlopesRowTask::directions;
-static_assert(directions >= 2 + 2 * inputs);
+static_assert(simd::SlopesRowTask::used == 2 + 2 * inputs);
 /// Fewest columns of the equations that are smoothed at a time: all where memory holds them (smooth_rows()).
 constexpr std::int64_t fewest_columns = 16;
 
@@ -221,20 +221,24 @@ void loads_by_lengths(const Kernels& kernels, const Size& size, const Scratch& w
   }
 }
 
+/// Lists the rows that blend_edges() sums, those of the edges first.
+void list_rows(const Size& size, const Scratch& w) {
+  w.row[0] = w.leading + size.contact;
+  w.row[1] = w.trailing + size.contact;
+  for (std::int32_t b = 0; b < size.strips; ++b) w.row[b + 2] = w.by_lengths + b * size.reduced;
+}
+
 /// A row of L and c from shares of the rows of strip a's edges, which have all unknowns: less its derivatives
 /// by q, that by the strip's own with `own` more, times those of q.
 void blend_edges(const Kernels& kernels, const Size& size, std::int32_t a, double of_leading,
                  double of_trailing, double own, const Scratch& w, double* to) {
   w.share[0] = of_leading;
   w.share[1] = of_trailing;
-  w.row[0] = w.leading + size.contact;
-  w.row[1] = w.trailing + size.contact;
   const double *const leading = w.leading + size.first, *const trailing = w.trailing + size.first;
-  for (std::int32_t b = 0; b < size.strips; ++b) {
-    w.share[b + 2] = -(of_leading * leading[b] + of_trailing * trailing[b]);
-    w.row[b + 2] = w.by_lengths + b * size.reduced;
-  }
-  w.share[a + 2] -= own;
+  double* const by_load = w.share + 2;
+  for (std::int32_t b = 0; b < size.strips; ++b)
+    by_load[b] = -(of_leading * leading[b] + of_trailing * trailing[b]);
+  by_load[a] -= own;
   kernels.surface.blend_rows({size.strips + 2, size.reduced, w.share, w.row, to});
 }
 
@@ -451,6 +455,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, std:
   // Contact gives the loads by L and c, then lambda and shift of every strip give these.
   for (std::int32_t a = 0; a < n; ++a) fill_contact(seeing, s, size, a, w);
   loads_by_lengths(model.kernels, size, w);
+  list_rows(size, w);
   for (std::int32_t a = 0; a < n; ++a) fill_edges(seeing, s, size, a, w);
   smooth(model.kernels, s, size, w);
   solve_lengths(model.kernels, size, w);
