@@ -211,10 +211,17 @@ void print_call(const char* what, long group, long k, const wrc_wheel_input& inp
       wrench.work, wrench.residual);
 }
 
+/// The least normal force of those that press more strips than a number.
+struct PressedBy {
+  double strips;
+  double load = 1e9;  ///< [N]
+};
+
 int poses(Pairs& pairs, long count, unsigned seed, long only) {
   std::map<std::string, long> statuses;
   PoseClass classes[2][load_classes];
   WorkByStrips by_strips;
+  PressedBy pressed_by[] = {{56.0}, {68.0}};  // room of the derivatives at "real time" and at the default
   long in_contact = 0, not_finite = 0, without_height = 0, most_regions = 0, calls = 0;
   double sum = 0.0;
   const long first = only < 0 ? 0 : only, last = only < 0 ? count / PoseGroup::heights : only + 1;
@@ -244,6 +251,8 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
       classes[input.start == WRC_START_COLD ? 0 : 1][load].take(wrench, took, capped, group);
       const double strips = strips_in_contact(poses.contact(), wrench);
       by_strips[{input.start, std::lround(std::log(strips) / std::log(1.2))}].push_back(wrench.work);
+      for (PressedBy& each : pressed_by)
+        if (strips > each.strips) each.load = std::min(each.load, wrench.normal_force);
     }
     if (group % 1000 == 0) std::fprintf(stderr, "\r%ld of %ld", group, last);
   }
@@ -252,6 +261,8 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
       "%ld calls, %ld in contact, %ld not finite, at most %ld regions; %ld poses carry 150 kN nowhere\n",
       calls, in_contact, not_finite, most_regions, without_height);
   for (const auto& [name, times] : statuses) std::printf("  %-28s %ld\n", name.c_str(), times);
+  for (const PressedBy& each : pressed_by)
+    std::printf("  more than %.0f strips are pressed by %.0f kN at least\n", each.strips, 1e-3 * each.load);
   for (const int warm : {0, 1})
     for (std::size_t load = 0; load < load_classes; ++load) {
       const PoseClass& c = classes[warm][load];

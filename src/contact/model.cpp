@@ -139,7 +139,7 @@ std::size_t surface_bytes(const ModelOptions& options) {
 }
 
 /// Bytes that contacts carry for the methods and the surface.
-void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
+void take_sizes(const ModelOptions& options, const surface::SurfaceModel* surface, ArraySizes& sizes) {
   // one after the other in the same memory
   if (const auto workspace = options.normal_method->workspace)
     sizes.stage_workspace_bytes = workspace(options.sizes.strips);
@@ -149,13 +149,10 @@ void take_sizes(const ModelOptions& options, ArraySizes& sizes) {
   if (options.non_steady)
     sizes.rolling_memory_bytes =
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
-  // On the surface: state is saved with the contact, work space lies behind it.
-  if (!has_surface(options)) return;
+  // on the surface: state is saved with the contact, work space lies behind it
+  if (surface == nullptr) return;
   sizes.surface_state_bytes = surface::surface_state_bytes(remembered_strips(options));
-  sizes.surface_workspace_bytes = surface::surface_workspace_bytes(
-      node_count(options.wheel), surface_methods(options), options.strip_widths, options.surface_cells,
-      options.sections.count > 0 || options.radius.rows > 0 || options.roller_curvature != 0.0,
-      face_count(options));
+  sizes.surface_workspace_bytes = surface::surface_workspace_bytes(*surface);
 }
 
 /// Reads the force table into `memory`, for the model's Poisson ratio.
@@ -346,9 +343,7 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
   model->options.radius = {};
   model->options.force_table = nullptr;
 
-  // Layout of the contacts, and tables by the materials.
-  take_sizes(options, model->options.sizes);
-  model->layout = lay_out(model->options.sizes, sizeof(Contact));
+  // Tables by the materials.
   model->linear_theory = theory::SdecTable(options.material.poisson);
   model->kernels = &kernels_for(options.instruction_set);
 
@@ -386,6 +381,10 @@ Fault make_model(const ModelOptions& options, void* memory, Model*& made) {
     model->arc[1] =
         geometry::measure(right.rail.profile, right.rail.origin_y, arc + node_count(options.wheel));
   }
+
+  // Layout of the contacts.
+  take_sizes(options, model->surface, model->options.sizes);
+  model->layout = lay_out(model->options.sizes, sizeof(Contact));
   model->configuration = fingerprint(*model);
   made = model;
   return {};

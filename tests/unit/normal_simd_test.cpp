@@ -216,6 +216,23 @@ TEST(Kernels, EliminationSolvesTheEquations) {
         EXPECT_NEAR(left_r, 0.0, 1e-13);
         EXPECT_NEAR(left_s, 0.0, 1e-13);
       }
+
+      // Rows with a place, then eight at a time: the same bits.
+      const std::int32_t places = simd::least_places(size);
+      std::vector<double> coming = given, other_r(stride), other_s(stride);
+      std::vector<double> kept(static_cast<std::size_t>(places) * stride);
+      std::copy_n(given.begin(), static_cast<std::size_t>(std::min(places, size)) * stride, kept.begin());
+      for (std::int32_t first = 0, end = 0; first < size; first = end) {
+        end = std::min(first == 0 ? places : first + 8, size);
+        double* const rows =
+            first == 0 ? kept.data() : coming.data() + static_cast<std::size_t>(first) * stride;
+        kernel->normal.eliminate({size, simd::elimination_stride(size), kept.data(), other_r.data(),
+                                  other_s.data(), rows, first, end, places});
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_EQ(other_r[i], r[i]);
+        EXPECT_EQ(other_s[i], s[i]);
+      }
     }
 }
 

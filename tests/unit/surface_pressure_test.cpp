@@ -191,7 +191,8 @@ struct DifferentiatedGap {
     s.length_squared_dual = length_squared_dual.data();
     s.centre_dual = centre_dual.data();
     std::vector<double> workspace(static_cast<std::size_t>(pressure_jacobian_doubles(s.count)));
-    differentiate_pressures(model_of(compliance), workspace.data(), s);
+    differentiate_pressures(model_of(compliance), workspace.data(),
+                            static_cast<std::int64_t>(workspace.size()), s);
   }
 };
 

@@ -57,8 +57,7 @@ class CylinderOnCrown {
     bodies.grid = &grid_;
     model_memory_.resize(surface_model_bytes(nodes, nodes, 0, 0, 1, {}) / sizeof(double) + 1);
     EXPECT_FALSE(make_surface_model(bodies, model_memory_.data(), model).failed());
-    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(nodes, {}, {}, cells, false)) /
-                     sizeof(double));
+    workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(*model)) / sizeof(double));
     in.friction = 0.0;
     in.wheel.position[2] = -wheel_radius;
   }

@@ -49,9 +49,7 @@ class Pair {
                          1);
     if (surface::make_surface_model(bodies, model_memory_.data(), model_).failed())
       throw std::string("the wheel on the rail cannot be made");
-    workspace_.resize(static_cast<std::size_t>(
-                          surface::surface_workspace_bytes(bodies.wheel.count, {}, {}, grid_.cells, false)) /
-                          sizeof(double) +
+    workspace_.resize(static_cast<std::size_t>(surface::surface_workspace_bytes(*model_)) / sizeof(double) +
                       1);
   }
 

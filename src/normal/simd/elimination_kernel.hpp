@@ -101,34 +101,50 @@ void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
   // With right-hand sides given, columns beyond them are not read.
   const EquationRows all{stride, task.r ? task.size + 4 : stride};
-  const auto rows_at = [&](std::int32_t i) { return task.matrix + i * stride; };
-  std::int32_t i = 0;
-  // Eight rows at a time: less all pivot rows above, then each four among themselves.
-  for (; i + 8 <= task.size; i += 8) {
-    for (std::int32_t k = 0; k < i; k += 4) take_away<8>(rows_at(k), k, all, rows_at(i));
-    triangulate(rows_at(i), i, all);
-    take_away<4>(rows_at(i), i, all, rows_at(i + 4));
-    triangulate(rows_at(i + 4), i + 4, all);
+  // Column 0 of an eliminated row, of which those before its group of eight may be another row's: a row
+  // without a place lies where one far above has no columns left.
+  double* const matrix = task.matrix;
+  const std::int32_t places = task.rows ? task.places : task.size;
+  const auto rows_at = [&](std::int32_t i) {
+    const std::int64_t behind = i / 8, above = (task.size + 7) / 8 + 1 - behind;
+    return i < places ? matrix + i * stride : matrix + (8 * above + i % 8) * stride - 8 * behind;
+  };
+  const std::int32_t first = task.rows ? task.first : 0, end = task.rows ? task.end : task.size;
+  double* rows = task.rows ? task.rows : matrix;
+  for (std::int32_t i = first; i < end; i += 8, rows += 8 * stride) {
+    // Eight rows at a time, or the last four: less all pivot rows above, then each four among themselves.
+    const std::int32_t count = i + 8 <= end ? 8 : 4;
+    for (std::int32_t k = 0; k < i; k += 4) {
+      if (count == 8)
+        take_away<8>(rows_at(k), k, all, rows);
+      else
+        take_away<4>(rows_at(k), k, all, rows);
+    }
+    triangulate(rows, i, all);
+    if (count == 8) {
+      take_away<4>(rows, i, all, rows + 4 * stride);
+      triangulate(rows + 4 * stride, i + 4, all);
+    }
+    // Rows that came elsewhere.
+    double* const kept = rows_at(i);
+    for (std::int32_t q = 0; q < count && kept != rows; ++q)
+      for (std::int64_t c = i; c < all.end; ++c) kept[q * stride + c] = rows[q * stride + c];
   }
-  if (i < task.size) {
-    for (std::int32_t k = 0; k < i; k += 4) take_away<4>(rows_at(k), k, all, rows_at(i));
-    triangulate(rows_at(i), i, all);
-  }
-  if (!task.r) return;
+  if (!task.r || end < task.size) return;
   // Back substitution, upwards; solutions not known yet count as zero.
-  const std::int64_t end = (task.size + group - 1) / group * group;
-  for (std::int64_t c = 0; c < end; ++c) {
+  const std::int64_t columns = (task.size + group - 1) / group * group;
+  for (std::int64_t c = 0; c < columns; ++c) {
     task.r[c] = 0.0;
     if (task.s) task.s[c] = 0.0;
   }
-  for (i = task.size - 4; i >= 0; i -= 4) {
+  for (std::int32_t i = task.size - 4; i >= 0; i -= 4) {
     // x_i = (r_i - sum of the known x) / pivot; within the four row by row.
     const std::int64_t from = (i + 4) / group * group;
     const auto substitute = [&](double* x, std::int32_t column) {
       double right[4];
       for (std::int32_t q = 0; q < 4; ++q) {
         const double* const row = rows_at(i + q);
-        right[q] = row[column] - product(row, x, from, end);
+        right[q] = row[column] - product(row, x, from, columns);
       }
       for (std::int32_t q = 3; q >= 0; --q) {
         const double* const row = rows_at(i + q) + i;

@@ -57,12 +57,22 @@ struct EdgeTask {
 /// those of the unit matrix; each row is followed by its element of r and that of s. Or, where neither is
 /// asked for, by as many right-hand sides as the stride holds, for the caller to substitute back: the
 /// rows are left as those of a triangle, the inverses of the pivots on its diagonal.
+///
+/// Where there is memory for `places` rows alone, rows from `first` to `end` are eliminated by those before,
+/// as they come in `rows`: the first `places` in their places, then some at a time. They go where rows far
+/// above have no columns left. With the last one the solutions are found. All but the last `end` are
+/// multiples of eight.
 struct EliminationTask {
   std::int32_t size;
-  std::int64_t stride;  ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
-  double* matrix;       ///< destroyed
-  double *r, *s;        ///< the solutions, `stride` elements each; s nullptr: of r alone; or both nullptr
+  std::int64_t stride;     ///< from row to row, whole groups of eight; with r and s elimination_stride(size)
+  double* matrix;          ///< destroyed
+  double *r, *s;           ///< the solutions, `stride` elements each; s nullptr: of r alone; or both nullptr
+  double* rows = nullptr;  ///< nullptr: all rows, in their places
+  std::int32_t first = 0, end = 0, places = 0;
 };
+
+/// Fewest places that hold the rows of a triangle.
+constexpr std::int32_t least_places(std::int32_t size) { return ((size + 7) / 8 + 3) / 2 * 8; }
 
 /// A virtual penetration (penetration.hpp): the scale, a parabola over y, and the span where it leaves an
 /// overlap, divided into `count` strips of `width`.

@@ -67,28 +67,46 @@ void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScra
   w.work += 1.0 * n * n;
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
-  // Rows of M at the strips' own middles; the first kernel leaves the diagonal to the second one.
-  problem.kernels.surface.influence(problem.tables, sources, faces_of(active),
-                                    {n, active.place, active.centre, active.ny, active.nz}, s.skewed,
-                                    w.matrix, stride);
-  problem.kernels.surface.own_influence(problem.tables, sources, w.matrix, stride);
-  // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of four.
-  for (std::int32_t a = 0; a < size; ++a) {
-    double* const row = w.matrix + a * stride;
-    for (std::int64_t c = a < n ? n : 0; c < stride; ++c) row[c] = 0.0;
-    if (a < n)
-      row[size] = overlap_at_centre(s, w.active.index[a]);
-    else
-      row[a] = 1.0;
+  // As many rows as have a place, then some at a time; usually all have one.
+  const auto places = static_cast<std::int32_t>(w.places / stride / 8 * 8);
+  for (std::int32_t first = 0; first < n;) {
+    const std::int32_t end = std::min(first + (first == 0 ? places : rows_at_a_time), size);
+    const std::int32_t count = std::min(n, end) - first;
+    double* const rows = first == 0 ? w.matrix : w.rows;
+    // Rows of M at the strips' own middles; the first kernel leaves the diagonal to the second one.
+    problem.kernels.surface.influence(
+        problem.tables, sources, faces_of(active),
+        {count, active.place + first, active.centre + first, active.ny + first, active.nz + first}, s.skewed,
+        rows, stride);
+    problem.kernels.surface.own_influence(problem.tables, sources_of(active, first, count), rows + first,
+                                          stride);
+    // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of
+    // four.
+    for (std::int32_t a = first; a < end; ++a) {
+      double* const row = rows + (a - first) * stride;
+      for (std::int64_t c = a < n ? n : 0; c < stride; ++c) row[c] = 0.0;
+      if (a < n)
+        row[size] = overlap_at_centre(s, active.index[a]);
+      else
+        row[a] = 1.0;
+    }
+    problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, nullptr, rows, first, end, places});
+    first = end;
   }
-  problem.kernels.normal.eliminate({size, stride, w.matrix, w.solution, nullptr});
 }
 
 }  // namespace
 
-simd::SurfaceSources sources_of(const ActiveStrips& active) {
-  return {active.count, active.place, active.centre, active.inverse_length, active.half_width, active.factor};
+simd::SurfaceSources sources_of(const ActiveStrips& active, std::int32_t first, std::int32_t count) {
+  return {count,
+          active.place + first,
+          active.centre + first,
+          active.inverse_length + first,
+          active.half_width + first,
+          active.factor + first};
 }
+
+simd::SurfaceSources sources_of(const ActiveStrips& active) { return sources_of(active, 0, active.count); }
 
 simd::SurfaceFaces faces_of(const ActiveStrips& active) { return {active.width, active.ny, active.nz}; }
 

@@ -18,8 +18,9 @@ void solve_contact(const PressureProblem& problem, const StripSet& s, bool every
 /// Activates strips that would overlap under the loads in w.solution. Returns whether there are any.
 bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
 
-/// The active strips, for kernels.
+/// The active strips, or some of them, for kernels.
 simd::SurfaceSources sources_of(const ActiveStrips& active);
+simd::SurfaceSources sources_of(const ActiveStrips& active, std::int32_t first, std::int32_t count);
 simd::SurfaceFaces faces_of(const ActiveStrips& active);
 
 }  // namespace wrc::surface

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::int32_t inputs = place_inputs;
 constexpr std::int32_t directions = simd::SlopesRowTask::directions;
-static_assert(directions >= 2 + 2 * inputs);
-/// Columns of the equations that are smoothed at a time: bounds the memory of those kept (smooth_rows()).
-constexpr std::int64_t columns_at_a_time = 64;
+static_assert(simd::SlopesRowTask::used == 2 + 2 * inputs);
+/// Fewest columns of the equations that are smoothed at a time: all where memory holds them (smooth_rows()).
+constexpr std::int64_t fewest_columns = 16;
 
 /// Sizes for a number of strips: of the equations with all unknowns, and of those left for L and c.
 struct Size {
@@ -44,7 +44,8 @@ struct Scratch {
   double* matrix;
   double *by_lengths, *lengths;  ///< these two in it
   double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
-  double* kept;   ///< columns_at_a_time of all rows before they are blended with their neighbours'
+  double* kept;                  ///< some columns of all rows before they are blended with their neighbours'
+  std::int64_t kept_columns;
   double* x;      ///< changes of L and c
   double* share;  ///< shares of rows in a sum
   const double** row;
@@ -59,13 +60,12 @@ struct Scratch {
 };
 
 Scratch cut(Arena& arena, std::int32_t most) {
-  Scratch w;
+  Scratch w{};
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = w.by_lengths = arena.take(size.doubles());
   w.lengths = w.by_lengths + most * size.reduced;
   arena.each(size.stride, w.leading, w.trailing);
-  w.kept = arena.take(most * columns_at_a_time);
   w.x = arena.take(static_cast<std::int64_t>(size.rows) * inputs);
   // two edges and all of contact, or all strips with their loads
   const std::int32_t summands = 2 * most + 2;
@@ -75,6 +75,8 @@ Scratch cut(Arena& arena, std::int32_t most) {
   arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
              w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.y, w.near, w.by_value, w.by_load);
   for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
+  w.kept_columns = fewest_columns;
+  w.kept = arena.take(most * w.kept_columns);
   return w;
 }
 
@@ -219,20 +221,24 @@ void loads_by_lengths(const Kernels& kernels, const Size& size, const Scratch& w
   }
 }
 
+/// Lists the rows that blend_edges() sums, those of the edges first.
+void list_rows(const Size& size, const Scratch& w) {
+  w.row[0] = w.leading + size.contact;
+  w.row[1] = w.trailing + size.contact;
+  for (std::int32_t b = 0; b < size.strips; ++b) w.row[b + 2] = w.by_lengths + b * size.reduced;
+}
+
 /// A row of L and c from shares of the rows of strip a's edges, which have all unknowns: less its derivatives
 /// by q, that by the strip's own with `own` more, times those of q.
 void blend_edges(const Kernels& kernels, const Size& size, std::int32_t a, double of_leading,
                  double of_trailing, double own, const Scratch& w, double* to) {
   w.share[0] = of_leading;
   w.share[1] = of_trailing;
-  w.row[0] = w.leading + size.contact;
-  w.row[1] = w.trailing + size.contact;
   const double *const leading = w.leading + size.first, *const trailing = w.trailing + size.first;
-  for (std::int32_t b = 0; b < size.strips; ++b) {
-    w.share[b + 2] = -(of_leading * leading[b] + of_trailing * trailing[b]);
-    w.row[b + 2] = w.by_lengths + b * size.reduced;
-  }
-  w.share[a + 2] -= own;
+  double* const by_load = w.share + 2;
+  for (std::int32_t b = 0; b < size.strips; ++b)
+    by_load[b] = -(of_leading * leading[b] + of_trailing * trailing[b]);
+  by_load[a] -= own;
   kernels.surface.blend_rows({size.strips + 2, size.reduced, w.share, w.row, to});
 }
 
@@ -354,10 +360,10 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
                  double* value, const Factor& factor_of, const Scratch& w) {
   const std::int64_t stride = size.reduced;
   double* const rows = w.lengths + (line ? s.count * stride : 0);
-  for (std::int64_t first = 0; first < stride; first += columns_at_a_time) {
-    const std::int64_t columns = std::min(columns_at_a_time, stride - first);
+  for (std::int64_t first = 0; first < stride; first += w.kept_columns) {
+    const std::int64_t columns = std::min(w.kept_columns, stride - first);
     for (std::int32_t a = 0; a < s.count; ++a)
-      std::copy_n(rows + a * stride + first, columns, w.kept + a * columns_at_a_time);
+      std::copy_n(rows + a * stride + first, columns, w.kept + a * columns);
     for (std::int32_t a = 0; a < s.count; ++a) {
       // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
       const Smoothed r = smooth_at<line>(s, w, a, edge);
@@ -370,7 +376,7 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
       };
       for (std::int32_t i = 0; i < r.count; ++i) {
         const std::int32_t b = r.from + i;
-        add(factor * w.by_value[i], w.kept + b * columns_at_a_time);
+        add(factor * w.by_value[i], w.kept + b * columns);
         const double load = factor * w.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
         add(-load, w.by_lengths + b * stride + first);
       }
@@ -434,11 +440,14 @@ std::int64_t pressure_jacobian_doubles(std::int32_t most) {
   return counted.doubles();
 }
 
-void differentiate_pressures(const PressureModel& model, double* workspace, const PressedStrips& s) noexcept {
+void differentiate_pressures(const PressureModel& model, double* workspace, std::int64_t doubles,
+                             const PressedStrips& s) noexcept {
   const std::int32_t n = s.count;
   if (n == 0) return;
   Arena arena(workspace);
   Scratch w = cut(arena, n);
+  // few strips leave memory behind: columns that are smoothed at a time, in whole groups of eight
+  w.kept_columns += (doubles - arena.doubles()) / n / 8 * 8;
   w.lambda_length = model.lambda_length;
   const Size size = size_of(n);
   list_sources(model, s, w);
@@ -446,6 +455,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, cons
   // Contact gives the loads by L and c, then lambda and shift of every strip give these.
   for (std::int32_t a = 0; a < n; ++a) fill_contact(seeing, s, size, a, w);
   loads_by_lengths(model.kernels, size, w);
+  list_rows(size, w);
   for (std::int32_t a = 0; a < n; ++a) fill_edges(seeing, s, size, a, w);
   smooth(model.kernels, s, size, w);
   solve_lengths(model.kernels, size, w);

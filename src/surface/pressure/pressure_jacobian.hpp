@@ -27,8 +27,11 @@
 namespace wrc::surface {
 
 /// Most strips in contact that are differentiated, where `overlapping` strips may overlap. Memory goes with
-/// the square. Contacts of 150 kN have a fourth of `overlapping`, conformal ones up to three eighths.
-inline std::int32_t most_differentiated(std::int32_t overlapping) { return 7 * overlapping / 16; }
+/// the square. Contacts of 150 kN have a fourth of `overlapping`, conformal ones up to 46 on wide strips.
+inline std::int32_t most_differentiated(std::int32_t overlapping) {
+  const std::int32_t most = 32 + 3 * overlapping / 16;
+  return most < overlapping ? most : overlapping;
+}
 
 /// Strips in contact, by increasing place; one element per strip.
 struct PressedStrips {
@@ -40,8 +43,8 @@ struct PressedStrips {
 
 std::int64_t pressure_jacobian_doubles(std::int32_t most);
 
-/// Differentiates the solution. `workspace` has pressure_jacobian_doubles(strips.count) or more.
-void differentiate_pressures(const PressureModel& model, double* workspace,
+/// Differentiates the solution. `workspace` has `doubles`, pressure_jacobian_doubles(strips.count) or more.
+void differentiate_pressures(const PressureModel& model, double* workspace, std::int64_t doubles,
                              const PressedStrips& strips) noexcept;
 
 }  // namespace wrc::surface

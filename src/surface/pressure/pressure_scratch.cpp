@@ -11,10 +11,12 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   for (StripSet* s : {&w.fine, &w.coarse})
     arena.each(padded, s->place, s->width, s->depth, s->curvature, s->deepest_x, s->ny, s->nz, s->L, s->shift,
                s->lambda, s->q);
-  // Rows of the elimination come in fours and end in right-hand sides.
-  const std::int64_t rows = (most + 3) / 4 * 4;
-  const std::int64_t stride = simd::elimination_stride(static_cast<std::int32_t>(rows)) + simd::most_lanes;
-  w.matrix = arena.take(stride * rows);
+  // Rows of the elimination come in fours and end in right-hand sides; kernels fill whole packs of them.
+  const std::int32_t size = (most + 3) / 4 * 4;
+  const std::int64_t stride = simd::elimination_stride(size);
+  w.places = stride * simd::least_places(size);
+  w.matrix = arena.take(w.places + simd::most_lanes);
+  w.rows = arena.take(stride * rows_at_a_time + simd::most_lanes);
   w.solution = arena.take(stride);
   // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;

@@ -26,6 +26,8 @@
 
 namespace wrc::surface {
 
+inline constexpr std::int32_t rows_at_a_time = 8;  ///< rows of the elimination without a place
+
 inline constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
 
 /// Constants of a solve.
@@ -75,7 +77,9 @@ struct PressureScratch {
   ActiveStrips active;
   std::int32_t* in_contact;   ///< each strip: 1 in the active set
   double* half_length;        ///< each strip: l, at least a part of its width [m]
-  double *matrix, *solution;  ///< elimination
+  double *matrix, *solution;  ///< elimination (simd::EliminationTask)
+  std::int64_t places;        ///< doubles of the matrix, which many strips do not fit in
+  double* rows;               ///< rows_at_a_time of such many
   std::int32_t* outside;      ///< strips asked whether they enter
   double *outside_place, *outside_x, *outside_ny, *outside_nz;
   double *u_leading, *u_trailing, *edge_lambda, *edge_shift;

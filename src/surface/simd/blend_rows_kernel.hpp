@@ -32,6 +32,7 @@ inline void blend_rows_kernel(const BlendRowsTask& task) {
   // As many vectors as stay in registers over all rows, then fewer.
   std::int64_t first = 0;
   blend_groups<8>(task, first);
+  blend_groups<6>(task, first);
   blend_groups<4>(task, first);
   blend_groups<2>(task, first);
   blend_groups<1>(task, first);

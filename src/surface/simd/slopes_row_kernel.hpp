@@ -10,7 +10,8 @@ namespace {
 
 /// SurfaceKernels::slopes_row.
 inline void slopes_row_kernel(const SlopesRowTask& task) {
-  constexpr std::int32_t directions = SlopesRowTask::directions, vectors = directions / native_lanes;
+  constexpr std::int32_t directions = SlopesRowTask::directions;
+  constexpr std::int32_t vectors = (SlopesRowTask::used + native_lanes - 1) / native_lanes;
   const std::int32_t n = task.count;
   // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x.
   for (std::int32_t first = 0; first < n; first += lanes) {

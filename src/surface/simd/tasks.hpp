@@ -78,11 +78,11 @@ struct SlopesRowTask {
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
   const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
-  const double* direction;            ///< each source: `directions` numbers
+  const double* direction;            ///< each source: `used` numbers of `directions`
   double* row;                        ///< by q, by L and by centre, `count` of each
   double* sum;                        ///< sums over the sources of q J direction, then of q dJ/dx direction
 
-  static constexpr std::int32_t directions = 16, sums = directions + 8;
+  static constexpr std::int32_t used = 10, directions = 16, sums = directions + 8;
 };
 
 /// to = sum of share_i row_i; columns: whole groups of eight.

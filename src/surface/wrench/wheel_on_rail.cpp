@@ -141,12 +141,8 @@ bool commit_solution(SurfaceState& state) {
   return true;
 }
 
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     const StripWidths& widths, std::int32_t cells, bool varying,
-                                     std::int32_t faces) {
-  return wheel_work_bytes({most_curve_pieces(wheel_nodes), cells, overlapping_strips(widths), varying,
-                           methods, strips_of_a_rail(faces)})
-      .all();
+std::int64_t surface_workspace_bytes(const SurfaceModel& model) {
+  return wheel_work_bytes(work_sizes(model)).all();
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,

@@ -145,10 +145,8 @@ enum class SolutionStart {
 std::int64_t surface_state_bytes(std::int32_t remembered);
 /// Makes the memory of so many strips without tractions, in zeroed bytes.
 void make_surface_memory(SurfaceState& state, std::int32_t remembered);
-/// Memory of a solve, and of fields over so many cells along a strip. `faces`: of the rail.
-std::int64_t surface_workspace_bytes(std::int32_t wheel_nodes, const SurfaceMethods& methods,
-                                     const StripWidths& widths, std::int32_t cells, bool varying,
-                                     std::int32_t faces = 1);
+/// Memory of a solve, and of fields.
+std::int64_t surface_workspace_bytes(const SurfaceModel& model);
 
 /// Marks the last solution of the state.
 void mark_solution(SurfaceState& state);

@@ -130,7 +130,7 @@ Fault take_pressed_strips(const Differentiation& d) {
     s.centre[k] = p.centre[i];
     s.overlap[k] = differentiate_overlap(d, pose, attitude, i);
   }
-  differentiate_pressures(pressure_model(d.problem.model), d.w.pressures, s);
+  differentiate_pressures(pressure_model(d.problem.model), d.w.pressures, pressure_jacobian_doubles(most), s);
   return {};
 }
 
