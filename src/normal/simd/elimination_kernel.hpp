@@ -62,8 +62,7 @@ inline void triangulate(double* rows, std::int32_t column, const EquationRows& a
   for (std::int64_t c = column + 4; c < all.end; c += abreast) {
     const Columns first = load_columns(row0 + c);
     const Columns second = load_columns(row1 + c) - in_all_columns(f10) * first;
-    const Columns third =
-        load_columns(row2 + c) - in_all_columns(f20) * first - in_all_columns(f21) * second;
+    const Columns third = load_columns(row2 + c) - in_all_columns(f20) * first - in_all_columns(f21) * second;
     const Columns fourth = load_columns(row3 + c) - in_all_columns(f30) * first -
                            in_all_columns(f31) * second - in_all_columns(f32) * third;
     store_columns(row1 + c, second);

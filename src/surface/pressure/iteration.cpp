@@ -69,10 +69,9 @@ void find_smooth_part(const StripSet& s, const double* lengths, PressureScratch&
     w.rim_weight[a] = l * root(l);
   }
   const double reach2 = smooth_reach * smooth_reach * mean / n;  // [m^2]
-  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, rim_weight + coupled + next,
-  // -next.
+  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, R + coupled + next, -next.
   double coupled = 0.0, v = 0.0;  // coefficient to the strip before, and its element
-  double held = 0.0;              // what is left of `coupled` on the diagonal
+  double held = 0.0;              // rest of that coefficient on the diagonal, behind the elimination
   for (std::int32_t a = 0; a < n; ++a) {
     const std::int32_t i = active.index[a];
     const double alone = w.rim_weight[a] + held;
