@@ -559,7 +559,7 @@ struct Start {
   const char* name;
   int32_t start;
 };
-constexpr Start starts[] = {{"marked", WRC_START_MARK}, {"cold", WRC_START_COLD}};
+constexpr Start starts[] = {{"marked", WRC_START_MARK}, {"anew", WRC_START_COLD}};
 
 /// Times of a case from a start: its name in the JSON object, and the numbers there [us].
 struct Timed {

@@ -46,32 +46,29 @@ void take_away(const double* pivots, std::int32_t column, const EquationRows& al
 /// Eliminates four rows from each other, and leaves the inverses of the pivots on the diagonal.
 inline void triangulate(double* rows, std::int32_t column, const EquationRows& all) {
   const std::int64_t stride = all.stride;
-  // The four columns of the diagonal first: they give the factors.
-  double a[4][4], factor[4][4];
-  for (std::int32_t i = 0; i < 4; ++i)
-    for (std::int32_t k = 0; k < 4; ++k) a[i][k] = rows[i * stride + column + k];
-  for (std::int32_t i = 0; i < 4; ++i) {
-    for (std::int32_t k = 0; k < i; ++k) {
-      factor[i][k] = a[i][k] * a[k][k];
-      for (std::int32_t c = k + 1; c < 4; ++c) a[i][c] -= factor[i][k] * a[k][c];
-    }
-    a[i][i] = 1.0 / a[i][i];
-  }
   double *const row0 = rows, *const row1 = row0 + stride, *const row2 = row1 + stride,
                 *const row3 = row2 + stride;
+  // The four columns of the diagonal first: they give the factors f. Written out, they stay in registers.
+  double *const a0 = row0 + column, *const a1 = row1 + column, *const a2 = row2 + column,
+                *const a3 = row3 + column;
+  a0[0] = 1.0 / a0[0];
+  const double f10 = a1[0] * a0[0], f20 = a2[0] * a0[0], f30 = a3[0] * a0[0];
+  const double a11 = 1.0 / (a1[1] - f10 * a0[1]), a12 = a1[2] - f10 * a0[2], a13 = a1[3] - f10 * a0[3];
+  const double f21 = (a2[1] - f20 * a0[1]) * a11, f31 = (a3[1] - f30 * a0[1]) * a11;
+  const double a22 = 1.0 / (a2[2] - f20 * a0[2] - f21 * a12), a23 = a2[3] - f20 * a0[3] - f21 * a13;
+  const double f32 = (a3[2] - f30 * a0[2] - f31 * a12) * a22;
+  a3[3] = 1.0 / (a3[3] - f30 * a0[3] - f31 * a13 - f32 * a23);
+  a1[1] = a11, a1[2] = a12, a1[3] = a13, a2[2] = a22, a2[3] = a23;
   for (std::int64_t c = column + 4; c < all.end; c += abreast) {
     const Columns first = load_columns(row0 + c);
-    const Columns second = load_columns(row1 + c) - in_all_columns(factor[1][0]) * first;
-    const Columns third =
-        load_columns(row2 + c) - in_all_columns(factor[2][0]) * first - in_all_columns(factor[2][1]) * second;
-    const Columns fourth = load_columns(row3 + c) - in_all_columns(factor[3][0]) * first -
-                           in_all_columns(factor[3][1]) * second - in_all_columns(factor[3][2]) * third;
+    const Columns second = load_columns(row1 + c) - in_all_columns(f10) * first;
+    const Columns third = load_columns(row2 + c) - in_all_columns(f20) * first - in_all_columns(f21) * second;
+    const Columns fourth = load_columns(row3 + c) - in_all_columns(f30) * first -
+                           in_all_columns(f31) * second - in_all_columns(f32) * third;
     store_columns(row1 + c, second);
     store_columns(row2 + c, third);
     store_columns(row3 + c, fourth);
   }
-  for (std::int32_t i = 0; i < 4; ++i)
-    for (std::int32_t k = i; k < 4; ++k) rows[i * stride + column + k] = a[i][k];
 }
 
 /// Sum over row[c] x[c], c = from .. to - 1, both multiples of `group`; in eight parts, of which those half
@@ -96,7 +93,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
 }
 
 /// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
-/// close to symmetric and positive definite. By blocks of eight rows and four pivots.
+/// close to symmetric and positive definite. By blocks of four pivots and eight rows.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
   // With right-hand sides given, columns beyond them are not read.

@@ -34,14 +34,15 @@ void read_edges(const StripSet& s, PressureScratch& w) {
   const double *const leading = w.u_leading, *const trailing = s.skewed ? w.u_trailing : leading;
   for (std::int32_t a = 0; a < w.active.count; ++a) {
     const std::int32_t i = w.active.index[a];
-    const double l = w.half_length[i], L = l * l;
+    const double inverse = w.active.inverse_length[a], per_L = inverse * inverse;
+    const double per_curvature = 1.0 / s.curvature[i];
     // Drop from the overlap at the centre to the mean displacement at the edges.
     const double drop = overlap_at_centre(s, i) - 0.5 * (leading[a] + trailing[a]);
     // Far from a solution a drop may vanish or change its sign: limits keep lengths finite.
     const double ratio =
-        smaller(larger(drop / (0.5 * s.curvature[i] * L), least_edge_ratio), most_edge_ratio);
-    w.edge_lambda[a] = w.active.q[a] / (L * ratio);
-    w.edge_shift[a] = (trailing[a] - leading[a]) / (2.0 * l * s.curvature[i]);
+        smaller(larger(2.0 * drop * per_L * per_curvature, least_edge_ratio), most_edge_ratio);
+    w.edge_lambda[a] = w.active.q[a] * per_L / ratio;
+    w.edge_shift[a] = 0.5 * (trailing[a] - leading[a]) * inverse * per_curvature;
   }
 }
 
@@ -52,11 +53,11 @@ void smooth_lambda(const PressureProblem& problem, const StripSet& s, PressureSc
   for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
     // A window that moves along: places increase.
-    const double reach = lambda_reach(s.width[i], problem.lambda_length);
+    const double reach = lambda_reach(s.width[i], problem.lambda_length), per_reach = 1.0 / reach;
     while (active.place[a] - active.place[from] >= reach) ++from;
     double weights = 0.0, sum = 0.0;
     for (std::int32_t b = from; b < active.count; ++b) {
-      const double t = (active.place[b] - active.place[a]) / reach;
+      const double t = (active.place[b] - active.place[a]) * per_reach;
       if (t >= 1.0) break;
       const double weight = smoothing_weight(t) * active.load[b];
       weights += weight;

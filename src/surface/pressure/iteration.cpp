@@ -69,22 +69,24 @@ void find_smooth_part(const StripSet& s, const double* lengths, PressureScratch&
     w.rim_weight[a] = l * root(l);
   }
   const double reach2 = smooth_reach * smooth_reach * mean / n;  // [m^2]
-  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, diagonal + next, -next.
+  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, R + coupled + next, -next.
   double coupled = 0.0, v = 0.0;  // coefficient to the strip before, and its element
+  double held = 0.0;              // rest of that coefficient on the diagonal, behind the elimination
   for (std::int32_t a = 0; a < n; ++a) {
     const std::int32_t i = active.index[a];
-    double diagonal = w.rim_weight[a] + coupled, next = 0.0;
-    if (a > 0) diagonal -= coupled * w.upper[a - 1];
+    const double alone = w.rim_weight[a] + held;
     // Coupling to the strip behind, none over a gap between two regions.
+    double next = 0.0;
     if (a + 1 < n) {
       const std::int32_t j = active.index[a + 1];
       const double apart = s.place[j] - s.place[i];
       if (apart < 0.75 * (s.width[i] + s.width[j]))
         next = reach2 * smaller(w.rim_weight[a], w.rim_weight[a + 1]) / (apart * apart);
     }
-    const double inverse = 1.0 / (diagonal + next);
+    const double inverse = 1.0 / (alone + next);
     w.upper[a] = next * inverse;
     w.smooth_part[a] = v = (lengths[i] + coupled * v) * inverse;
+    held = next * alone * inverse;
     coupled = next;
   }
   // Back substitution.
