@@ -163,9 +163,9 @@ int steady(long cases, unsigned long seed) {
     forgets.input = wheel.input;
     const double limit = wheel.limit(), length = wheel.length();
     const wrc_wrench end = forgets.solve();
-    double done = 0.0;
+    long done = 0;
     for (std::size_t i = 0; i < std::size(at); ++i) {
-      for (; done < at[i] - 1e-9; done += 1.0 / steps_per_length) wheel.go(length / steps_per_length / 2.0);
+      for (; done < std::lround(at[i] * steps_per_length); ++done) wheel.go(length / steps_per_length / 2.0);
       left[i].push_back(apart(wheel.wrench, end) / limit);
     }
   }

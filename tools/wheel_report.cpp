@@ -627,7 +627,7 @@ Timed time_eight(const Solver& solver, const Start& start, long steps) {
     }
   }
   const auto calls = static_cast<double>(time.size());
-  const Timed timed{std::string("eight_wheels_") + start.name, at_share(time, 0.5), at_share(time, 0.999)};
+  Timed timed{std::string("eight_wheels_") + start.name, at_share(time, 0.5), at_share(time, 0.999)};
   std::printf("eight wheels %-7s %.1f with two regions, %.0f strips each, 50 %% %.1f us  99.9 %% %.1f us\n",
               start.name, with_two / calls, strips / calls, timed.median, timed.slow);
   return timed;

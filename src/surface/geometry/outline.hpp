@@ -60,8 +60,9 @@ WRC_IN_LOOP OutlinePlace<Number> outline_place(const RelativePoseOf<OfPose>& pos
 }
 
 /// A piece of the wheel's curve, by its coefficients: plain numbers, or one piece per lane of a pack.
+/// The identifier that clang-tidy 14 finds is its own, of the loop by which arrays are copied.
 template <class Coefficient>
-struct PieceOf {
+struct PieceOf {  // NOLINT(bugprone-reserved-identifier)
   Coefficient y[4], z[4];
 };
 
