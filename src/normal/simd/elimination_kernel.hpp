@@ -93,7 +93,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
 }
 
 /// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
-/// close to symmetric and positive definite. By blocks of four pivots and eight rows.
+/// close to symmetric and positive definite. By blocks of eight rows and four pivots.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
   // With right-hand sides given, columns beyond them are not read.

@@ -58,8 +58,8 @@ struct EdgeTask {
 /// asked for, by as many right-hand sides as the stride holds, for the caller to substitute back: the
 /// rows are left as those of a triangle, the inverses of the pivots on its diagonal.
 ///
-/// Where there is memory for `places` rows alone, rows from `first` to `end` are eliminated by those before,
-/// as they come in `rows`: the first `places` in their places, then some at a time. They go where rows far
+/// Where there is memory for `places` rows alone, `rows` brings those from `first` to `end`, which those
+/// before eliminate. First come `places` rows, in their places, then some at a time. These go where rows far
 /// above have no columns left. With the last one the solutions are found. All but the last `end` are
 /// multiples of eight.
 struct EliminationTask {

@@ -41,6 +41,9 @@ struct RayEnd {
   Number u, depth;
 };
 
+/// Steps of Newton's method for the end of a ray, from that of one nearby.
+inline constexpr int ray_steps = 2;
+
 /// A piece of the wheel's profile.
 inline PieceOf<double> piece_at(const Curve& wheel, std::int32_t piece) {
   PieceOf<double> coefficients;
@@ -93,9 +96,9 @@ WRC_IN_LOOP RayBeside<Number> step_along(const PieceOf<Coefficient>& piece,
 /// The overlap over x at the end of a ray, and the wheel there.
 template <class Number>
 struct OverlapAlong {
-  Number u, depth;     ///< nearer to the ray's end by a step of Newton's method
-  Number slope, bend;  ///< first and second derivative of the overlap by x [-], [1/m]
-  Number ny, nz;       ///< the wheel's normal across the track, of length one
+  Number u, depth;     ///< The ray's end, nearer by a step of Newton's method.
+  Number slope, bend;  ///< First and second derivative of the overlap by x [-], [1/m].
+  Number ny, nz;       ///< The wheel's normal across the track, of length one.
   Number own;          ///< curvature of the wheel's circle along its normal [1/m]
   Number profile_y;    ///< on the wheel's profile [m]
 };
@@ -141,7 +144,7 @@ WRC_IN_LOOP OverlapAlong<Number> overlap_along(const PieceOf<Coefficient>& piece
 }
 
 /// Moves the end of a ray on to the piece that holds its length.
-inline void settle(const Curve& wheel, RayEnd<double>& end) {
+WRC_IN_LOOP void settle(const Curve& wheel, RayEnd<double>& end) {
   while (end.u < 0.0 && end.piece > 0) {
     --end.piece;
     end.u += wheel.s[end.piece + 1] - wheel.s[end.piece];
@@ -189,9 +192,8 @@ struct LargestOverlap {
 
 /// The overlap at x by rays in the strip's direction, from the end of one nearby; leaves the end of this one.
 inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end) {
-  constexpr int steps = 2;
   const RayStart<double> from = strip.start(x, 0);  // a ray needs no slopes of the rail
-  for (int n = 0; n < steps; ++n) {
+  for (int n = 0; n < ray_steps; ++n) {
     const RayBeside<double> at = step_along<double>(piece_at(strip.wheel, end.piece), strip.pose, from,
                                                     strip.ny, strip.nz, end.u, end.depth);
     end.u = at.u;
@@ -298,9 +300,9 @@ void cut_at_end(Yes near, const Number& way, const Number& room, const Number& s
 template <class Number>
 struct AtLargest {
   RayStart<Number> from;
-  Number ny, nz, depth;  ///< the ray's direction, and the overlap along it [m]
+  Number ny, nz, depth;  ///< The ray's direction, and the overlap along it [m].
   OverlapAlong<Number> over;
-  Number end_slope;  ///< slope of the overlap where it is largest at an end of the face, else 0 [-]
+  Number end_slope;  ///< Slope of the overlap where it is largest at an end of the face, else 0 [-].
   Number high, low;  ///< where the face ends, ahead and behind [m]
 };
 

@@ -40,9 +40,9 @@ struct RayWithSlopes {
   RayWithSlopes(const Curve& wheel, const RayEnd<double>& end)
       : piece(piece_at(wheel, end.piece)), u(end.u), depth(end.depth) {}
 
-  /// The end by two steps of Newton's method, from the plain one.
+  /// The end by Newton's method, from the plain one.
   void carry(const StripOverX<PlaceDual>& strip, const RayPlace<PlaceDual>& from) {
-    for (int n = 0; n < 2; ++n) {
+    for (int n = 0; n < ray_steps; ++n) {
       const RayBeside<PlaceDual> at =
           step_along<PlaceDual>(piece, strip.pose, from, strip.ny, strip.nz, u, depth);
       u = at.u;

@@ -32,9 +32,9 @@ struct StripsOverX {
     double wanted[lanes], from[lanes], to[lanes], between[lanes];
     double value[4][lists][lanes];
     store_pack(wanted, there);
-    // lane by lane: neighbouring strips may look at different sections
+    // Lane by lane: neighbouring strips may look at different sections.
     for (std::int32_t i = 0; i < lanes; ++i) {
-      // the first section ahead, by halving
+      // The first section ahead, by halving.
       std::int32_t low = first, high = behind;
       while (low < high) {
         const std::int32_t middle = (low + high) / 2;
@@ -112,14 +112,10 @@ struct RayEnds {
     double length[lanes];
     store_pack(length, u);
     for (std::int32_t i = 0; i < lanes; ++i) {
-      while (length[i] < 0.0 && piece[i] > 0) {
-        --piece[i];
-        length[i] += wheel.s[piece[i] + 1] - wheel.s[piece[i]];
-      }
-      while (piece[i] + 1 < wheel.pieces && length[i] > wheel.s[piece[i] + 1] - wheel.s[piece[i]]) {
-        length[i] -= wheel.s[piece[i] + 1] - wheel.s[piece[i]];
-        ++piece[i];
-      }
+      surface::RayEnd<double> end{piece[i], length[i], 0.0};
+      surface::settle(wheel, end);
+      piece[i] = end.piece;
+      length[i] = end.u;
     }
     u = load_pack(length);
     on = pieces_of(wheel, piece);
@@ -199,10 +195,9 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   at.high = task.high;
   at.low = task.low;
   const auto depth_at = [&](Pack place) {  // along a ray in the same direction, from the largest one's end
-    constexpr int steps = 2;
     const surface::RayPlace<Pack> from = strips.place(place);
     RayEnds end = ends;
-    for (int n = 0; n < steps; ++n) {
+    for (int n = 0; n < surface::ray_steps; ++n) {
       const surface::RayBeside<Pack> beside =
           surface::step_along<Pack>(end.on, *task.pose, from, strips.ny, strips.nz, end.u, end.depth);
       end.u = beside.u;
