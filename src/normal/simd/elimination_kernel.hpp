@@ -14,6 +14,29 @@ struct EquationRows {
   std::int64_t stride, end;
 };
 
+/// Vectors of `Wide` columns: four at most, or eight with AVX-512.
+struct FourColumns {
+  static constexpr std::int32_t count = abreast;
+  static Columns all(double a) { return in_all_columns(a); }
+  static Columns load(const double* from) { return load_columns(from); }
+  static void store(double* to, Columns a) { store_columns(to, a); }
+};
+struct MostColumns {
+  static constexpr std::int32_t count = native_lanes;
+  static Native all(double a) { return broadcast(a); }
+  static Native load(const double* from) { return load_lanes(from); }
+  static void store(double* to, Native a) { store_lanes(to, a); }
+};
+
+/// Calls take(vector, c) for the columns from `from`, a multiple of four, to `end`, and to the end of its
+/// group of eight with AVX-512: rows have whole groups.
+template <class Take>
+void for_columns(std::int64_t from, std::int64_t end, const Take& take) {
+  std::int64_t c = from;
+  for (; c % MostColumns::count != 0; c += abreast) take(FourColumns{}, c);
+  for (; c < end; c += native_lanes) take(MostColumns{}, c);
+}
+
 /// From `count` rows the multiples of four pivot rows are taken away that make their elements in the pivots'
 /// columns vanish. The pivots stand on the diagonal as their inverses.
 template <std::int32_t count>
@@ -30,17 +53,16 @@ void take_away(const double* pivots, std::int32_t column, const EquationRows& al
     f[2] = (row[2] - f[0] * p[2] - f[1] * p[stride + 2]) * p[2 * stride + 2];
     f[3] = (row[3] - f[0] * p[3] - f[1] * p[stride + 3] - f[2] * p[2 * stride + 3]) * p[3 * stride + 3];
   }
-  for (std::int64_t c = column + 4; c < all.end; c += abreast) {
+  for_columns(column + 4, all.end, [&](auto v, std::int64_t c) {
     // The other columns of the rows, less the pivot rows times their factors.
-    const Columns p0 = load_columns(pivots + c), p1 = load_columns(pivots + stride + c),
-                  p2 = load_columns(pivots + 2 * stride + c), p3 = load_columns(pivots + 3 * stride + c);
+    const auto p0 = v.load(pivots + c), p1 = v.load(pivots + stride + c), p2 = v.load(pivots + 2 * stride + c),
+               p3 = v.load(pivots + 3 * stride + c);
     for (std::int32_t i = 0; i < count; ++i) {
       double* const at = rows + i * stride + c;
       const double* const f = factor[i];
-      store_columns(at, load_columns(at) - in_all_columns(f[0]) * p0 - in_all_columns(f[1]) * p1 -
-                            in_all_columns(f[2]) * p2 - in_all_columns(f[3]) * p3);
+      v.store(at, v.load(at) - v.all(f[0]) * p0 - v.all(f[1]) * p1 - v.all(f[2]) * p2 - v.all(f[3]) * p3);
     }
-  }
+  });
 }
 
 /// Eliminates four rows from each other, and leaves the inverses of the pivots on the diagonal.
@@ -59,16 +81,15 @@ inline void triangulate(double* rows, std::int32_t column, const EquationRows& a
   const double f32 = (a3[2] - f30 * a0[2] - f31 * a12) * a22;
   a3[3] = 1.0 / (a3[3] - f30 * a0[3] - f31 * a13 - f32 * a23);
   a1[1] = a11, a1[2] = a12, a1[3] = a13, a2[2] = a22, a2[3] = a23;
-  for (std::int64_t c = column + 4; c < all.end; c += abreast) {
-    const Columns first = load_columns(row0 + c);
-    const Columns second = load_columns(row1 + c) - in_all_columns(f10) * first;
-    const Columns third = load_columns(row2 + c) - in_all_columns(f20) * first - in_all_columns(f21) * second;
-    const Columns fourth = load_columns(row3 + c) - in_all_columns(f30) * first -
-                           in_all_columns(f31) * second - in_all_columns(f32) * third;
-    store_columns(row1 + c, second);
-    store_columns(row2 + c, third);
-    store_columns(row3 + c, fourth);
-  }
+  for_columns(column + 4, all.end, [&](auto v, std::int64_t c) {
+    const auto first = v.load(row0 + c);
+    const auto second = v.load(row1 + c) - v.all(f10) * first;
+    const auto third = v.load(row2 + c) - v.all(f20) * first - v.all(f21) * second;
+    const auto fourth = v.load(row3 + c) - v.all(f30) * first - v.all(f31) * second - v.all(f32) * third;
+    v.store(row1 + c, second);
+    v.store(row2 + c, third);
+    v.store(row3 + c, fourth);
+  });
 }
 
 /// Sum over row[c] x[c], c = from .. to - 1, both multiples of `group`; in eight parts, of which those half
@@ -93,7 +114,7 @@ inline double product(const double* row, const double* x, std::int64_t from, std
 }
 
 /// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix
-/// close to symmetric and positive definite. By blocks of eight rows and four pivots.
+/// close to symmetric and positive definite.
 void eliminate_kernel(const EliminationTask& task) {
   const std::int64_t stride = task.stride;
   // With right-hand sides given, columns beyond them are not read.
@@ -107,25 +128,33 @@ void eliminate_kernel(const EliminationTask& task) {
     return i < places ? matrix + i * stride : matrix + (8 * above + i % 8) * stride - 8 * behind;
   };
   const std::int32_t first = task.rows ? task.first : 0, end = task.rows ? task.end : task.size;
-  double* rows = task.rows ? task.rows : matrix;
-  for (std::int32_t i = first; i < end; i += 8, rows += 8 * stride) {
-    // Eight rows at a time, or the last four: less all pivot rows above, then each four among themselves.
-    const std::int32_t count = i + 8 <= end ? 8 : 4;
-    for (std::int32_t k = 0; k < i; k += 4) {
-      if (count == 8)
-        take_away<8>(rows_at(k), k, all, rows);
-      else
-        take_away<4>(rows_at(k), k, all, rows);
+  if (first == 0) {
+    // Rows that have a place, four pivots at a time. The next four are found as soon as their rows are known:
+    // their divisions take as long as other rows.
+    triangulate(matrix, 0, all);
+    for (std::int32_t k = 0; k + 4 < end; k += 4) {
+      const auto below = [&](std::int32_t i) {
+        (i + 8 <= end ? take_away<8> : take_away<4>)(rows_at(k), k, all, rows_at(i));
+      };
+      below(k + 4);
+      triangulate(rows_at(k + 4), k + 4, all);
+      for (std::int32_t i = k + 12; i < end; i += 8) below(i);
     }
-    triangulate(rows, i, all);
-    if (count == 8) {
-      take_away<4>(rows, i, all, rows + 4 * stride);
-      triangulate(rows + 4 * stride, i + 4, all);
+  } else {
+    // Rows without a place, eight or the last four: less all pivot rows above, then each four among
+    // themselves.
+    const bool eight = end - first == 8;
+    for (std::int32_t k = 0; k < first; k += 4)
+      (eight ? take_away<8> : take_away<4>)(rows_at(k), k, all, task.rows);
+    triangulate(task.rows, first, all);
+    if (eight) {
+      take_away<4>(task.rows, first, all, task.rows + 4 * stride);
+      triangulate(task.rows + 4 * stride, first + 4, all);
     }
-    // Rows that came elsewhere.
-    double* const kept = rows_at(i);
-    for (std::int32_t q = 0; q < count && kept != rows; ++q)
-      for (std::int64_t c = i; c < all.end; ++c) kept[q * stride + c] = rows[q * stride + c];
+    // To where they are kept, from the diagonal on.
+    double* const kept = rows_at(first);
+    for (std::int32_t q = 0; q < end - first; ++q)
+      for (std::int64_t c = first; c < stride; ++c) kept[q * stride + c] = task.rows[q * stride + c];
   }
   if (!task.r || end < task.size) return;
   // Back substitution, upwards; solutions not known yet count as zero.
