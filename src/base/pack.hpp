@@ -299,6 +299,7 @@ struct Bits {
   friend Bits operator>>(Bits x, int by) { return {x.a >> by, x.b >> by}; }
   friend Bits operator<<(Bits x, int by) { return {x.a << by, x.b << by}; }
   friend Bits operator&(Bits x, std::uint64_t y) { return {x.a & y, x.b & y}; }
+  friend Bits operator|(Bits x, std::uint64_t y) { return {x.a | y, x.b | y}; }
   friend Bits operator|(Bits x, Bits y) { return {x.a | y.a, x.b | y.b}; }
   friend Bits operator+(Bits x, std::uint64_t y) { return {x.a + y, x.b + y}; }
   friend Bits operator+(Bits x, Bits y) { return {x.a + y.a, x.b + y.b}; }

@@ -29,7 +29,7 @@ Places locate(Pack x) {
   // The leading bits count intervals; those behind, as a mantissa of 1..2, are the fraction.
   const Bits bits = bits_of(smaller(larger(x, low), high));
   return {(bits >> shift) + (0 - (first >> shift)),
-          pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0};
+          pack_of(((bits << axis.bits_per_octave) & mantissa) | one) - 1.0};
 }
 
 /// A table over the distance axis.
@@ -132,7 +132,7 @@ inline Octaves octaves_of(Pack x) {
   constexpr std::uint64_t spacing_eight = std::uint64_t{1023 + mantissa_bits + 3} << mantissa_bits;
   const Bits bits = bits_of(x);
   return {pack_of((bits >> mantissa_bits) + spacing_eight) - (0x1p55 + 8.0 * 1023),
-          pack_of((bits & mantissa) + one) - 1.0};
+          pack_of((bits & mantissa) | one) - 1.0};
 }
 
 /// The place on any LogAxis, from x = 1 on; that of a quotient is the difference of two.
@@ -180,7 +180,7 @@ WRC_IN_LOOP void find_cells(const LineRows& rows, Pack from_end, LineCells& cell
   const Bits bits = bits_of(smaller(magnitude(from_end) + least, high));
   const Bits side = bits_of(select(from_end < 0.0, inside_bits, outside_bits));
   keep_indices((bits >> shift) + side + rows.first_cell, cells.first);
-  cells.fraction = pack_of(((bits << axis.bits_per_octave) & mantissa) + one) - 1.0;
+  cells.fraction = pack_of(((bits << axis.bits_per_octave) & mantissa) | one) - 1.0;
   cells.row_fraction = rows.fraction;
 }
 
