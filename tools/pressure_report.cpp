@@ -169,7 +169,7 @@ void print_map(double A, double B) {
     }
     for (std::size_t i = 0; i < n; ++i) s.L[i] = solution[i] + error[i];
     surface::begin_iterations(s, c.w);
-    surface::evaluate(problem, s, true, c.w);
+    surface::evaluate(problem, s, surface::Asked::all, c.w);
     std::vector<double> step(c.w.residual, c.w.residual + 2 * n);
     double taken = 0.0;
     for (std::size_t i = 0; i < n; ++i) taken -= c.w.residual[i] * error[i];

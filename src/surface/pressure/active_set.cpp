@@ -110,12 +110,14 @@ simd::SurfaceSources sources_of(const ActiveStrips& active) { return sources_of(
 
 simd::SurfaceFaces faces_of(const ActiveStrips& active) { return {active.width, active.ny, active.nz}; }
 
-bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
+bool activate(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w) {
+  if (asked == Asked::none) return false;
   // Strips to ask. Displacements are never negative: nothing enters where there is no overlap.
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < s.count; ++i) {
     if (w.in_contact[i] || !(overlap_at_centre(s, i) > 0.0)) continue;
-    if (!everywhere && !(i > 0 && w.in_contact[i - 1]) && !(i + 1 < s.count && w.in_contact[i + 1])) continue;
+    const bool beside = (i > 0 && w.in_contact[i - 1]) || (i + 1 < s.count && w.in_contact[i + 1]);
+    if (!beside && asked == Asked::beside) continue;
     w.outside[count] = i;
     w.outside_place[count] = s.place[i];
     w.outside_ny[count] = s.ny[i];
@@ -153,7 +155,7 @@ bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere
   return any;
 }
 
-void solve_contact(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
+void solve_contact(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w) {
   // Each round solves for all loads; near a solution the first one changes nothing.
   for (std::int32_t round = 0; round < most_rounds; ++round) {
     list_active(problem, s, w);
@@ -164,7 +166,7 @@ void solve_contact(const PressureProblem& problem, const StripSet& s, bool every
     }
     solve_loads(problem, s, w);
     // Both are judged by the same loads: strips enter and leave in one round.
-    bool changed = activate(problem, s, everywhere, w);
+    bool changed = activate(problem, s, asked, w);
     changed = deactivate(w) || changed;
     // Another round takes the loads, and there must be work left for the edges.
     if (!changed || w.work + 2.0 * w.active.count * w.active.count > w.max_work) return;

@@ -10,13 +10,15 @@
 
 namespace wrc::surface {
 
+/// Strips outside contact that are asked whether they enter: none, those next to contact, or all.
+enum class Asked { none, beside, all };
+
 /// Solves the contact condition; starts from w.in_contact, leaves the strips in contact in w.active and their
-/// line loads in w.solution. No strip is active where none overlaps. `everywhere`: all strips may be
-/// activated, else those next to contact.
-void solve_contact(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
+/// line loads in w.solution. No strip is active where none overlaps.
+void solve_contact(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w);
 
 /// Activates strips that would overlap under the loads in w.solution. Returns whether there are any.
-bool activate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
+bool activate(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w);
 
 /// The active strips, or some of them, for kernels.
 simd::SurfaceSources sources_of(const ActiveStrips& active);

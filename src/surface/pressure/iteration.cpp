@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/number.hpp"
-#include "surface/pressure/active_set.hpp"
 #include "surface/pressure/edge_condition.hpp"
 #include "surface/pressure/smoothing.hpp"
 
@@ -35,6 +34,7 @@ constexpr std::int32_t late_iterations = 20;
 /// vanished the residual has a minimum, to which the acceleration returns and past which the map leads.
 constexpr std::int32_t alternating_iterations = 40, unaccelerated = 24, accelerated = 10;
 
+constexpr double asked_from = 1e-3;   ///< part of the area whose move lets strips enter
 constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
 /// Power of L that q follows over the last step: that of L growing alike on all strips, by derivatives at
 /// solutions. Rough steps have 0.48, whose sum over the strips hardly matters.
@@ -279,13 +279,13 @@ void begin_iterations(StripSet& s, PressureScratch& w) {
   }
 }
 
-void evaluate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w) {
+void evaluate(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w) {
   // A strip that enters has L = 0 but a place: its half length counts as a small part of its width.
   for (std::int32_t i = 0; i < s.count; ++i) {
     const double least = least_half_length * s.width[i];
     w.half_length[i] = root(larger(s.L[i], least * least));
   }
-  solve_contact(problem, s, everywhere, w);
+  solve_contact(problem, s, asked, w);
   if (w.active.count == 0) return;
   edge_residual(problem, s, w);
   // Size of the move beside the sum of w L, both [m^3]; a shift counts times l.
@@ -313,11 +313,13 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
   std::int32_t k = 0;
   for (; affordable(k); ++k) {
     ++result.iterations;
-    // Active set, edges, residual f. Far strips are asked whether they enter at the beginning and at the end.
-    evaluate(problem, s, k == 0, w);
+    // Active set, edges, residual f. Far strips are asked whether they enter at the beginning and at the end,
+    // those beside contact while the solution moves much.
+    const bool moves = moved_before > asked_from * w.change.area;
+    evaluate(problem, s, k == 0 ? Asked::all : moves ? Asked::beside : Asked::none, w);
     if (w.active.count == 0) break;
     const auto [moved, area] = w.change;
-    result.converged = moved <= limits.tolerance * area && !activate(problem, s, true, w);
+    result.converged = moved <= limits.tolerance * area && !activate(problem, s, Asked::all, w);
     if (k == 0 && moved > limits.farthest * area) return result;
 
     // Acceleration from scratch where it does not pay twice in a row, as while strips enter.

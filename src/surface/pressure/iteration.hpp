@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/number.hpp"
+#include "surface/pressure/active_set.hpp"
 #include "surface/pressure/pressure.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 
@@ -35,9 +36,9 @@ struct IterationLimits {
 PressureResult iterate(const PressureProblem& problem, StripSet& s, const IterationLimits& limits,
                        PressureScratch& w);
 
-/// Evaluates the fixed-point map at the lengths and shifts in `s`: w.residual and w.change; `everywhere` as
-/// in solve_contact(). No strip is active after it where none overlaps.
-void evaluate(const PressureProblem& problem, const StripSet& s, bool everywhere, PressureScratch& w);
+/// Evaluates the fixed-point map at the lengths and shifts in `s`: w.residual and w.change; `asked` as in
+/// solve_contact(). No strip is active after it where none overlaps.
+void evaluate(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w);
 
 /// Preconditioner: turns the fixed-point residual in `step`, L and then shifts, into a step near that of
 /// Newton's method.
