@@ -14,26 +14,24 @@ struct EquationRows {
   std::int64_t stride, end;
 };
 
-/// Vectors of `Wide` columns: four at most, or eight with AVX-512.
+/// Vectors of columns: four at most, or eight with AVX-512.
 struct FourColumns {
-  static constexpr std::int32_t count = abreast;
   static Columns all(double a) { return in_all_columns(a); }
   static Columns load(const double* from) { return load_columns(from); }
   static void store(double* to, Columns a) { store_columns(to, a); }
 };
 struct MostColumns {
-  static constexpr std::int32_t count = native_lanes;
   static Native all(double a) { return broadcast(a); }
   static Native load(const double* from) { return load_lanes(from); }
   static void store(double* to, Native a) { store_lanes(to, a); }
 };
 
-/// Calls take(vector, c) for the columns from `from`, a multiple of four, to `end`, and to the end of its
-/// group of eight with AVX-512: rows have whole groups.
+/// Calls take(kind of vector, c) for the columns from `from`, a multiple of four, to `end`. With AVX-512 it
+/// goes on to the end of a group of eight, which rows have.
 template <class Take>
 void for_columns(std::int64_t from, std::int64_t end, const Take& take) {
   std::int64_t c = from;
-  for (; c % MostColumns::count != 0; c += abreast) take(FourColumns{}, c);
+  for (; c % native_lanes != 0; c += abreast) take(FourColumns{}, c);
   for (; c < end; c += native_lanes) take(MostColumns{}, c);
 }
 
@@ -55,8 +53,8 @@ void take_away(const double* pivots, std::int32_t column, const EquationRows& al
   }
   for_columns(column + 4, all.end, [&](auto v, std::int64_t c) {
     // The other columns of the rows, less the pivot rows times their factors.
-    const auto p0 = v.load(pivots + c), p1 = v.load(pivots + stride + c), p2 = v.load(pivots + 2 * stride + c),
-               p3 = v.load(pivots + 3 * stride + c);
+    const auto p0 = v.load(pivots + c), p1 = v.load(pivots + stride + c),
+               p2 = v.load(pivots + 2 * stride + c), p3 = v.load(pivots + 3 * stride + c);
     for (std::int32_t i = 0; i < count; ++i) {
       double* const at = rows + i * stride + c;
       const double* const f = factor[i];

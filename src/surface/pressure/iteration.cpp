@@ -34,7 +34,7 @@ constexpr std::int32_t late_iterations = 20;
 /// vanished the residual has a minimum, to which the acceleration returns and past which the map leads.
 constexpr std::int32_t alternating_iterations = 40, unaccelerated = 24, accelerated = 10;
 
-constexpr double asked_from = 1e-3;   ///< part of the area whose move lets strips enter
+constexpr double asked_from = 1e-3;  ///< part of the area whose move lets strips enter
 constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
 /// Power of L that q follows over the last step: that of L growing alike on all strips, by derivatives at
 /// solutions. Rough steps have 0.48, whose sum over the strips hardly matters.
