@@ -151,7 +151,9 @@ void take_sizes(const ModelOptions& options, const surface::SurfaceModel* surfac
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
   // on the surface: state is saved with the contact, work space lies behind it
   if (surface == nullptr) return;
-  sizes.surface_state_bytes = surface::surface_state_bytes(remembered_strips(options));
+  Arena state;
+  surface::cut_surface_state(state, surface->most_overlapping, remembered_strips(options));
+  sizes.surface_state_bytes = state.bytes();
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(*surface);
 }
 

@@ -42,8 +42,7 @@ Contact& make_contact(const Model& model, geometry::Side side, void* memory) {
   if (model.options.non_steady)
     tangential::make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
   if (const std::int32_t remembered = remembered_strips(model.options); remembered > 0)
-    surface::make_surface_memory(
-        *reinterpret_cast<surface::SurfaceState*>(array(*contact, Array::surface_state)), remembered);
+    tangential::make_strip_memory(remembered, surface_state(*contact).memory);
   return *contact;
 }
 
@@ -97,6 +96,12 @@ double* cell_block(Contact& contact, Array which, const Patch& patch) {
 tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch) {
   return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
+}
+
+surface::SurfaceState surface_state(const Contact& contact) {
+  const Model& model = *contact.model;
+  Arena arena(const_cast<double*>(array(contact, Array::surface_state)));
+  return surface::cut_surface_state(arena, model.surface->most_overlapping, remembered_strips(model.options));
 }
 
 double* work_space(Contact& contact) { return array(contact, Array::workspace); }

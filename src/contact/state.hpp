@@ -180,6 +180,9 @@ double* cell_block(Contact& contact, Array which, const Patch& patch);
 /// The tractions and slips of one patch.
 tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch);
 
+/// The state of a wheel on a rail, of a model that has one: a view, by which a constant contact is only read.
+surface::SurfaceState surface_state(const Contact& contact);
+
 /// Work space behind the state: as much as the stages and a wheel on a rail need, and state_bytes() at least.
 /// Nothing in it outlives a call.
 double* work_space(Contact& contact);

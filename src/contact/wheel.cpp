@@ -61,10 +61,6 @@ RegionPlace place_of(const Model& model, const surface::WheelOnRail& problem, do
 
 namespace {
 
-surface::SurfaceState& surface_state(Contact& contact) {
-  return *reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state));
-}
-
 /// Does anything change with the distance along the track?
 bool reads_distance(const Model& model) {
   const surface::SurfaceModel& surface = *model.surface;
