@@ -93,6 +93,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const damag
                            "bins lie on profiles: the stages must begin with wrc_planar_geometry");
   if (fault.status != WRC_OK) return fault;
   if (contact.reached < Stage::damage) assess_damage(contact);
+  find_cells(contact);
 
   // Places of strips by arc length on the right-hand profiles; the left contact plane runs against them.
   const Model& model = *contact.model;

@@ -146,9 +146,14 @@ void take_sizes(const ModelOptions& options, const surface::SurfaceModel* surfac
   if (const auto workspace = options.tangential_method->workspace)
     sizes.stage_workspace_bytes = std::max<std::int64_t>(
         sizes.stage_workspace_bytes, workspace(options.sizes.strips, options.sizes.cells));
+  sizes.remembered_cells = options.non_steady;
   if (options.non_steady)
     sizes.rolling_memory_bytes =
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
+  // two numbers per cell and one per strip of what follows from the cells (RolledRegion)
+  const std::int64_t numbers = std::int64_t{options.sizes.strips} * (2 * options.sizes.cells + 1);
+  sizes.stage_workspace_bytes =
+      std::max<std::int64_t>(sizes.stage_workspace_bytes, numbers * std::int64_t{sizeof(double)});
   // on the surface: state is saved with the contact, work space lies behind it
   if (surface == nullptr) return;
   Arena state;

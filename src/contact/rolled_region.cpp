@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc::contact {
 
@@ -45,6 +46,7 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
   // pressed alone, or rolled by a method without tractions: strips and no cells
   if (contact.reached < Stage::tangential || !gives_fields(contact)) return;
   strips = region_strips(contact, patch);
+  find_cells(contact);
   fields = cell_fields(contact, patch);
   friction = array(contact, Array::strip_friction) + patch.region_first;
   // the work space of the contact: two numbers per cell, one per strip

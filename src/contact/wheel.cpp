@@ -200,6 +200,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   // the results of the last solve are gone, whatever follows
   contact.wheel_solved = false;
   contact.newest = Solution::wheel;
+  cells_known(contact) = 0.0;
   if (slopes) *slopes = {};
   contact.wheel = {};
   const Model& model = *contact.model;
