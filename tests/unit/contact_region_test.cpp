@@ -312,6 +312,11 @@ TEST_F(ContactRegion, CellsThatAreLostAreFoundAgain) {
   Friction law;
   law.law.coefficient = friction;
   for (const double reverse : {0.0, 0.3}) {
+    if (reverse > 0.0) {  // and friction that is solved for
+      law.law.temperature_law = tangential::TemperatureLaw::linear;
+      law.law.hot_ratio = 0.4;
+      law.law.hot_temperature = 400.0;
+    }
     solve_tangential(*contact, some, law, {.speed = speed, .direction = -1.0, .reverse_share = reverse});
     ASSERT_EQ(region_count(*contact), 2);
     const Numbers found = everything();
