@@ -177,8 +177,8 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
          .half_length = kept.half_length[k],
          .peak = kept.peak[k],
          .friction = kept.friction[k],
-         .sliding = kept.head->speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] + kept.slip_y[k] * kept.slip_y[k] +
-                                           turning * turning / 3.0),
+         .sliding = kept.head->speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] +
+                                                 kept.slip_y[k] * kept.slip_y[k] + turning * turning / 3.0),
          .traction = kept.head->factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
          .power = kept.head->factor * kept.power[k]});
   }

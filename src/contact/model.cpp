@@ -150,7 +150,7 @@ void take_sizes(const ModelOptions& options, const surface::SurfaceModel* surfac
   if (options.non_steady)
     sizes.rolling_memory_bytes =
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
-  // two numbers per cell and one per strip of what follows from the cells (RolledRegion)
+  // two numbers per cell and one per strip that follow from the cells (RolledRegion)
   const std::int64_t numbers = std::int64_t{options.sizes.strips} * (2 * options.sizes.cells + 1);
   sizes.stage_workspace_bytes =
       std::max<std::int64_t>(sizes.stage_workspace_bytes, numbers * std::int64_t{sizeof(double)});

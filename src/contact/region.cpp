@@ -193,7 +193,8 @@ std::int32_t region_count(const Contact& contact) {
 }
 
 bool has_tractions(const Contact& contact) {
-  return contact.newest == Solution::wheel ? surface_state(contact).kept.head->by_region == 0.0 : gives_fields(contact);
+  return contact.newest == Solution::wheel ? surface_state(contact).kept.head->by_region == 0.0
+                                           : gives_fields(contact);
 }
 
 std::int32_t cells_of_newest(const Contact& contact) {
@@ -239,7 +240,8 @@ WheelSums wheel_sums(Contact& contact, std::int32_t index) {
     const double fx = kept.head->factor * kept.fx[first + k], fy = kept.head->factor * kept.fy[first + k];
     forces.fx += fx;
     forces.fy += fy;
-    forces.mz += kept.head->factor * kept.mz[first + k] + (strips.centre[k] - x) * fy - (strips.y[k] - s) * fx;
+    forces.mz +=
+        kept.head->factor * kept.mz[first + k] + (strips.centre[k] - x) * fy - (strips.y[k] - s) * fx;
   }
   forces.fy *= along_arc(contact);
   forces.mz *= along_arc(contact);

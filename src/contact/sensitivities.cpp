@@ -8,7 +8,7 @@
 namespace wrc::contact {
 namespace {
 
-/// A copy of the contact in the memory behind it, where the cells lay: a contact holds no pointer into itself.
+/// A copy of the contact in the memory behind it, over its cells: a contact holds no pointer into itself.
 Contact& copy_of(Contact& contact) {
   const std::size_t bytes = state_bytes(*contact.model);
   void* const behind = reinterpret_cast<char*>(&contact) + bytes;

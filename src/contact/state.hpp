@@ -190,7 +190,8 @@ double& cells_known(Contact& contact);
 /// The state of a wheel on a rail, of a model that has one: a view, by which a constant contact is only read.
 surface::SurfaceState surface_state(const Contact& contact);
 
-/// Work space behind the state, as much as the stages or a wheel on a rail need. Nothing in it outlives a call.
+/// Work space behind the state, as much as the stages or a wheel on a rail need. Nothing in it outlives a
+/// call.
 double* work_space(Contact& contact);
 
 /// Does the tangential method give tractions and slip of every cell?

@@ -298,7 +298,7 @@ void find_cells(Contact& contact) {
   cells_known(contact) = 1.0;
   const Friction friction = friction_of(contact);
   for (std::int32_t k = 0; k < contact.patches; ++k) {
-    // of the own direction of rolling, as roll_both_directions() leaves them; forces stay
+    // those of the own direction, as roll_both_directions() leaves them; forces stay
     Patch again = contact.patch[k];
     roll(contact, again, friction, contact.rolling.direction, nullptr);
   }

@@ -79,7 +79,7 @@ struct SurfaceModel : SurfaceGeometry {
   SurfaceMethods methods;
   PressureOptions pressure;           ///< options of a solution to the end
   std::int32_t most_overlapping = 0;  ///< overlapping_strips() of its widths
-  std::int32_t rail_strips = 0;       ///< of the rail, with those between its faces
+  std::int32_t rail_strips = 0;       ///< the rail's, with those between its faces
 };
 
 /// Strips of these widths that may overlap a wheel at a time: as many as 64 mm of a rail's tread and 16 mm of

@@ -45,7 +45,7 @@ struct Scratch {
   double *by_lengths, *lengths;  ///< these two in it
   double* share;                 ///< shares of rows in a sum
   const double** row;
-  double *place, *l;                                  ///< [m]
+  double *place, *l;                 ///< [m]
   double *edge_lambda, *edge_shift;  ///< asked for by edges [Pa/m], [m]
   // until the equations of all strips are there:
   double *leading, *trailing;                                       ///< rows of edges, with all unknowns

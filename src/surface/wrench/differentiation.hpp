@@ -42,7 +42,7 @@ struct DifferencesScratch {
   double* share;                                 ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;           ///< forces that differences are taken from
   double *fx_by_time, *fy_by_time, *mz_by_time;  ///< derivatives, with memory [N/s], [N m/s]
-  DualForces other;                              ///< of the other direction: friction over temperature
+  DualForces other;                              ///< the other direction's: friction over temperature
   RollingScratch rolling;                        ///< the same
   tangential::PastStrip* written;                ///< strips of steps that remember
   Arena remembering;                             ///< scratch of these steps
@@ -54,7 +54,7 @@ struct DifferentiationScratch {
   double* pressures;  ///< scratch of differentiate_pressures(), whose memory is that of all below
   LoadedStrips loaded;
   RollingArraysOf<RailFrameDual> rolling;  ///< its memory is that of `pressed` but for the overlaps
-  DualForces other;                        ///< of the other direction of rolling
+  DualForces other;                        ///< the other direction's
   double* values;                          ///< for the kernel: its numbers without derivatives
   double* slopes;                          ///< from the kernel
   DifferencesScratch differences;          ///< its memory is that of the four above

@@ -145,8 +145,8 @@ std::int64_t surface_workspace_bytes(const SurfaceModel& model) {
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,
-                          const SurfaceState& state, void* workspace, Wrench& out, RailFrameJacobian* jacobian,
-                          RailFrameJacobian* by_track) noexcept {
+                          const SurfaceState& state, void* workspace, Wrench& out,
+                          RailFrameJacobian* jacobian, RailFrameJacobian* by_track) noexcept {
   // results of the stages first; the rest of the workspace is scratch
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
@@ -165,10 +165,14 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   const KeptStart& last = state.last;
   if (from == SolutionStart::mark) copy_start(state.mark, last);
   const bool warm = from != SolutionStart::anew && last.head->set > 0.0;
-  HeightStart start{
-      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.head->count), {}},
-      warm ? StartFrom::solution : StartFrom::overlaps,
-      warm && last.head->stiffness > 0.0 ? last.head->stiffness : 1.0};
+  HeightStart start{{last.strip,
+                     last.length_squared,
+                     last.shift,
+                     last.depth,
+                     static_cast<std::int32_t>(last.head->count),
+                     {}},
+                    warm ? StartFrom::solution : StartFrom::overlaps,
+                    warm && last.head->stiffness > 0.0 ? last.head->stiffness : 1.0};
   if (from == SolutionStart::mark)
     start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
   out = {};
