@@ -221,7 +221,7 @@ int poses(Pairs& pairs, long count, unsigned seed, long only) {
   std::map<std::string, long> statuses;
   PoseClass classes[2][load_classes];
   WorkByStrips by_strips;
-  PressedBy pressed_by[] = {{56.0}, {68.0}};  // room of the derivatives at "real time" and at the default
+  PressedBy pressed_by[] = {{56.0}, {76.0}};  // room of the derivatives at "real time" and at the default
   long in_contact = 0, not_finite = 0, without_height = 0, most_regions = 0, calls = 0;
   double sum = 0.0;
   const long first = only < 0 ? 0 : only, last = only < 0 ? count / PoseGroup::heights : only + 1;

@@ -89,7 +89,7 @@
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
- *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.28 MB, with profiles 0.55 MB; a saved state 0.17 MB.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.20 MB, with profiles 0.47 MB; a saved state 0.08 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
@@ -892,7 +892,7 @@ WRC_API int32_t wrc_contact_create(const wrc_model* model, int32_t side, const w
  * @param contact NULL is fine @rt init @thread contact */
 WRC_API void wrc_contact_destroy(wrc_contact* contact);
 
-/** Length of a saved state, some 0.17 MB.
+/** Length of a saved state, some 0.08 MB.
  * @param model the model
  * @param[out] bytes size; zero on failure
  * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */

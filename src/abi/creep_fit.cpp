@@ -217,7 +217,7 @@ class Kept {
   explicit Kept(contact::Contact& contact) : contact_(contact), bytes_(contact::state_bytes(*contact.model)) {
     std::memcpy(bytes_.data(), static_cast<const void*>(&contact), bytes_.size());
   }
-  ~Kept() { std::memcpy(static_cast<void*>(&contact_), bytes_.data(), bytes_.size()); }
+  ~Kept() { take_state(contact_, bytes_.data()); }
   Kept(const Kept&) = delete;
   Kept& operator=(const Kept&) = delete;
 

@@ -297,7 +297,7 @@ int32_t wrc_contact_restore(wrc_contact* contact, const void* buffer, uint64_t b
     fault = Fault::sequence("buffer", "it holds the state of a contact of the other side");
   }
   if (fault.failed()) return abi::keep(*contact, __func__, fault);
-  std::memcpy(state, buffer, needed);
+  take_state(*contact->contact, buffer);
   return WRC_OK;
 }
 

@@ -32,7 +32,8 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ || __BYTE_ORDER__ == __O
 std::uint64_t layout_of(const contact::Model& model) {
   Checksum sum;
   sum.add(std::uint64_t{sizeof(contact::Contact)});
-  for (const std::size_t offset : model.layout.offset) sum.add(std::uint64_t{offset});
+  for (const std::size_t offset : model.layout.offset)
+    if (offset < model.layout.bytes) sum.add(std::uint64_t{offset});
   return sum.value();
 }
 
@@ -144,9 +145,7 @@ int32_t wrc_contact_restore_portable(wrc_contact* handle, const void* buffer, ui
   if (!fault.failed() && header.checksum != abi::checksum_of(header, begin, state))
     fault = abi::damaged("bytes of it have changed since it was written");
   if (fault.failed()) return abi::keep(*handle, __func__, fault);
-  const wrc::contact::Model* const model = contact.model;
-  std::memcpy(handle->contact, begin, state);
-  contact.model = model;
+  take_state(contact, begin);
   return WRC_OK;
 }
 

@@ -93,6 +93,7 @@ Fault add_stages(Contact& contact, const Accumulation& accumulation, const damag
                            "bins lie on profiles: the stages must begin with wrc_planar_geometry");
   if (fault.status != WRC_OK) return fault;
   if (contact.reached < Stage::damage) assess_damage(contact);
+  find_cells(contact);
 
   // Places of strips by arc length on the right-hand profiles; the left contact plane runs against them.
   const Model& model = *contact.model;
@@ -151,13 +152,12 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
                         DamageTotals& totals) {
   if (!contact.wheel_solved) return Fault::sequence("wrench", "call wrc_contact_wrench first");
   const Model& model = *contact.model;
-  const surface::StripResults& kept =
-      reinterpret_cast<const surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
-  const auto count = static_cast<std::int32_t>(kept.count);
+  const surface::StripResults kept = surface_state(contact).kept;
+  const auto count = static_cast<std::int32_t>(kept.head->count);
   if (count == 0) return Fault::no_contact();
   const Bodies& right = model.bodies[static_cast<int>(geometry::Side::right)];
   const surface::Wrench& wrench = contact.wheel.wrench;
-  Adder adder(contact, accumulation, kept.rolling_speed, kept.rolling_speed, wheel, rail, totals);
+  Adder adder(contact, accumulation, kept.head->rolling_speed, kept.head->rolling_speed, wheel, rail, totals);
   // Strips come in the order of the rail; a region begins where the one before ends. Beyond the deepest
   // overlap that is solved, forces and power are `factor` times those solved.
   std::int32_t region = -1, end = 0;  // end of the region, in strips of the rail
@@ -167,7 +167,7 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
     if (j >= end && region + 1 < wrench.regions) {
       ++region;
       end = wrench.region[region].first + wrench.region[region].count;
-      adder.begin_patch(kept.speed, wrench.region[region].power);
+      adder.begin_patch(kept.head->speed, wrench.region[region].power);
     }
     const double turning = kept.spin[k] * kept.half_length[k];
     adder.take(
@@ -177,10 +177,10 @@ Fault add_wheel_on_rail(const Contact& contact, const Accumulation& accumulation
          .half_length = kept.half_length[k],
          .peak = kept.peak[k],
          .friction = kept.friction[k],
-         .sliding = kept.speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] + kept.slip_y[k] * kept.slip_y[k] +
-                                           turning * turning / 3.0),
-         .traction = kept.factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
-         .power = kept.factor * kept.power[k]});
+         .sliding = kept.head->speed * std::sqrt(kept.slip_x[k] * kept.slip_x[k] +
+                                                 kept.slip_y[k] * kept.slip_y[k] + turning * turning / 3.0),
+         .traction = kept.head->factor * std::sqrt(kept.fx[k] * kept.fx[k] + kept.fy[k] * kept.fy[k]),
+         .power = kept.head->factor * kept.power[k]});
   }
   return adder.finish();
 }

@@ -325,8 +325,8 @@ Fault region_temperature(Contact& contact, std::int32_t index, const tangential:
   const Fault fault = region_tractions_needed(contact, index, no_power);
   if (fault.status != WRC_OK) return fault;
   const bool wheel = contact.newest == Solution::wheel;
-  TemperatureSums sums =
-      temperature_sums(contact, bulk, wheel ? wheel_strips(contact).speed : contact.rolling.speed);
+  TemperatureSums sums = temperature_sums(
+      contact, bulk, wheel ? surface_state(contact).kept.head->speed : contact.rolling.speed);
   for_regions(contact, index,
               [&](RolledRegion& rolled) { add_temperature(rolled, rolled.work.power_density, sums); });
   temperature = sums.numbers();

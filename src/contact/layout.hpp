@@ -14,7 +14,7 @@ inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the w
 
 /// Every array a contact owns: over cells, over the strips of the normal problem and the rows of the gap,
 /// then over the `region_` strips that rolled (the same values unless a variant replaces the patch by an
-/// ellipse).
+/// ellipse). Those from `cells_known` on lie behind the state, where copies of it go.
 enum class Array : std::size_t {
   traction_x,
   traction_y,
@@ -31,7 +31,6 @@ enum class Array : std::size_t {
   gap_centre,
   gap_curvature,
   strip_friction,
-  temperature_rise,
   region_y,
   region_width,
   region_centre,
@@ -43,7 +42,9 @@ enum class Array : std::size_t {
   start_shift,
   rolling_memory,
   surface_state,
-  workspace,  ///< behind the state, where copies of it go, for all solutions: nothing in it outlives a call
+  cells_known,       ///< one number: 1 where the arrays over cells are those of the last tangential stage
+  workspace,         ///< for all solutions: nothing in it outlives a call
+  temperature_rise,  ///< over cells, work space of the tangential stage
   count_
 };
 
@@ -52,6 +53,7 @@ inline constexpr std::size_t array_count = static_cast<std::size_t>(Array::count
 struct ArraySizes {
   std::int32_t strips = 0, cells = 0, gap_rows = 0;
   std::int64_t rolling_memory_bytes = 0, surface_state_bytes = 0;
+  bool remembered_cells = false;  ///< cells of a method with memory, which are not found a second time
   std::int64_t stage_workspace_bytes = 0;    ///< work space of the stages, of which one at a time is at work
   std::int64_t surface_workspace_bytes = 0;  ///< the same of a wheel on a rail
 };
@@ -59,10 +61,12 @@ struct ArraySizes {
 struct ArrayLayout {
   std::array<std::size_t, array_count> offset{};  ///< bytes from the start of the contact block
   std::size_t bytes = 0;                          ///< bytes of the state, which is saved and restored
-  std::size_t behind = 0;                         ///< bytes of the work space behind it
+  std::size_t stages = 0;                         ///< bytes behind it that the stages need
+  std::size_t behind = 0;                         ///< bytes behind it
 };
 
-/// Lays the arrays out behind a header of `header_bytes`, each on a cache line.
+/// Lays the arrays out behind a header of `header_bytes`, each on a cache line. Arrays over cells lie behind
+/// the stages' work space, in that of a wheel: they are found again where they are lost (find_cells()).
 ArrayLayout lay_out(const ArraySizes& sizes, std::size_t header_bytes);
 
 }  // namespace wrc::contact

@@ -146,12 +146,19 @@ void take_sizes(const ModelOptions& options, const surface::SurfaceModel* surfac
   if (const auto workspace = options.tangential_method->workspace)
     sizes.stage_workspace_bytes = std::max<std::int64_t>(
         sizes.stage_workspace_bytes, workspace(options.sizes.strips, options.sizes.cells));
+  sizes.remembered_cells = options.non_steady;
   if (options.non_steady)
     sizes.rolling_memory_bytes =
         static_cast<std::int64_t>(tangential::strip_memory_bytes(options.sizes.strips));
+  // two numbers per cell and one per strip that follow from the cells (RolledRegion)
+  const std::int64_t numbers = std::int64_t{options.sizes.strips} * (2 * options.sizes.cells + 1);
+  sizes.stage_workspace_bytes =
+      std::max<std::int64_t>(sizes.stage_workspace_bytes, numbers * std::int64_t{sizeof(double)});
   // on the surface: state is saved with the contact, work space lies behind it
   if (surface == nullptr) return;
-  sizes.surface_state_bytes = surface::surface_state_bytes(remembered_strips(options));
+  Arena state;
+  surface::cut_surface_state(state, surface->most_overlapping, remembered_strips(options));
+  sizes.surface_state_bytes = state.bytes();
   sizes.surface_workspace_bytes = surface::surface_workspace_bytes(*surface);
 }
 

@@ -193,7 +193,8 @@ std::int32_t region_count(const Contact& contact) {
 }
 
 bool has_tractions(const Contact& contact) {
-  return contact.newest == Solution::wheel ? wheel_strips(contact).by_region == 0.0 : gives_fields(contact);
+  return contact.newest == Solution::wheel ? surface_state(contact).kept.head->by_region == 0.0
+                                           : gives_fields(contact);
 }
 
 std::int32_t cells_of_newest(const Contact& contact) {
@@ -218,7 +219,7 @@ Fault check_region(const Contact& contact, std::int32_t index, bool or_all) {
 
 WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   const surface::SurfaceRegion& region = contact.wheel.wrench.region[index];
-  const surface::StripResults& kept = wheel_strips(contact);
+  const surface::StripResults kept = surface_state(contact).kept;
   const std::int32_t first = strip_run(kept, region).first;
   const RolledRegion rolled(contact, region, false);
   const patch::Strips& strips = rolled.strips;
@@ -236,14 +237,15 @@ WheelSums wheel_sums(Contact& contact, std::int32_t index) {
   // Forces of the strips, and their moment about that point; on the left the arc runs against y.
   tangential::TangentialForces& forces = sums.forces;
   for (std::int32_t k = 0; k < strips.count; ++k) {
-    const double fx = kept.factor * kept.fx[first + k], fy = kept.factor * kept.fy[first + k];
+    const double fx = kept.head->factor * kept.fx[first + k], fy = kept.head->factor * kept.fy[first + k];
     forces.fx += fx;
     forces.fy += fy;
-    forces.mz += kept.factor * kept.mz[first + k] + (strips.centre[k] - x) * fy - (strips.y[k] - s) * fx;
+    forces.mz +=
+        kept.head->factor * kept.mz[first + k] + (strips.centre[k] - x) * fy - (strips.y[k] - s) * fx;
   }
   forces.fy *= along_arc(contact);
   forces.mz *= along_arc(contact);
-  forces.power_per_speed = kept.speed > 0.0 ? region.power / kept.speed : 0.0;
+  forces.power_per_speed = kept.head->speed > 0.0 ? region.power / kept.head->speed : 0.0;
   sums.creepage = {region.creepage[0], region.creepage[1], region.creepage[2]};
   return sums;
 }

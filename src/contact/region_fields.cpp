@@ -136,7 +136,7 @@ Fault region_field_size(const Contact& contact, std::int32_t index, FieldId fiel
   if (fault.status != WRC_OK) return fault;
   // Strips in contact: a wheel's are those kept, a patch's those pressed.
   size.rows = contact.newest == Solution::wheel
-                  ? strip_run(wheel_strips(contact), contact.wheel.wrench.region[index]).count
+                  ? strip_run(surface_state(contact).kept, contact.wheel.wrench.region[index]).count
                   : contact.patch[index].count;
   if (row.over == FieldOver::cells) size.cells = cells_of_newest(contact);
   return {};

@@ -4,18 +4,12 @@
 #include <cmath>
 
 #include "base/elementary.hpp"
+#include "contact/stages.hpp"
 
 namespace wrc::contact {
 
-surface::StripResults& wheel_strips(Contact& contact) {
-  return reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
-}
-const surface::StripResults& wheel_strips(const Contact& contact) {
-  return reinterpret_cast<const surface::SurfaceState*>(array(contact, Array::surface_state))->kept;
-}
-
 StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegion& region) {
-  const auto all = static_cast<std::int32_t>(kept.count);
+  const auto all = static_cast<std::int32_t>(kept.head->count);
   StripRun run;
   // strips of results increase by number, and a region is a run of them
   while (run.first < all && kept.strip[run.first] < region.first) ++run.first;
@@ -25,8 +19,8 @@ StripRun strip_run(const surface::StripResults& kept, const surface::SurfaceRegi
 }
 
 std::int32_t touching_strips(const Contact& contact, damage::TouchingStrip* strips) {
-  const surface::StripResults& kept = wheel_strips(contact);
-  const std::int32_t count = static_cast<std::int32_t>(kept.count);
+  const surface::StripResults kept = surface_state(contact).kept;
+  const std::int32_t count = static_cast<std::int32_t>(kept.head->count);
   double power = 0.0, longest = 0.0;  // [W], [m]
   for (std::int32_t k = 0; k < count; ++k) {
     power += std::max(kept.power[k], 0.0);
@@ -52,6 +46,7 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
   // pressed alone, or rolled by a method without tractions: strips and no cells
   if (contact.reached < Stage::tangential || !gives_fields(contact)) return;
   strips = region_strips(contact, patch);
+  find_cells(contact);
   fields = cell_fields(contact, patch);
   friction = array(contact, Array::strip_friction) + patch.region_first;
   // the work space of the contact: two numbers per cell, one per strip
@@ -63,7 +58,7 @@ RolledRegion::RolledRegion(Contact& contact, const Patch& patch)
 
 RolledRegion::RolledRegion(Contact& contact, const surface::SurfaceRegion& region, bool with_cells)
     : grid(&contact.model->surface_grid) {
-  surface::StripResults& kept = wheel_strips(contact);
+  const surface::StripResults kept = surface_state(contact).kept;
   const auto [first, count] = strip_run(kept, region);
   strips = {count,
             count,
@@ -76,15 +71,15 @@ RolledRegion::RolledRegion(Contact& contact, const surface::SurfaceRegion& regio
   profile_y = kept.y + first;
   profile_z = kept.z + first;
   angle = kept.angle + first;
-  speed = kept.speed;
-  direction = kept.backwards > 0.0 ? -1.0 : 1.0;
-  if (!with_cells || kept.by_region > 0.0) return;
+  speed = kept.head->speed;
+  direction = kept.head->backwards > 0.0 ? -1.0 : 1.0;
+  if (!with_cells || kept.head->by_region > 0.0) return;
   const surface::StripFields rolled =
       surface::fields_of_strips(*contact.model->surface, kept, first, count, work_space(contact));
 
   // beyond the deepest overlap solved tractions grow as the load does; slips stay
   for (double* const a : {rolled.traction_x, rolled.traction_y})
-    for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.factor;
+    for (std::int32_t at = 0; at < rolled.strips * rolled.cells; ++at) a[at] *= kept.head->factor;
   fields = {rolled.traction_x, rolled.traction_y, rolled.slip_x, rolled.slip_y};
   work = {rolled.slip_x, rolled.slip_y, rolled.of_strips};
 }

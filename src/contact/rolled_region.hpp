@@ -14,11 +14,7 @@
 
 namespace wrc::contact {
 
-/// The strips in contact of the last solve_wheel().
-surface::StripResults& wheel_strips(Contact& contact);
-const surface::StripResults& wheel_strips(const Contact& contact);
-
-/// Strips of a region among them.
+/// Strips of a region among those in contact of the last solve_wheel().
 struct StripRun {
   std::int32_t first = 0, count = 0;
 };

@@ -8,7 +8,7 @@
 namespace wrc::contact {
 namespace {
 
-/// A copy of the contact in the memory behind it: a contact holds no pointer into itself.
+/// A copy of the contact in the memory behind it, over its cells: a contact holds no pointer into itself.
 Contact& copy_of(Contact& contact) {
   const std::size_t bytes = state_bytes(*contact.model);
   void* const behind = reinterpret_cast<char*>(&contact) + bytes;
@@ -89,9 +89,15 @@ Fault find_sensitivities(Contact& contact, tangential::TangentialSensitivities& 
     return Fault::sequence("forces", "call wrc_planar_tangential first");
   }
   if (!contact.touching) return Fault::no_contact();
-  if (!differentiates(contact)) return difference_tangential(contact, sensitivities);
-  Contact& copy = copy_of(contact);
-  return solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);
+  Fault fault;
+  if (differentiates(contact)) {
+    Contact& copy = copy_of(contact);
+    fault = solve_tangential(copy, contact.creepage, friction_of(copy), contact.rolling, &sensitivities);
+  } else {
+    fault = difference_tangential(contact, sensitivities);
+  }
+  cells_known(contact) = 0.0;
+  return fault;
 }
 
 }  // namespace wrc::contact

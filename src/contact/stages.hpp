@@ -59,6 +59,9 @@ Fault regularise_patch(Contact& contact);
 Fault solve_tangential(Contact& contact, const tangential::Creepage& creepage, const Friction& friction,
                        const Rolling& rolling, tangential::TangentialSensitivities* sensitivities = nullptr);
 
+/// Solves the last tangential stage again for its cells, where these have been lost.
+void find_cells(Contact& contact);
+
 /// Friction of the last tangential stage, its zones those kept in the contact.
 Friction friction_of(const Contact& contact);
 

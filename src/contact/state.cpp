@@ -1,6 +1,7 @@
 #include "contact/state.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 #include "contact/methods.hpp"
@@ -24,10 +25,7 @@ patch::Strips strips_at(Contact& contact, Array first, std::int32_t count) {
 std::size_t state_bytes(const Model& model) { return model.layout.bytes; }
 
 std::size_t contact_bytes(const Model& model) {
-  // a copy of the state is followed by its own work space
-  const auto stages = static_cast<std::size_t>(model.options.sizes.stage_workspace_bytes);
-  const std::size_t copy =
-      state_bytes(model) + (stages + block_alignment - 1) / block_alignment * block_alignment;
+  const std::size_t copy = state_bytes(model) + model.layout.stages;
   return state_bytes(model) + std::max(copy, model.layout.behind);
 }
 
@@ -42,9 +40,15 @@ Contact& make_contact(const Model& model, geometry::Side side, void* memory) {
   if (model.options.non_steady)
     tangential::make_strip_memory(model.options.sizes.strips, array(*contact, Array::rolling_memory));
   if (const std::int32_t remembered = remembered_strips(model.options); remembered > 0)
-    surface::make_surface_memory(
-        *reinterpret_cast<surface::SurfaceState*>(array(*contact, Array::surface_state)), remembered);
+    tangential::make_strip_memory(remembered, surface_state(*contact).memory);
   return *contact;
+}
+
+void take_state(Contact& contact, const void* saved) {
+  const Model* const model = contact.model;
+  std::memcpy(static_cast<void*>(&contact), saved, state_bytes(*model));
+  contact.model = model;  // where it lies now
+  cells_known(contact) = 0.0;
 }
 
 void back_to(Contact& contact, Stage stage) {
@@ -98,6 +102,14 @@ tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch) {
   return {cell_block(contact, Array::traction_x, patch), cell_block(contact, Array::traction_y, patch),
           cell_block(contact, Array::slip_x, patch), cell_block(contact, Array::slip_y, patch)};
 }
+
+surface::SurfaceState surface_state(const Contact& contact) {
+  const Model& model = *contact.model;
+  Arena arena(const_cast<double*>(array(contact, Array::surface_state)));
+  return surface::cut_surface_state(arena, model.surface->most_overlapping, remembered_strips(model.options));
+}
+
+double& cells_known(Contact& contact) { return *array(contact, Array::cells_known); }
 
 double* work_space(Contact& contact) { return array(contact, Array::workspace); }
 

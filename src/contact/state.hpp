@@ -148,7 +148,7 @@ static_assert(sizeof(HostWrench) ==
                   surface::most_surface_regions * (sizeof(surface::SurfaceRegion) + sizeof(RegionPlace)));
 
 /// Bytes of a contact: its state, and behind it the larger of a copy of the state, on which sensitivities are
-/// found, with work space of its own, and the work space of a wheel on a rail.
+/// found, with all that the stages have behind it, and the work space of a wheel on a rail.
 std::size_t contact_bytes(const Model& model);
 
 /// Bytes of the state, the part that is saved and restored.
@@ -156,6 +156,9 @@ std::size_t state_bytes(const Model& model);
 
 /// Makes an empty contact in `memory` (contact_bytes, aligned).
 Contact& make_contact(const Model& model, geometry::Side side, void* memory);
+
+/// Takes over a saved state (state_bytes).
+void take_state(Contact& contact, const void* saved);
 
 /// Forgets the results of every stage after `stage`; the stages' solution is the newest.
 void back_to(Contact& contact, Stage stage);
@@ -177,11 +180,18 @@ patch::Strips region_strips(Contact& contact, const Patch& patch);
 /// i * patch.region_count + j.
 double* cell_block(Contact& contact, Array which, const Patch& patch);
 
-/// The tractions and slips of one patch.
+/// The tractions and slips of one patch, where the tangential stage has them: see find_cells().
 tangential::TangentialFields cell_fields(Contact& contact, const Patch& patch);
 
-/// Work space behind the state: as much as the stages and a wheel on a rail need, and state_bytes() at least.
-/// Nothing in it outlives a call.
+/// Are the arrays over cells those of the last tangential stage? They are lost with a wheel on a rail,
+/// sensitivities and saved states, in whose memory they lie or that do not hold them.
+double& cells_known(Contact& contact);
+
+/// The state of a wheel on a rail, of a model that has one: a view, by which a constant contact is only read.
+surface::SurfaceState surface_state(const Contact& contact);
+
+/// Work space behind the state, as much as the stages or a wheel on a rail need. Nothing in it outlives a
+/// call.
 double* work_space(Contact& contact);
 
 /// Does the tangential method give tractions and slip of every cell?

@@ -293,6 +293,17 @@ Friction friction_of(const Contact& contact) {
   return friction;
 }
 
+void find_cells(Contact& contact) {
+  if (contact.model->options.non_steady || cells_known(contact) > 0.0) return;
+  cells_known(contact) = 1.0;
+  const Friction friction = friction_of(contact);
+  for (std::int32_t k = 0; k < contact.patches; ++k) {
+    // those of the own direction, as roll_both_directions() leaves them; forces stay
+    Patch again = contact.patch[k];
+    roll(contact, again, friction, contact.rolling.direction, nullptr);
+  }
+}
+
 Fault solve_tangential(Contact& contact, const tangential::Creepage& creepage, const Friction& friction,
                        const Rolling& rolling, tangential::TangentialSensitivities* sensitivities) {
   if (contact.reached < Stage::patch) {
@@ -313,6 +324,7 @@ Fault solve_tangential(Contact& contact, const tangential::Creepage& creepage, c
   contact.rolling = rolling;
   contact.forces = {};
   contact.damage = {};
+  cells_known(contact) = sensitivities ? 0.0 : 1.0;
 
   // A model that remembers goes on by a step even where the bodies are apart: memory of patches without
   // contact is lost.

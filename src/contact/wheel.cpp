@@ -61,10 +61,6 @@ RegionPlace place_of(const Model& model, const surface::WheelOnRail& problem, do
 
 namespace {
 
-surface::SurfaceState& surface_state(Contact& contact) {
-  return *reinterpret_cast<surface::SurfaceState*>(array(contact, Array::surface_state));
-}
-
 /// Does anything change with the distance along the track?
 bool reads_distance(const Model& model) {
   const surface::SurfaceModel& surface = *model.surface;
@@ -204,6 +200,7 @@ Fault solve_wheel(Contact& contact, const HostWheel& hosted, HostJacobian* slope
   // the results of the last solve are gone, whatever follows
   contact.wheel_solved = false;
   contact.newest = Solution::wheel;
+  cells_known(contact) = 0.0;
   if (slopes) *slopes = {};
   contact.wheel = {};
   const Model& model = *contact.model;

@@ -86,10 +86,9 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   if (fault.failed()) return fault;
   model->rail = cut_rail(model->rail_curve, bodies.widths, most_strips_of_a_rail, arrays.strips);
   // a rail that changes along the track, a wheel whose radius changes round it
-  model->rail_strips = strips_of_a_rail(faces);
   if (bodies.sections > 0) {
     fault = make_varying_rail(bodies.section, bodies.sections, bodies.rail_inclination, bodies.widths,
-                              model->rail_strips, arrays.varying, model->varying);
+                              strips_of_a_rail(faces), arrays.varying, model->varying);
     if (fault.failed()) {
       // A check rail's sections are not the caller's.
       if (!has_check_rail(model->varying)) fault.distance = bodies.section[fault.index].distance;
@@ -115,6 +114,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
   // planar methods have no tolerance of the surface's: prescribed loads are searched as to this one
   if (model->methods.planar.solve) model->pressure.tolerance = 1e-7;
   model->most_overlapping = overlapping_strips(bodies.widths);
+  model->rail_strips = bodies.sections > 0 ? model->varying.strips : model->rail.count;
   made = model;
   return {};
 }

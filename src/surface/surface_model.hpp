@@ -77,9 +77,9 @@ struct SurfaceModel : SurfaceGeometry {
   StripCoefficientTable coefficients;
   const tangential::MarchGrid* grid = nullptr;
   SurfaceMethods methods;
-  PressureOptions pressure;                          ///< options of a solution to the end
-  std::int32_t most_overlapping = 0;                 ///< overlapping_strips() of its widths
-  std::int32_t rail_strips = most_strips_of_a_rail;  ///< strips_of_a_rail() of its faces
+  PressureOptions pressure;           ///< options of a solution to the end
+  std::int32_t most_overlapping = 0;  ///< overlapping_strips() of its widths
+  std::int32_t rail_strips = 0;       ///< the rail's, with those between its faces
 };
 
 /// Strips of these widths that may overlap a wheel at a time: as many as 64 mm of a rail's tread and 16 mm of

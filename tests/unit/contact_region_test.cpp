@@ -305,6 +305,33 @@ TEST_F(ContactRegion, AskingChangesNothing) {
     EXPECT_TRUE(std::all_of(each->begin(), each->end(), [](double v) { return std::isfinite(v); }));
 }
 
+// Tractions of cells lie where a wheel on a rail, derivatives and saved states do not keep them.
+TEST_F(ContactRegion, CellsThatAreLostAreFoundAgain) {
+  create();
+  press(5.5e-3, 80e3);
+  Friction law;
+  law.law.coefficient = friction;
+  for (const double reverse : {0.0, 0.3}) {
+    if (reverse > 0.0) {  // and friction that is solved for
+      law.law.temperature_law = tangential::TemperatureLaw::linear;
+      law.law.hot_ratio = 0.4;
+      law.law.hot_temperature = 400.0;
+    }
+    solve_tangential(*contact, some, law, {.speed = speed, .direction = -1.0, .reverse_share = reverse});
+    ASSERT_EQ(region_count(*contact), 2);
+    const Numbers found = everything();
+    const auto saved = state();
+    solve();
+    EXPECT_NE(everything(), found);
+    take_state(*contact, saved.data());
+    EXPECT_EQ(everything(), found);
+    tangential::TangentialSensitivities slopes;
+    EXPECT_FALSE(find_sensitivities(*contact, slopes).failed());
+    EXPECT_EQ(everything(), found);
+    EXPECT_EQ(state(), saved);
+  }
+}
+
 /// Hertz's circle by both solutions, at the creepages of the wheel.
 TEST_F(ContactRegion, OnFlatGroundAWheelHasThePlanarNumbers) {
   take_circle();

@@ -58,12 +58,17 @@ class CylinderOnCrown {
     model_memory_.resize(surface_model_bytes(nodes, nodes, 0, 0, 1, {}) / sizeof(double) + 1);
     EXPECT_FALSE(make_surface_model(bodies, model_memory_.data(), model).failed());
     workspace.resize(static_cast<std::size_t>(surface_workspace_bytes(*model)) / sizeof(double));
+    Arena counted;
+    cut_surface_state(counted, model->most_overlapping, 0);
+    state_.resize(static_cast<std::size_t>(counted.doubles()));
+    Arena arena(state_.data());
+    state = cut_surface_state(arena, model->most_overlapping, 0);
     in.friction = 0.0;
     in.wheel.position[2] = -wheel_radius;
   }
 
   Fault solve(SolutionStart from = SolutionStart::anew) {
-    return solve_wheel_on_rail(*model, in, from, *state, workspace.data(), wrench);
+    return solve_wheel_on_rail(*model, in, from, state, workspace.data(), wrench);
   }
   WheelProblem problem() const {
     WheelProblem problem{*model, in, {}};
@@ -75,7 +80,7 @@ class CylinderOnCrown {
   const SurfaceModel* model = nullptr;
   WheelOnRail in;
   Wrench wrench;
-  std::unique_ptr<SurfaceState> state = std::make_unique<SurfaceState>();
+  SurfaceState state;
   std::vector<double> workspace;
 
  private:
@@ -83,7 +88,7 @@ class CylinderOnCrown {
   static const Kernels& kernels() { return kernels_for(best_instruction_set()); }
 
   std::vector<double> y_, wheel_z_, rail_z_, march_ = std::vector<double>(tangential::march_grid_size(cells)),
-                                             model_memory_;
+                                             model_memory_, state_;
   theory::KalkerTable ellipse_{material.poisson};
   tangential::MarchGrid grid_;
 };
@@ -141,7 +146,7 @@ TEST(GivenLoad, OfTheHeightFoundComesBack) {
   pair.in.load_prescribed = true;
   ASSERT_EQ(pair.solve().status, WRC_OK);
   const Wrench found = pair.wrench;
-  EXPECT_EQ(pair.state->last.height, found.height);
+  EXPECT_EQ(pair.state.last.head->height, found.height);
   pair.in.load_prescribed = false;
   pair.in.wheel.position[2] = found.height;
   ASSERT_EQ(pair.solve(SolutionStart::last).status, WRC_OK);
@@ -282,16 +287,17 @@ TEST(RelativeMotion, CarriesTheDerivativesOfItsDifferences) {
 struct HandMadeStrips {
   static constexpr SurfaceMethods methods{};
   std::vector<double> memory;
-  std::unique_ptr<StripResults> results = std::make_unique<StripResults>();
   WheelSolution s;
 
   explicit HandMadeStrips(const std::vector<std::int32_t>& strips) {
     const WorkSizes sizes{8, 8, 192, true, methods};
-    Arena count;
-    cut_solution(count, sizes, *results);
-    memory.resize(static_cast<std::size_t>(count.doubles()));
-    Arena arena(memory.data());
-    s = cut_solution(arena, sizes, *results);
+    const auto cut = [&](Arena arena) {
+      const ContactArrays results = cut_surface_state(arena, sizes.strips, 0).kept;
+      s = cut_solution(arena, sizes, results);
+      return arena.doubles();
+    };
+    memory.resize(static_cast<std::size_t>(cut(Arena())));
+    cut(Arena(memory.data()));
     const CylinderOnCrown pair;
     RailMotion rail;
     rail.roll = 0.3;

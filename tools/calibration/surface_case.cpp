@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <utility>
 
 #include "cases.hpp"
@@ -51,13 +50,17 @@ class Pair {
       throw std::string("the wheel on the rail cannot be made");
     workspace_.resize(static_cast<std::size_t>(surface::surface_workspace_bytes(*model_)) / sizeof(double) +
                       1);
+    Arena counted;
+    surface::cut_surface_state(counted, model_->most_overlapping, 0);
+    state_.resize(static_cast<std::size_t>(counted.doubles()));
   }
 
   const surface::SurfaceModel& model() const { return *model_; }
 
   /// Height of the wheel under the load, no friction; false where there is none.
   bool press(surface::WheelOnRail& in) {
-    surface::SurfaceState state;
+    Arena arena(state_.data());
+    const surface::SurfaceState state = surface::cut_surface_state(arena, model_->most_overlapping, 0);
     surface::Wrench wrench;
     in.load_prescribed = true;
     in.friction = 0.0;
@@ -72,7 +75,7 @@ class Pair {
   /// Strips in contact at that height, without slips; their points of the wheel.
   std::vector<SurfaceStrip> strips(const surface::WheelOnRail& in,
                                    std::vector<std::array<double, 3>>& points) {
-    constexpr std::int32_t most = surface::most_overlapping_strips;
+    const std::int32_t most = model_->most_overlapping;
     surface::RelativePose pose;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) pose.rotation[i][k] = in.wheel.rotation[i][k];
@@ -95,8 +98,9 @@ class Pair {
     const surface::Overlaps o = surface::find_overlaps(*model_->kernels, model_->rail, model_->wheel, pose,
                                                        0.0, nullptr, scratch, memory);
     std::vector<double> normal(static_cast<std::size_t>(surface::pressure_doubles(o.capacity)));
-    auto kept = std::make_unique<surface::KeptStart>();
-    surface::PressureStart start{kept->strip, kept->length_squared, kept->shift, kept->depth};
+    Arena arena(state_.data());
+    const surface::KeptStart kept = surface::cut_surface_state(arena, model_->most_overlapping, 0).last;
+    surface::PressureStart start{kept.strip, kept.length_squared, kept.shift, kept.depth};
     surface::solve_pressure(surface::pressure_model(*model_), model_->rail, o, {}, normal.data(), start,
                             surface::StartFrom::overlaps, p);
     std::vector<SurfaceStrip> found;
@@ -115,7 +119,7 @@ class Pair {
  private:
   theory::KalkerTable ellipse_;
   normal::InfluenceTables influence_;
-  std::vector<double> march_memory_, wheel_memory_, rail_memory_, model_memory_, workspace_;
+  std::vector<double> march_memory_, wheel_memory_, rail_memory_, model_memory_, workspace_, state_;
   tangential::MarchGrid grid_;
   const surface::SurfaceModel* model_ = nullptr;
 };

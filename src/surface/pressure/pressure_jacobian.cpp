@@ -43,40 +43,50 @@ struct Scratch {
   /// them the equations of L and c.
   double* matrix;
   double *by_lengths, *lengths;  ///< these two in it
-  double *leading, *trailing;    ///< rows of a strip's edges, with all unknowns
-  double* kept;                  ///< some columns of all rows before they are blended with their neighbours'
-  std::int64_t kept_columns;
-  double* x;      ///< changes of L and c
-  double* share;  ///< shares of rows in a sum
+  double* share;                 ///< shares of rows in a sum
   const double** row;
-  double *place, *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
-  double* direction;                                  ///< ny, nz, and their derivatives by the inputs; zeros
-  double *l, *dl_dL;                                  ///< [m], [1/m]; 0 where l is the least one
-  double* q_dl_dL;                                    ///< [Pa]
-  double *edge_lambda, *edge_shift, *lambda, *shift;  ///< asked for by edges; smoothed [Pa/m], [m]
-  simd::SurfaceSlopes seen[2];                        ///< influence at points, and its derivatives
-  double *y, *near, *by_value, *by_load;              ///< strips within reach: smooth_at()
-  double lambda_length;                               ///< as PressureModel
+  double *place, *l;                 ///< [m]
+  double *edge_lambda, *edge_shift;  ///< asked for by edges [Pa/m], [m]
+  // until the equations of all strips are there:
+  double *leading, *trailing;                                       ///< rows of edges, with all unknowns
+  double *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
+  double* direction;            ///< ny, nz, and their derivatives by the inputs; zeros
+  double* dl_dL;                ///< [1/m]; 0 where l is the least one
+  double* q_dl_dL;              ///< [Pa]
+  simd::SurfaceSlopes seen[2];  ///< influence at points, and its derivatives
+  // in the same memory, while they are smoothed:
+  double *y, *near, *by_value, *by_load;  ///< strips within reach: smooth_at()
+  double* kept;               ///< some columns of all rows before they are blended with their neighbours'
+  std::int64_t kept_columns;  ///< as many as memory holds
+  // and then:
+  double* x;             ///< changes of L and c
+  double lambda_length;  ///< as PressureModel
 };
 
-Scratch cut(Arena& arena, std::int32_t most) {
+/// `doubles`: of the memory, which kept columns fill; 0 while it is counted.
+Scratch cut(Arena& arena, std::int32_t most, std::int64_t doubles) {
   Scratch w{};
   const Size size = size_of(most);
   const std::int64_t padded = simd::whole_packs(most);
   w.matrix = w.by_lengths = arena.take(size.doubles());
   w.lengths = w.by_lengths + most * size.reduced;
-  arena.each(size.stride, w.leading, w.trailing);
-  w.x = arena.take(static_cast<std::int64_t>(size.rows) * inputs);
   // two edges and all of contact, or all strips with their loads
   const std::int32_t summands = 2 * most + 2;
   w.share = arena.take(summands);
   w.row = arena.take<const double*>(summands);
+  arena.each(padded, w.place, w.l, w.edge_lambda, w.edge_shift);
+  // equations, smoothing and solution one after the other in the same memory
+  Arena smoothing = arena, solution = arena;
+  arena.each(size.stride, w.leading, w.trailing);
   w.direction = arena.take(padded * directions);
-  arena.each(padded, w.place, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.l, w.dl_dL,
-             w.q_dl_dL, w.lambda, w.edge_lambda, w.edge_shift, w.shift, w.y, w.near, w.by_value, w.by_load);
+  arena.each(padded, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.dl_dL, w.q_dl_dL);
   for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
-  w.kept_columns = fewest_columns;
-  w.kept = arena.take(most * w.kept_columns);
+  smoothing.each(padded, w.y, w.near, w.by_value, w.by_load);
+  w.kept_columns = std::max(fewest_columns, (doubles - smoothing.doubles()) / most / 8 * 8);
+  w.kept = smoothing.take(most * w.kept_columns);
+  w.x = solution.take(static_cast<std::int64_t>(size.rows) * inputs);
+  arena.go_behind(smoothing);
+  arena.go_behind(solution);
   return w;
 }
 
@@ -357,7 +367,7 @@ Smoothed smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, con
 /// are kept until they are replaced, some columns of them at a time.
 template <bool line, class Factor>
 void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& size, const double* edge,
-                 double* value, const Factor& factor_of, const Scratch& w) {
+                 const Factor& factor_of, const Scratch& w) {
   const std::int64_t stride = size.reduced;
   double* const rows = w.lengths + (line ? s.count * stride : 0);
   for (std::int64_t first = 0; first < stride; first += w.kept_columns) {
@@ -367,7 +377,6 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
     for (std::int32_t a = 0; a < s.count; ++a) {
       // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
       const Smoothed r = smooth_at<line>(s, w, a, edge);
-      value[a] = r.value;
       const double factor = factor_of(a, r.value);
       std::int32_t count = 0;
       const auto add = [&](double share, const double* of) {
@@ -390,11 +399,11 @@ void smooth(const Kernels& kernels, const PressedStrips& s, const Size& size, co
   const std::int32_t n = s.count;
   // L lambda - q = 0 over lambda: dL + L / lambda dlambda - dq / lambda = 0.
   smooth_rows<false>(
-      kernels, s, size, w.edge_lambda, w.lambda,
+      kernels, s, size, w.edge_lambda,
       [&w](std::int32_t a, double lambda) { return w.l[a] * w.l[a] / lambda; }, w);
   // c - shift = W; a shift at its limit does not change.
   smooth_rows<true>(
-      kernels, s, size, w.edge_shift, w.shift,
+      kernels, s, size, w.edge_shift,
       [](std::int32_t, double shift) { return magnitude(shift) < longest_shift ? -1.0 : 0.0; }, w);
   // The equations' own terms, and W on the right.
   for (std::int32_t a = 0; a < n; ++a) {
@@ -436,7 +445,7 @@ void solve_lengths(const Kernels& kernels, const Size& size, const Scratch& w) {
 
 std::int64_t pressure_jacobian_doubles(std::int32_t most) {
   Arena counted;
-  cut(counted, most);
+  cut(counted, most, 0);
   return counted.doubles();
 }
 
@@ -445,9 +454,7 @@ void differentiate_pressures(const PressureModel& model, double* workspace, std:
   const std::int32_t n = s.count;
   if (n == 0) return;
   Arena arena(workspace);
-  Scratch w = cut(arena, n);
-  // few strips leave memory behind: columns that are smoothed at a time, in whole groups of eight
-  w.kept_columns += (doubles - arena.doubles()) / n / 8 * 8;
+  Scratch w = cut(arena, n, doubles);
   w.lambda_length = model.lambda_length;
   const Size size = size_of(n);
   list_sources(model, s, w);

@@ -29,7 +29,7 @@ namespace wrc::surface {
 /// Most strips in contact that are differentiated, where `overlapping` strips may overlap. Memory goes with
 /// the square. Contacts of 150 kN have a fourth of `overlapping`, conformal ones up to 46 on wide strips.
 inline std::int32_t most_differentiated(std::int32_t overlapping) {
-  const std::int32_t most = 32 + 3 * overlapping / 16;
+  const std::int32_t most = 16 + 5 * overlapping / 16;
   return most < overlapping ? most : overlapping;
 }
 

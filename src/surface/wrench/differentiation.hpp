@@ -27,7 +27,7 @@ struct LoadedStrips {
   double *place, *width;                ///< [m]
   RailFrameDual *normal, *centre, *half_length, *peak, *curvature, *slip_x, *slip_y, *spin, *friction,
       *flexibility;
-  RailFrameDual *fx, *fy, *mz, *other_fx, *other_fy, *other_mz;
+  RailFrameDual *fx, *fy, *mz;
 };
 
 /// Forces of one direction of rolling.
@@ -42,7 +42,8 @@ struct DifferencesScratch {
   double* share;                                 ///< hot over cold friction in the solution [-]
   double *base_fx, *base_fy, *base_mz;           ///< forces that differences are taken from
   double *fx_by_time, *fy_by_time, *mz_by_time;  ///< derivatives, with memory [N/s], [N m/s]
-  RollingScratch rolling;                        ///< friction over temperature
+  DualForces other;                              ///< the other direction's: friction over temperature
+  RollingScratch rolling;                        ///< the same
   tangential::PastStrip* written;                ///< strips of steps that remember
   Arena remembering;                             ///< scratch of these steps
 };
@@ -52,10 +53,11 @@ struct DifferentiationScratch {
   PressedStrips pressed;
   double* pressures;  ///< scratch of differentiate_pressures(), whose memory is that of all below
   LoadedStrips loaded;
-  RollingArraysOf<RailFrameDual> rolling;
-  double* values;                  ///< for the kernel: its numbers without derivatives
-  double* slopes;                  ///< from the kernel
-  DifferencesScratch differences;  ///< its memory is that of the three above
+  RollingArraysOf<RailFrameDual> rolling;  ///< its memory is that of `pressed` but for the overlaps
+  DualForces other;                        ///< the other direction's
+  double* values;                          ///< for the kernel: its numbers without derivatives
+  double* slopes;                          ///< from the kernel
+  DifferencesScratch differences;          ///< its memory is that of the four above
 };
 
 /// A solution that is being differentiated.

@@ -55,18 +55,20 @@ struct StripResultsHead {
   double factor = 1.0;  ///< on pressures and tractions: the load goes on beyond the deepest overlap solved
 };
 
-/// The strips in contact of the last solution, by increasing arc length, from which a region's fields and
-/// damage are computed later. Doubles only, so that there is no padding.
-struct StripResults : StripResultsHead, StripColumns<double[most_overlapping_strips]> {};
-
-/// The same columns from one strip on.
+/// Columns in memory of their owner.
 struct ContactArrays : StripColumns<double*> {
-  ContactArrays() = default;
-  ContactArrays(StripResults& results, std::int32_t first) {
-    const auto from = results.columns();
-    const auto to = columns();
-    for (std::size_t c = 0; c < from.size(); ++c) *to[c] = *from[c] + first;
+  /// The same columns from one strip on.
+  ContactArrays from(std::int32_t first) const {
+    ContactArrays later = *this;
+    for (double** const column : later.columns()) *column += first;
+    return later;
   }
+};
+
+/// The strips in contact of the last solution, by increasing arc length, from which a region's fields and
+/// damage are computed later.
+struct StripResults : ContactArrays {
+  StripResultsHead* head = nullptr;
 };
 
 /// Tractions and slips over the cells of some strips, element (cell i, strip j) at i * strips + j; without

@@ -210,6 +210,7 @@ DifferencesScratch cut_differences(Arena& arena, const WorkSizes& sizes) {
     h.remembering = arena;
     count_remembered_tractions(arena, sizes);
   } else {
+    arena.each(sizes.strips, h.other.fx, h.other.fy, h.other.mz);
     h.rolling = cut_rolling(arena, sizes);
   }
   return h;

@@ -12,10 +12,10 @@ namespace wrc::surface {
 namespace {
 
 /// Completes the results of the strips, of which a solve leaves slips, friction and forces there.
-void complete_results(const WheelProblem& problem, const WheelSolution& s, StripResults& results) {
+void complete_results(const WheelProblem& problem, const WheelSolution& s, const StripResults& results) {
   const WheelOnRail& in = problem.in;
   const RailStrips& rail = problem.rail;
-  StripResultsHead& head = results;
+  StripResultsHead& head = *results.head;
   // numbers of the solution as a whole, and of the problem those that fields are computed with later
   head = s.sums;
   head.count = s.strips.count;
@@ -58,13 +58,9 @@ void fill_free_slips(const tangential::MarchGrid& grid, const ContactStrips& str
 }
 
 /// Copies a kept solution.
-void copy_start(const KeptStart& from, KeptStart& to) {
-  to.set = from.set;
-  to.height = from.height;
-  to.load = from.load;
-  to.stiffness = from.stiffness;
-  to.count = from.count;
-  const auto count = static_cast<std::int32_t>(from.count);
+void copy_start(const KeptStart& from, const KeptStart& to) {
+  *to.head = *from.head;
+  const auto count = static_cast<std::int32_t>(from.head->count);
   std::copy_n(from.strip, count, to.strip);
   std::copy_n(from.length_squared, count, to.length_squared);
   std::copy_n(from.shift, count, to.shift);
@@ -72,9 +68,9 @@ void copy_start(const KeptStart& from, KeptStart& to) {
 }
 
 /// Change of the strips that are in contact in both of two solutions.
-void take_change(const KeptStart& before, const KeptStart& now, KeptChange& change) {
-  const auto count = static_cast<std::int32_t>(now.count);
-  const auto earlier = static_cast<std::int32_t>(before.set * before.count);
+void take_change(const KeptStart& before, const KeptStart& now, const KeptChange& change) {
+  const auto count = static_cast<std::int32_t>(now.head->count);
+  const auto earlier = static_cast<std::int32_t>(before.head->set * before.head->count);
   for (double* const each : {change.length_squared, change.shift, change.depth})
     std::fill_n(each, count, 0.0);
   for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
@@ -111,30 +107,33 @@ Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
 
 }  // namespace
 
-void mark_solution(SurfaceState& state) {
+void mark_solution(const SurfaceState& state) {
   take_change(state.mark, state.last, state.change);
   copy_start(state.last, state.mark);
 }
 
-std::int64_t surface_state_bytes(std::int32_t remembered) {
+SurfaceState cut_surface_state(Arena& arena, std::int32_t strips, std::int32_t remembered) {
+  SurfaceState s;
+  for (KeptStart* const start : {&s.last, &s.mark}) {
+    start->head = arena.take<KeptStartHead>(1);
+    arena.each(strips, start->strip, start->length_squared, start->shift, start->depth);
+  }
+  arena.each(strips, s.change.length_squared, s.change.shift, s.change.depth);
+  s.kept.head = arena.take<StripResultsHead>(1);
+  for (double** const column : s.kept.columns()) *column = arena.take(strips);
+  s.steps = arena.take<RememberedSteps>(1);
+  if (remembered == 0) return s;
   // two lists of strips: the committed ones, and those of the last solution
-  const std::size_t memory = remembered > 0 ? tangential::Memory::bytes(remembered, 2) : 0;
-  return static_cast<std::int64_t>(sizeof(SurfaceState) + memory);
+  const auto bytes = static_cast<std::int64_t>(tangential::Memory::bytes(remembered, 2));
+  s.memory = reinterpret_cast<tangential::Memory*>(arena.take<std::byte>(bytes));
+  return s;
 }
 
-tangential::Memory& memory_of(SurfaceState& state) {
-  return *reinterpret_cast<tangential::Memory*>(&state + 1);
-}
-
-void make_surface_memory(SurfaceState& state, std::int32_t remembered) {
-  tangential::make_strip_memory(remembered, &memory_of(state));
-}
-
-bool commit_solution(SurfaceState& state) {
-  RememberedSteps& steps = state.steps;
+bool commit_solution(const SurfaceState& state) {
+  RememberedSteps& steps = *state.steps;
   if (!(steps.pending > 0.0)) return false;
   mark_solution(state);
-  memory_of(state).turn_over();
+  state.memory->turn_over();
   steps.pending = 0.0;
   steps.committed = 1.0;
   std::copy_n(steps.to, 3, steps.from);
@@ -146,8 +145,8 @@ std::int64_t surface_workspace_bytes(const SurfaceModel& model) {
 }
 
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, SolutionStart from,
-                          SurfaceState& state, void* workspace, Wrench& out, RailFrameJacobian* jacobian,
-                          RailFrameJacobian* by_track) noexcept {
+                          const SurfaceState& state, void* workspace, Wrench& out,
+                          RailFrameJacobian* jacobian, RailFrameJacobian* by_track) noexcept {
   // results of the stages first; the rest of the workspace is scratch
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
@@ -155,45 +154,46 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   if (sizes.varying) sections = cut_strips(arena, sizes.rail_strips);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
-  if (model.methods.remembers) problem.memory = &memory_of(state);
-  const Fault jump = problem.memory ? look_for_jump(in, state.steps) : Fault{};
+  problem.memory = state.memory;
+  const Fault jump = problem.memory ? look_for_jump(in, *state.steps) : Fault{};
   if (jump.failed()) return jump;
   const std::int64_t remembered = problem.memory ? problem.memory->count : 0;
   if (jump.status != WRC_OK) problem.memory->count = 0;
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
 
   // from an earlier solution where there is one: a load is searched from its height, else below first touch
-  KeptStart& last = state.last;
+  const KeptStart& last = state.last;
   if (from == SolutionStart::mark) copy_start(state.mark, last);
-  const bool warm = from != SolutionStart::anew && last.set > 0.0;
-  HeightStart start{
-      {last.strip, last.length_squared, last.shift, last.depth, static_cast<std::int32_t>(last.count), {}},
-      warm ? StartFrom::solution : StartFrom::overlaps,
-      warm && last.stiffness > 0.0 ? last.stiffness : 1.0};
+  const bool warm = from != SolutionStart::anew && last.head->set > 0.0;
+  HeightStart start{{last.strip,
+                     last.length_squared,
+                     last.shift,
+                     last.depth,
+                     static_cast<std::int32_t>(last.head->count),
+                     {}},
+                    warm ? StartFrom::solution : StartFrom::overlaps,
+                    warm && last.head->stiffness > 0.0 ? last.head->stiffness : 1.0};
   if (from == SolutionStart::mark)
     start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
   if (in.load_prescribed) {
-    const double guess = warm ? predicted_height(solver, last.height, last.load)
+    const double guess = warm ? predicted_height(solver, last.head->height, last.head->load)
                               : first_touch(problem, arena) + usual_approach(in.vertical_load);
     fault = solve_given_load(solver, guess);
   } else {
     fault = solve_given_height(solver);
   }
   // the state is that of the wrench: height, lengths (in arrays of `start`), strips
-  last.height = out.height;
-  last.load = -out.force[2];
-  last.stiffness = start.stiffness;
-  last.count = start.solution.count;
-  last.set = start.from == StartFrom::overlaps ? 0.0 : 1.0;
+  *last.head = {start.from == StartFrom::overlaps ? 0.0 : 1.0, out.height, -out.force[2], start.stiffness,
+                1.0 * start.solution.count};
   complete_results(problem, solution, state.kept);
   if (problem.memory) {
-    state.steps.pending = 1.0;
-    state.steps.to[0] = in.wheel.position[1] - in.rail.y;
-    state.steps.to[1] = out.height - in.rail.z;
-    state.steps.to[2] = in.distance;
+    state.steps->pending = 1.0;
+    state.steps->to[0] = in.wheel.position[1] - in.rail.y;
+    state.steps->to[1] = out.height - in.rail.z;
+    state.steps->to[2] = in.distance;
     keep_worst(fault, jump);
   }
 
@@ -211,26 +211,26 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   return fault;
 }
 
-StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, std::int32_t first,
+StripFields fields_of_strips(const SurfaceModel& model, const StripResults& results, std::int32_t first,
                              std::int32_t count, void* workspace) noexcept {
   Arena arena(workspace);
   const RollingScratch scratch = cut_rolling(arena, work_sizes(model));
   const tangential::TangentialFields& f = scratch.fields;
   ContactStrips strips;
-  static_cast<ContactArrays&>(strips) = ContactArrays(results, first);
+  static_cast<ContactArrays&>(strips) = results.from(first);
   strips.count = count;
 
   // near standstill, where forces of both directions are blended, fields are those of the own direction
-  const bool backwards = results.backwards > 0.0;
+  const bool backwards = results.head->backwards > 0.0;
   const std::int32_t cells = model.grid->cells;
-  if (!(results.rolls > 0.0)) {
+  if (!(results.head->rolls > 0.0)) {
     fill_free_slips(*model.grid, strips, backwards, f);
   } else {
     // the march of the solve again, with its slips and its friction; its forces are known and go to scratch
     WheelOnRail in;
-    in.slope_reduction = results.slope_reduction;
-    in.layer = results.layer;
-    in.layer_of_strips = results.layer_of_strips > 0.0;
+    in.slope_reduction = results.head->slope_reduction;
+    in.layer = results.head->layer;
+    in.layer_of_strips = results.head->layer_of_strips > 0.0;
     solve_tractions(model, in, strips, backwards, scratch, f,
                     {scratch.other_fx, scratch.other_fy, scratch.other_mz});
     if (backwards) {

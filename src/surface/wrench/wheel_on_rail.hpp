@@ -15,6 +15,7 @@
 
 #include <cstdint>
 
+#include "base/arena.hpp"
 #include "base/fault.hpp"
 #include "surface/surface_model.hpp"
 #include "surface/wrench/relative_motion.hpp"
@@ -95,24 +96,24 @@ struct Wrench {
   SurfaceRegion region[most_surface_regions];
 };
 
-/// A solution that a later one may start from (PressureStart).
-struct KeptStart {
+/// A solution that a later one may start from (PressureStart), but for its strips.
+struct KeptStartHead {
   double set = 0.0;        ///< 1: the rest holds a solution
   double height = 0.0;     ///< position[2] of the wheel [m]
   double load = 0.0;       ///< vertical force on the rail [N]
   double stiffness = 0.0;  ///< dF/dh of the load over Hertz's 1.5 F / approach; 0: not known
   double count = 0.0;      ///< strips
-  double strip[most_overlapping_strips] = {};
-  double length_squared[most_overlapping_strips] = {};
-  double shift[most_overlapping_strips] = {};
-  double depth[most_overlapping_strips] = {};
+};
+
+/// The solution; one element per strip.
+struct KeptStart {
+  KeptStartHead* head = nullptr;
+  double *strip = nullptr, *length_squared = nullptr, *shift = nullptr, *depth = nullptr;
 };
 
 /// Change between two solutions (SolutionChange), by the strips of the later one.
 struct KeptChange {
-  double length_squared[most_overlapping_strips] = {};
-  double shift[most_overlapping_strips] = {};
-  double depth[most_overlapping_strips] = {};
+  double *length_squared = nullptr, *shift = nullptr, *depth = nullptr;
 };
 
 /// Steps of a contact that remembers: y and z of the wheel from the rail, and its place along a rail that
@@ -123,16 +124,15 @@ struct RememberedSteps {
   double from[3] = {}, to[3] = {};
 };
 
-/// The last solution, and the one that is marked. Plain memory, saved and restored by copying bytes. Behind
-/// it, of a model that remembers, the tractions (tangential::Memory).
+/// The last solution, and the one that is marked: views of memory that is saved and restored by copying its
+/// bytes. It holds doubles alone, and behind them the tractions of a model that remembers.
 struct SurfaceState {
   KeptStart last, mark;
   KeptChange change;  ///< from the solution marked before to the marked one
   StripResults kept;
-  RememberedSteps steps;
+  RememberedSteps* steps = nullptr;
+  tangential::Memory* memory = nullptr;  ///< nullptr: the model remembers nothing
 };
-
-tangential::Memory& memory_of(SurfaceState& state);
 
 /// Where the solution of a wheel starts.
 enum class SolutionStart {
@@ -141,18 +141,16 @@ enum class SolutionStart {
   mark   ///< from the marked solution, if there is one: results depend on it and the input alone
 };
 
-/// `remembered`: strips of a model that remembers, else 0.
-std::int64_t surface_state_bytes(std::int32_t remembered);
-/// Makes the memory of so many strips without tractions, in zeroed bytes.
-void make_surface_memory(SurfaceState& state, std::int32_t remembered);
+/// Cuts the state of so many strips that may overlap. `remembered`: strips of a model that remembers, else 0.
+SurfaceState cut_surface_state(Arena& arena, std::int32_t strips, std::int32_t remembered);
 /// Memory of a solve, and of fields.
 std::int64_t surface_workspace_bytes(const SurfaceModel& model);
 
 /// Marks the last solution of the state.
-void mark_solution(SurfaceState& state);
+void mark_solution(const SurfaceState& state);
 
 /// Marks the last solution, and remembers its tractions. False: it has been committed before.
-bool commit_solution(SurfaceState& state);
+bool commit_solution(const SurfaceState& state);
 
 /// Solves a step. `state` has where the solve starts, and is left with the solution. `workspace` has
 /// surface_workspace_bytes(). WRC_FLAG_NO_CONTACT with zeros where nothing touches; WRC_FLAG_ITERATION_CAP.
@@ -160,14 +158,14 @@ bool commit_solution(SurfaceState& state);
 /// where the overlap is deeper than the deepest solved. `by_track`: those by distance and angle in place of
 /// its first two (wrench_jacobian.hpp).
 Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& input, SolutionStart from,
-                          SurfaceState& state, void* workspace, Wrench& wrench,
+                          const SurfaceState& state, void* workspace, Wrench& wrench,
                           RailFrameJacobian* jacobian = nullptr,
                           RailFrameJacobian* by_track = nullptr) noexcept;
 
 /// Tractions and slips over the cells of `count` strips of `results` from `first` on, which are one region or
 /// several: in the workspace, until the next call that uses it. Where the wheel hardly rolls, those of its
 /// own direction of rolling. Not of patches that rolled as wholes.
-StripFields fields_of_strips(const SurfaceModel& model, StripResults& results, std::int32_t first,
+StripFields fields_of_strips(const SurfaceModel& model, const StripResults& results, std::int32_t first,
                              std::int32_t count, void* workspace) noexcept;
 
 }  // namespace wrc::surface

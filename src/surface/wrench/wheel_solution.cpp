@@ -19,13 +19,13 @@ WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
           cut_overlap_scratch(arena, sizes.wheel_pieces, sizes.rail_strips)};
 }
 
-WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results) {
+WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results) {
   const std::int32_t most = sizes.strips;
   WheelSolution s;
   s.overlaps = cut_wheel_overlaps(arena, sizes);
   StripPressure& p = s.pressure;
   arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
-  static_cast<ContactArrays&>(s.strips) = ContactArrays(results, 0);
+  static_cast<ContactArrays&>(s.strips) = results;
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
   return s;
@@ -52,8 +52,7 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   // behind the results of a solve ...
   Arena results;
   if (sizes.varying) cut_strips(results, sizes.rail_strips);
-  StripResults none;
-  cut_solution(results, sizes, none);
+  cut_solution(results, sizes, {});
 
   // ... the stages' scratch, all from the same mark on
   Arena overlaps = results, pressure = results, rolling = results, remembered = results, jacobian = results;

@@ -69,7 +69,7 @@ struct RollingScratch {
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);
 /// The columns of its strips are those of `results`.
-WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, StripResults& results);
+WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results);
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
 
 /// Bytes of a solve: results, and behind them the scratch of each stage in the same memory.

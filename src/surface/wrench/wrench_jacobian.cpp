@@ -25,39 +25,42 @@ StripOverlap<Number> frame_overlap(const OverlapSlopes& o) {
           frame_number(o.nz),    frame_number(o.wy),     frame_number(o.wz),        frame_number(o.grade)};
 }
 
-constexpr std::int32_t strips_at_a_time = simd::most_lanes;          ///< strips that march together
+constexpr std::int32_t strips_at_a_time = 8;  ///< strips that march together: the widest vector
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
 
 DifferentiationScratch cut(Arena& arena, const WorkSizes& sizes) {
   const std::int32_t most = most_differentiated(sizes.strips);
   DifferentiationScratch w;
-  // results of the pressures stay: overlaps, line loads q, squared lengths L and centres c with derivatives
   PressedStrips& p = w.pressed;
-  arena.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
-  arena.each(most, p.line_load_dual, p.length_squared_dual, p.centre_dual);
   p.overlap = arena.take<OverlapSlopes>(most);
-
-  // Their elimination comes before everything below, and shares its memory.
-  Arena pressures = arena;
+  // Overlaps stay. Pressures come first: line loads q, squared lengths L and centres c with derivatives, and
+  // the scratch that finds them.
+  Arena pressures = arena, differences = arena;
+  pressures.each(most, p.place, p.width, p.line_load, p.length_squared, p.centre);
+  pressures.each(most, p.line_load_dual, p.length_squared_dual, p.centre_dual);
+  const Arena results = pressures;
   w.pressures = pressures.take(pressure_jacobian_doubles(most));
 
-  LoadedStrips& s = w.loaded;
-  s.pressed = arena.take<std::int32_t>(most);
-  arena.each(most, s.place, s.width);
-  arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
-             s.friction, s.flexibility, s.fx, s.fy, s.mz, s.other_fx, s.other_fy, s.other_mz);
-  // Tractions by the chain rule, or by differences: under friction over temperature, and with memory.
-  Arena differences = arena;
+  // Tractions come last, in the same memory: by the chain rule, or by differences, under friction over
+  // temperature and with memory.
   w.rolling = cut_rolling_arrays<Number>(arena, most, strips_at_a_time);
+  // each strip's forces of the other direction replace numbers that no later strip reads
+  w.other = {w.rolling.link, w.rolling.pivot, w.rolling.own};
   w.values = arena.take(strips_at_a_time * kernel_numbers);
   w.slopes = arena.take(strips_at_a_time * 3 * simd::strip_inputs);
   WorkSizes pressed = sizes;
   pressed.strips = most;
   w.differences = cut_differences(differences, pressed);
-
-  // whichever of them is largest
-  arena.go_behind(pressures);
   arena.go_behind(differences);
+
+  // Between them the strips that carry load are taken from the pressures.
+  arena.go_behind(results);
+  LoadedStrips& s = w.loaded;
+  s.pressed = arena.take<std::int32_t>(most);
+  arena.each(most, s.place, s.width);
+  arena.each(most, s.normal, s.centre, s.half_length, s.peak, s.curvature, s.slip_x, s.slip_y, s.spin,
+             s.friction, s.flexibility, s.fx, s.fy, s.mz);
+  arena.go_behind(pressures);
   return w;
 }
 
@@ -403,11 +406,12 @@ void differentiate_rolling(const Differentiation& d, const Number& rolling_speed
   // F = F_own + share (F_other - F_own), the share with its derivatives
   const Number& other = reference.reverse_share;
   if (!(other.value > 0.0)) return;
-  roll_one_way(!backwards, {s.other_fx, s.other_fy, s.other_mz});
+  const DualForces& f = law && law->heated() ? d.w.differences.other : d.w.other;
+  roll_one_way(!backwards, f);
   for (std::int32_t k = 0; k < s.count; ++k) {
-    s.fx[k] += other * (s.other_fx[k] - s.fx[k]);
-    s.fy[k] += other * (s.other_fy[k] - s.fy[k]);
-    s.mz[k] += other * (s.other_mz[k] - s.mz[k]);
+    s.fx[k] += other * (f.fx[k] - s.fx[k]);
+    s.fy[k] += other * (f.fy[k] - s.fy[k]);
+    s.mz[k] += other * (f.mz[k] - s.mz[k]);
   }
 }
 
