@@ -311,23 +311,27 @@ struct ContactChord {
 template <class Number, class Rays>
 ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   constexpr int most_rounds = 6;
-  constexpr double near = 0.1e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
+  constexpr double near = 0.01e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
   const Number least = least_curvature_left * at.own, first = half_contact(at.depth, larger(-at.bend, at.own));
   ContactChord<Number> chord;
   Number reach[2] = {first, first};
   chord.middle = at.x;
   auto goes = value_of(first) > 0.0;  // all
   for (int n = 0; n < most_rounds; ++n) {
-    // overlaps in the middle and on both sides, which fall outwards
-    const OverlapAlong<Number> middle = rays.look(ray_middle, chord.middle, goes),
-                               ahead = rays.look(ray_ahead, at.x + reach[0], goes),
+    // overlaps in the middle, first that known, and on both sides, which fall outwards
+    Number top = at.depth, top_slope = at.end_slope;
+    if (n > 0) {
+      const OverlapAlong<Number> middle = rays.look(ray_middle, chord.middle, goes);
+      top = middle.depth;
+      top_slope = middle.slope;
+    }
+    const OverlapAlong<Number> ahead = rays.look(ray_ahead, at.x + reach[0], goes),
                                behind = rays.look(ray_behind, at.x - reach[1], goes);
     const Number depth[2] = {ahead.depth, behind.depth};
     const Number slope[2] = {smaller(ahead.slope, -least * reach[0]), smaller(-behind.slope, -least * reach[1])};
     // the depth wanted at both ends, as it is and once they and so the middle have moved
-    const Number fallen =
-        middle.depth - 0.5 * contact_share * (larger(middle.depth, Number(0.0)) + least_contact_depth);
-    const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * middle.slope;
+    const Number fallen = top - 0.5 * contact_share * (larger(top, Number(0.0)) + least_contact_depth);
+    const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * top_slope;
     const Number per[2] = {1.0 / slope[0], 1.0 / slope[1]};
     const Number widens = ((fallen - depth[0]) * per[0] - (fallen - depth[1]) * per[1]) /
                           larger(1.0 - by_middle * (per[0] - per[1]), Number(0.5));

@@ -140,7 +140,7 @@ struct RayEnds {
 /// properly, as on the sides of faces far from it, are left as they were.
 inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   constexpr int most_steps = 24, soon = 4;
-  constexpr double longest = 10e-3, close = 1e-8, far = 1e300;  // [m]
+  constexpr double longest = 10e-3, close = 1e-6, far = 1e300;  // [m]
   const FollowRailTask& task = strips.task;
   const RayEnds first_ends = ends;
   const Pack first_x = x, first_ny = strips.ny, first_nz = strips.nz;
