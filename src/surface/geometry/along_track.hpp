@@ -312,7 +312,8 @@ template <class Number, class Rays>
 ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   constexpr int most_rounds = 6;
   constexpr double near = 0.01e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
-  const Number least = least_curvature_left * at.own, first = half_contact(at.depth, larger(-at.bend, at.own));
+  const Number least = least_curvature_left * at.own,
+               first = half_contact(at.depth, larger(-at.bend, at.own));
   ContactChord<Number> chord;
   Number reach[2] = {first, first};
   chord.middle = at.x;
@@ -328,7 +329,8 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
     const OverlapAlong<Number> ahead = rays.look(ray_ahead, at.x + reach[0], goes),
                                behind = rays.look(ray_behind, at.x - reach[1], goes);
     const Number depth[2] = {ahead.depth, behind.depth};
-    const Number slope[2] = {smaller(ahead.slope, -least * reach[0]), smaller(-behind.slope, -least * reach[1])};
+    const Number slope[2] = {smaller(ahead.slope, -least * reach[0]),
+                             smaller(-behind.slope, -least * reach[1])};
     // the depth wanted at both ends, as it is and once they and so the middle have moved
     const Number fallen = top - 0.5 * contact_share * (larger(top, Number(0.0)) + least_contact_depth);
     const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * top_slope;
@@ -340,8 +342,7 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
     auto far = goes;
     for (int k = 0; k < 2; ++k) {
       const Number there = reach[k] + (wanted - depth[k]) * per[k];
-      const Number next =
-          smaller(smaller(larger(there, 0.25 * reach[k]), 2.0 * reach[k]), Number(farthest));
+      const Number next = smaller(smaller(larger(there, 0.25 * reach[k]), 2.0 * reach[k]), Number(farthest));
       const Number step = next - reach[k];
       chord.depth[k] = select(goes, depth[k] + slope[k] * step, chord.depth[k]);
       reach[k] = select(goes, next, reach[k]);
@@ -363,10 +364,8 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   if (any(cut)) {
     const Number ahead = rays.look(ray_ahead, chord.middle + chord.half, cut).depth,
                  behind = rays.look(ray_behind, chord.middle - chord.half, cut).depth;
-    chord.depth[0] =
-        select(cut, on_face(ahead, behind, at.high - chord.middle, chord.half), chord.depth[0]);
-    chord.depth[1] =
-        select(cut, on_face(behind, ahead, chord.middle - at.low, chord.half), chord.depth[1]);
+    chord.depth[0] = select(cut, on_face(ahead, behind, at.high - chord.middle, chord.half), chord.depth[0]);
+    chord.depth[1] = select(cut, on_face(behind, ahead, chord.middle - at.low, chord.half), chord.depth[1]);
   }
   return chord;
 }

@@ -150,8 +150,9 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
     const surface::RayStart<Pack> from = strips.start(x);
     // slopes that bound the place are those at the ray's end itself
     for (int k = 0; n >= soon && k < surface::ray_steps; ++k)
-      ends.take(surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
-                goes, *task.wheel);
+      ends.take(
+          surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
+          goes, *task.wheel);
     const surface::OverlapAlong<Pack> o =
         surface::overlap_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth);
     // the ray's end, by a step of its own
