@@ -276,7 +276,7 @@ void cut_at_end(Yes near, const Number& way, const Number& room, const Number& s
 template <class Number>
 struct AtLargest {
   Number x, depth;   ///< its place, and the overlap along the ray there [m]
-  Number bend, own;  ///< of OverlapAlong [1/m]
+  Number bend, own;  ///< as in OverlapAlong [1/m]
   Number end_slope;  ///< Slope of the overlap where it is largest at an end of the face, else 0 [-].
   Number high, low;  ///< where the face ends, ahead and behind [m]
 };

@@ -59,7 +59,7 @@ struct RaysAlong {
   StripOverX<double> plain;
   StripOverX<PlaceDual> strip;
   RayEnd<double> end[along_rays];
-  PlaceDual y_wheel;  ///< of OverlapAlong, in the middle [m]
+  PlaceDual y_wheel;  ///< as in OverlapAlong, in the middle [m]
 
   /// `from`: where the ray starts.
   OverlapAlong<PlaceDual> overlap(AlongRay ray, const PlaceDual& x, RayStart<PlaceDual>& from) {
