@@ -60,9 +60,10 @@ CASES = [
     ("flat", "flat.csv", None,
      {"force": (2, 0.0084, 0.012), "peak_pressure": (2, 0.0044, 0.006), "failed": (2, 0, 0)}),
     ("track", "track.csv", None,
-     {"force": (5, 0.027, 0.036), "peak_pressure": (5, 0.0192, 0.0562), "vertical_at_height": (5, 0.0107, 0.0119), "peak_at_height": (5, 0.0196, 0.0543),
+     {"force": (5, 0.027, 0.036), "peak_pressure": (5, 0.018, 0.0562), "vertical_at_height": (5, 0.0107, 0.0119), "peak_at_height": (5, 0.018, 0.0543),
       "failed": (5, 0, 0)}),
-    ("run", "track.csv", None, {"flagged": (26, 0, 0), "failed": (26, 0, 0), "jump": (26, 0.02, 0.12)}),
+    # flagged: the nose that rises 1:10 is touched at two places
+    ("run", "track.csv", None, {"flagged": (26, 2.8, 6.6), "failed": (26, 0, 0), "jump": (26, 0.009, 0.083)}),
 ]
 
 

@@ -8,7 +8,6 @@
 /// Number is double, or one that carries derivatives.
 #pragma once
 
-#include "base/golden_section.hpp"
 #include "base/number.hpp"
 #include "surface/geometry/out_of_round.hpp"
 #include "surface/geometry/outline.hpp"
@@ -203,37 +202,14 @@ inline double depth_at(StripOverX<double>& strip, double x, RayEnd<double>& end)
   return end.depth;
 }
 
-/// The largest overlap near `found` where Newton's method does not settle, as on a rail that is curved back
-/// and forth within millimetres: the best of places 2.5 mm apart, and a golden section about it.
-inline void search_largest(StripOverX<double>& strip, double low, double high, LargestOverlap& found) {
-  constexpr double apart = 2.5e-3;  // [m]
-  constexpr int to_a_side = 5, steps = 18;
-  RayEnd<double> end = found.end;
-  double best = -1e300, at = found.x;
-  for (int k = -to_a_side; k <= to_a_side; ++k) {
-    const double x = smaller(larger(found.x + k * apart, low), high);
-    RayEnd<double> here = end;
-    const double depth = depth_at(strip, x, here);
-    if (!(depth > best)) continue;
-    best = depth;
-    at = x;
-  }
-  double before = larger(at - apart, low), behind = smaller(at + apart, high);
-  narrow_to_largest(before, behind, steps, [&](double x) { return depth_at(strip, x, end); });
-  found.x = 0.5 * (before + behind);
-  depth_at(strip, found.x, end);
-  found.end = end;
-}
-
-/// How far to both sides of the largest overlap d a parabola follows it, about a contact's half length [m].
-/// A strip of overlap d and curvature kappa touches over root(d / kappa) to each side in a round contact.
+/// How far to both sides of its middle a parabola follows an overlap d, about a contact's half length [m]. A
+/// strip of overlap d and curvature kappa touches over root(d / kappa) to each side in a round contact.
 /// Shorter chords follow kinks of flats better, longer ones the curvature of crossings (accuracy_method.md).
-inline constexpr double contact_share = 0.75, least_contact_depth = 2e-6;  // [-], [m]
+inline constexpr double contact_share = 0.75, least_contact_depth = 2e-6, longest_half = 12e-3;  // [-], [m]
 template <class Number>
 Number half_contact(const Number& depth, const Number& curvature) {
-  constexpr double longest = 12e-3;  // [m]
   return smaller(root(contact_share * (larger(depth, Number(0.0)) + least_contact_depth)) / root(curvature),
-                 Number(longest));
+                 Number(longest_half));
 }
 
 /// The overlap of a strip as a parabola: through the largest, and those half a contact to both sides of it.
@@ -299,49 +275,124 @@ void cut_at_end(Yes near, const Number& way, const Number& room, const Number& s
 /// A strip at its largest overlap along x.
 template <class Number>
 struct AtLargest {
-  RayStart<Number> from;
-  Number ny, nz, depth;  ///< The ray's direction, and the overlap along it [m].
-  OverlapAlong<Number> over;
+  Number x, depth;   ///< its place, and the overlap along the ray there [m]
+  Number bend, own;  ///< as in OverlapAlong [1/m]
   Number end_slope;  ///< Slope of the overlap where it is largest at an end of the face, else 0 [-].
   Number high, low;  ///< where the face ends, ahead and behind [m]
 };
 
-/// The overlap of a strip: parabolas through the overlap at a place and half a contact ahead and behind;
-/// beyond the end of a face that on the other side. First about the largest by its curvature, then about the
-/// top of that parabola. `depth_at`: the overlap at a place [m].
-template <class Number, class DepthAt>
-void fit_along(const AtLargest<Number>& at, const DepthAt& depth_at, StripOverlap<Number>& o) {
-  // place, normal and grade are those of the largest overlap
-  const Number& x = at.from.x;
-  o.centre = x;
-  o.ny = at.ny;
-  o.nz = at.nz;
-  o.wy = at.from.y + at.depth * at.ny;
-  o.wz = at.from.z + at.depth * at.nz;
-  o.grade = at.ny * at.from.slope_y + at.nz * at.from.slope_z;
-  const Number least = least_curvature_left * at.over.own;
-  Number half = half_contact(at.depth, larger(-at.over.bend, least)), top = at.depth;
-  for (int pass = 0; pass < 2; ++pass) {
-    if (pass > 0) {
-      half = half_contact(o.depth, o.curvature);
-      top = depth_at(o.centre);
+/// A strip in the middle of its contact.
+template <class Number>
+struct AtMiddle {
+  RayStart<Number> from;
+  Number ny, nz, depth, own;  ///< mean normal; overlap [m]; of OverlapAlong [1/m]
+};
+
+/// Rays that a contact is followed by: ahead, behind, and in its middle.
+enum AlongRay : std::int32_t { ray_ahead, ray_behind, ray_middle, along_rays };
+
+/// A number of one side, at `reach` from the middle; beyond the end of a face, `room` away, that of the other
+/// side, in part where the end lies within the reach.
+template <class Number>
+Number on_face(const Number& own, const Number& other, const Number& room, const Number& reach) {
+  return other + smaller(larger(room / reach, Number(0.0)), Number(1.0)) * (own - other);
+}
+
+/// A contact's length along a strip: middle and half of it, and the overlap at its ends ahead and behind [m].
+template <class Number>
+struct ContactChord {
+  Number middle, half, depth[2];
+};
+
+/// The chord between the places ahead and behind where the overlap has fallen, from that in the middle, as a
+/// parabola's falls over half a contact: by Newton's method from the largest overlap. It does not leap where
+/// one of two tops within the contact becomes the larger one. `rays`: overlap and slope at a place by one of
+/// AlongRay, each from its own end, in lanes that still go.
+template <class Number, class Rays>
+ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
+  constexpr int most_rounds = 6;
+  constexpr double near = 0.01e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
+  const Number least = least_curvature_left * at.own,
+               first = half_contact(at.depth, larger(-at.bend, at.own));
+  ContactChord<Number> chord;
+  Number reach[2] = {first, first};
+  chord.middle = at.x;
+  auto goes = value_of(first) > 0.0;  // all
+  for (int n = 0; n < most_rounds; ++n) {
+    // overlaps in the middle, first that known, and on both sides, which fall outwards
+    Number top = at.depth, top_slope = at.end_slope;
+    if (n > 0) {
+      const OverlapAlong<Number> middle = rays.look(ray_middle, chord.middle, goes);
+      top = middle.depth;
+      top_slope = middle.slope;
     }
-    // beyond an end of the face the other side counts, in part where the end lies within half a contact
-    const Number side[2] = {depth_at(o.centre + half), depth_at(o.centre - half)};
-    const auto share = [&](const Number& room) {
-      return smaller(larger(room / half, Number(0.0)), Number(1.0));
-    };
-    const Number ahead = side[1] + share(at.high - o.centre) * (side[0] - side[1]),
-                 behind = side[0] + share(o.centre - at.low) * (side[1] - side[0]);
-    fit_parabola(top, ahead, behind, half, at.over.own, o);
+    const OverlapAlong<Number> ahead = rays.look(ray_ahead, at.x + reach[0], goes),
+                               behind = rays.look(ray_behind, at.x - reach[1], goes);
+    const Number depth[2] = {ahead.depth, behind.depth};
+    const Number slope[2] = {smaller(ahead.slope, -least * reach[0]),
+                             smaller(-behind.slope, -least * reach[1])};
+    // the depth wanted at both ends, as it is and once they and so the middle have moved
+    const Number fallen = top - 0.5 * contact_share * (larger(top, Number(0.0)) + least_contact_depth);
+    const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * top_slope;
+    const Number per[2] = {1.0 / slope[0], 1.0 / slope[1]};
+    const Number widens = ((fallen - depth[0]) * per[0] - (fallen - depth[1]) * per[1]) /
+                          larger(1.0 - by_middle * (per[0] - per[1]), Number(0.5));
+    const Number wanted = fallen + by_middle * widens;
+    // the ends' next places, a quarter to twice as far, and the overlaps there
+    auto far = goes;
+    for (int k = 0; k < 2; ++k) {
+      const Number there = reach[k] + (wanted - depth[k]) * per[k];
+      const Number next = smaller(smaller(larger(there, 0.25 * reach[k]), 2.0 * reach[k]), Number(farthest));
+      const Number step = next - reach[k];
+      chord.depth[k] = select(goes, depth[k] + slope[k] * step, chord.depth[k]);
+      reach[k] = select(goes, next, reach[k]);
+      const auto is_far = value_of(magnitude(step)) > near;
+      far = k == 0 ? is_far : far | is_far;
+    }
+    // the middle lies where both ends are on the face
+    const Number to_ahead = on_face(reach[0], reach[1], at.high - at.x, reach[0]),
+                 to_behind = on_face(reach[1], reach[0], at.x - at.low, reach[1]);
+    chord.half = smaller(0.5 * (to_ahead + to_behind), Number(longest_half));
+    chord.middle = at.x + 0.5 * (to_ahead - to_behind);
+    goes = goes & far;
+    if (!any(goes)) break;
   }
+  // the overlaps at ends that were not reached, or of a contact that is cut short
+  const auto cut = goes | (value_of(chord.half) >= longest_half) |
+                   (value_of(chord.middle + chord.half) > value_of(at.high)) |
+                   (value_of(chord.middle - chord.half) < value_of(at.low));
+  if (any(cut)) {
+    const Number ahead = rays.look(ray_ahead, chord.middle + chord.half, cut).depth,
+                 behind = rays.look(ray_behind, chord.middle - chord.half, cut).depth;
+    chord.depth[0] = select(cut, on_face(ahead, behind, at.high - chord.middle, chord.half), chord.depth[0]);
+    chord.depth[1] = select(cut, on_face(behind, ahead, chord.middle - at.low, chord.half), chord.depth[1]);
+  }
+  return chord;
+}
+
+/// The overlap of a strip: the parabola through that in the middle of its chord and at both ends.
+template <class Number, class Rays>
+void fit_along(const AtLargest<Number>& at, Rays& rays, StripOverlap<Number>& o) {
+  const ContactChord<Number> chord = find_chord(at, rays);
+  // place, normal and grade are those in the middle
+  const AtMiddle<Number> m = rays.at_middle(chord.middle);
+  o.centre = chord.middle;
+  o.ny = m.ny;
+  o.nz = m.nz;
+  o.wy = m.from.y + m.depth * m.ny;
+  o.wz = m.from.z + m.depth * m.nz;
+  o.grade = m.ny * m.from.slope_y + m.nz * m.from.slope_z;
+  const Number& half = chord.half;
+  fit_parabola(m.depth, chord.depth[0], chord.depth[1], half, m.own, o);
   // the nearer end of the face, where it lies under the contact
-  const Number to_end[2] = {at.high - x, x - at.low};
+  const Number to_end[2] = {at.high - at.x, at.x - at.low};
   const auto is_ahead = value_of(to_end[0]) < value_of(to_end[1]);
   const Number room = select(is_ahead, to_end[0], to_end[1]),
                way = select(is_ahead, Number(1.0), Number(-1.0));
   const auto near = value_of(room) < value_of(half);
-  if (any(near)) cut_at_end(near, way, room - way * (o.centre - x), way * at.end_slope, half, least, o);
+  if (any(near))
+    cut_at_end(near, way, room - way * (o.centre - at.x), way * at.end_slope, half,
+               least_curvature_left * m.own, o);
 }
 
 /// Strips of one face on their way along the track, as many as the widest instruction set has lanes.
@@ -356,7 +407,6 @@ struct FollowedStrips {
   std::int32_t piece[most];
   Each u, depth;
   StripOverlap<Each> overlap;  ///< normals, then all
-  Each settled;  ///< 0: Newton's method did not find the largest; place and ray's end are as given
 };
 
 /// Adds a strip, with the normal of `o`.

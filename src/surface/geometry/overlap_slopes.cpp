@@ -54,6 +54,44 @@ struct RayWithSlopes {
   }
 };
 
+/// The rays that fit_along() follows a contact by: in plain numbers, then with derivatives.
+struct RaysAlong {
+  StripOverX<double> plain;
+  StripOverX<PlaceDual> strip;
+  RayEnd<double> end[along_rays];
+  PlaceDual y_wheel;  ///< as in OverlapAlong, in the middle [m]
+
+  /// `from`: where the ray starts.
+  OverlapAlong<PlaceDual> overlap(AlongRay ray, const PlaceDual& x, RayStart<PlaceDual>& from) {
+    depth_at(plain, x.value, end[ray]);
+    from = strip.start(x);
+    RayWithSlopes carried(strip.wheel, end[ray]);
+    carried.carry(strip, from);
+    return carried.overlap(strip, from);
+  }
+  OverlapAlong<PlaceDual> look(AlongRay ray, const PlaceDual& x, bool) {
+    RayStart<PlaceDual> from;
+    return overlap(ray, x, from);
+  }
+  AtMiddle<PlaceDual> at_middle(const PlaceDual& x) {
+    AtMiddle<PlaceDual> m;
+    const OverlapAlong<PlaceDual> o = overlap(ray_middle, x, m.from);
+    m.ny = strip.ny;
+    m.nz = strip.nz;
+    turn(o, x, m.ny, m.nz);
+    m.depth = o.depth;
+    m.own = o.own;
+    y_wheel = o.profile_y;
+    return m;
+  }
+  /// Turns rays into the mean of both surfaces' normals at the place looked at last.
+  void turn(const OverlapAlong<PlaceDual>& o, const PlaceDual& x, PlaceDual& ny, PlaceDual& nz) const {
+    PlaceDual ty, tz;
+    tangent_at(strip.rail, strip.blend, strip.strip, strip.distance + x, ty, tz);
+    turn_rays(o, ty, tz, ny, nz);
+  }
+};
+
 }  // namespace
 
 RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose) {
@@ -99,52 +137,40 @@ OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& 
   follow_rail(surfaces, placed, rest, near);
   const RayEnd<double> end{near.piece[0], near.u[0], near.depth[0]};
   const double ny = near.overlap.ny[0], nz = near.overlap.nz[0];
-  StripOverX<double> plain{rail, wheel, rest, strip, distance.value, placed.blend[face], ny, nz};
-  StripOverX<PlaceDual> s{rail, wheel, pose, strip, distance, placed.blend[face], ny, nz};
+  RaysAlong rays{{rail, wheel, rest, strip, distance.value, placed.blend[face], ny, nz},
+                 {rail, wheel, pose, strip, distance, placed.blend[face], ny, nz},
+                 {end, end, end},
+                 {}};
 
   // x moves as the slope there does, at the end of a face with that; the rays turn as the normals do
+  StripOverX<PlaceDual>& s = rays.strip;
   PlaceDual x = near.x[0];
   const PlaceDual moved = distance.value - distance;  // 0; its derivative moves the ends against the wheel
   const bool inside = x.value > low && x.value < high,
              at_end = !inside && magnitude(x.value) < farthest_along;
-  AtLargest<PlaceDual> at;
-  at.from = s.start(x);
+  RayStart<PlaceDual> from = s.start(x);
   RayWithSlopes ray(wheel, end);
-  ray.carry(s, at.from);
-  at.over = ray.overlap(s, at.from);
+  ray.carry(s, from);
+  OverlapAlong<PlaceDual> over = ray.overlap(s, from);
   if (inside)
-    x = x + at.over.slope * (1.0 / larger(-at.over.bend.value, least_curvature_left * at.over.own.value));
+    x = x + over.slope * (1.0 / larger(-over.bend.value, least_curvature_left * over.own.value));
   else if (at_end)
     x = x + moved;
-  at.from = s.start(x);
+  from = s.start(x);
   const auto step = [&] {
-    at.over = ray.overlap(s, at.from);
-    ray.u = at.over.u;
-    ray.depth = at.over.depth;
+    over = ray.overlap(s, from);
+    ray.u = over.u;
+    ray.depth = over.depth;
   };
   step();
-  PlaceDual ty, tz;
-  tangent_at(rail, s.blend, strip, distance + x, ty, tz);
-  turn_rays(ray.overlap(s, at.from), ty, tz, s.ny, s.nz);
+  rays.turn(ray.overlap(s, from), x, s.ny, s.nz);
   step();
-  at.over = ray.overlap(s, at.from);
-  at.ny = s.ny;
-  at.nz = s.nz;
-  at.depth = ray.depth;
-  at.end_slope = at_end ? at.over.slope : PlaceDual(0.0);
-  at.high = high + moved;
-  at.low = low + moved;
-  // the overlap at other places: a ray in plain numbers, which then carries derivatives
-  const auto depth_at_place = [&](const PlaceDual& place) {
-    RayEnd<double> there = end;
-    depth_at(plain, place.value, there);
-    RayWithSlopes carried(wheel, there);
-    carried.carry(s, s.start(place));
-    return carried.depth;
-  };
+  over = ray.overlap(s, from);
+  const AtLargest<PlaceDual> at{
+      x, ray.depth, over.bend, over.own, at_end ? over.slope : PlaceDual(0.0), high + moved, low + moved};
   OverlapSlopes o;
-  fit_along(at, depth_at_place, o);
-  o.y_wheel = at.over.profile_y;
+  fit_along(at, rays, o);
+  o.y_wheel = rays.y_wheel;
   return o;
 }
 

@@ -55,27 +55,9 @@ void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const 
                  FollowedStrips& s) {
   const VaryingRail& varying = surfaces.varying;
   const std::int32_t face = face_of(varying, s.strip[0]);
-  const double low = rail.low[face], high = rail.high[face];
-  // all at once, by Newton's method
-  simd::FollowRailTask task{
-      &varying, &varying.face[face], &surfaces.wheel.curve, &pose, rail.distance, low, high, false};
-  surfaces.kernels->surface.follow_rail(task, s);
-  // where Newton's method found none, the largest is searched
-  for (std::int32_t i = 0; i < s.count; ++i) {
-    if (s.settled[i] > 0.0) continue;
-    StripOverX<double> strip{varying,         surfaces.wheel.curve, pose,
-                             s.strip[i],      rail.distance,        rail.blend[face],
-                             s.overlap.ny[i], s.overlap.nz[i]};
-    LargestOverlap found{s.x[i], {s.piece[i], s.u[i], s.depth[i]}};
-    search_largest(strip, low, high, found);
-    s.x[i] = found.x;
-    s.piece[i] = found.end.piece;
-    s.u[i] = found.end.u;
-    s.depth[i] = found.end.depth;
-    task.at_largest = true;
-  }
-  // their parabolas; the others' come out again as they were
-  if (task.at_largest) surfaces.kernels->surface.follow_rail(task, s);
+  surfaces.kernels->surface.follow_rail({&varying, &varying.face[face], &surfaces.wheel.curve, &pose,
+                                         rail.distance, rail.low[face], rail.high[face]},
+                                        s);
 }
 
 namespace {

@@ -399,6 +399,9 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
   // far from the axle a gauge corner slides along the flange's hollow root, where overlaps grow
   constexpr double hollow = 13e-3, corner = 0.9,
                    most_hollow = 2e-3;  // radius [m]; vertical part of normals; [m]
+  // a strip that moves along its tangent meets a wheel whose normal differs by up to this angle [rad] where a
+  // contact ends
+  constexpr double tilt = 0.15;
   const auto gain_at = [&](std::int32_t j, const PlaceWeights& place) {
     // rise of the strip along its normal, less that of the wheel; its move along its tangent
     const double off = larger(magnitude(place.x) - askew, 0.0), raised = 0.5 * off * off / wheel_radius;
@@ -408,7 +411,7 @@ void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, Pl
     const double deeper = ty > steepest_far && ty < corner && magnitude(place.x) > last
                               ? smaller(0.5 * along * along / hollow, most_hollow)
                               : 0.0;
-    return tz * y - ty * z - larger(ty, 0.0) * raised + deeper;
+    return tz * y - ty * z - larger(ty, 0.0) * raised + deeper + tilt * magnitude(along);
   };
   // growth is counted from below the axle, or from the nearer end of a face that is not there
   const double low = placed.low[f], high = placed.high[f];

@@ -88,7 +88,6 @@ struct StripsOverX {
     weights = surface::value_weights(t, apart);
     return {x, blended(weights, 1.0, 0) - task.pose->y, blended(weights, 1.0, 1) - task.pose->z};
   }
-  surface::RayPlace<Pack> place(Pack x) { return place(x, share(x)); }
   surface::RayStart<Pack> start(Pack x) {
     const Pack t = share(x);
     // the place, its slope and its curvature by the distance
@@ -96,6 +95,12 @@ struct StripsOverX {
                                         second = surface::curvature_weights(t, per);
     return {place(x, t), blended(first, 0.0, 0), blended(first, 0.0, 1), blended(second, 0.0, 0),
             blended(second, 0.0, 1)};
+  }
+  /// Turns rays into the mean of both surfaces' normals at the place looked at last.
+  void turn(const surface::OverlapAlong<Pack>& o, Pack& to_y, Pack& to_z) const {
+    const Pack dy = blended(weights, 1.0, 2), dz = blended(weights, 1.0, 3),
+               per_length = 1.0 / root(dy * dy + dz * dz);
+    surface::turn_rays<Pack>(o, dy * per_length, dz * per_length, to_y, to_z);
   }
 };
 
@@ -120,42 +125,107 @@ struct RayEnds {
     u = load_pack(length);
     on = pieces_of(wheel, piece);
   }
+  /// Takes an end nearer to the wheel in the lanes that go.
+  template <class Nearer>
+  void take(const Nearer& nearer, Mask goes, const surface::Curve& wheel) {
+    u = select(goes, nearer.u, u);
+    depth = select(goes, nearer.depth, depth);
+    settle(wheel);
+  }
 };
 
 /// Newton's method for the largest overlaps within low..high, from x; the rays are turned with it. Lanes that
-/// are there rest. Returns those that do not get there.
-inline Mask find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
-  constexpr int most_steps = 12;
-  constexpr double longest = 10e-3, close = 1e-8;  // [m]
+/// are there rest. Where it does not settle soon, as on a wheel whose curvature changes within millimetres,
+/// it keeps between places from which the overlap grows towards each other. Rays that do not meet the wheel
+/// properly, as on the sides of faces far from it, are left as they were.
+inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
+  constexpr int most_steps = 24, soon = 4;
+  constexpr double longest = 10e-3, close = 1e-6, far = 1e300;  // [m]
   const FollowRailTask& task = strips.task;
+  const RayEnds first_ends = ends;
+  const Pack first_x = x, first_ny = strips.ny, first_nz = strips.nz;
+  Pack behind = -far, ahead = far;
   Mask goes = Pack(0.0) < 1.0;  // all lanes
   for (int n = 0; n < most_steps; ++n) {
     const surface::RayStart<Pack> from = strips.start(x);
+    // slopes that bound the place are those at the ray's end itself
+    for (int k = 0; n >= soon && k < surface::ray_steps; ++k)
+      ends.take(
+          surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
+          goes, *task.wheel);
     const surface::OverlapAlong<Pack> o =
         surface::overlap_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth);
     // the ray's end, by a step of its own
     const Pack moved = o.depth - ends.depth;
-    ends.depth = select(goes, o.depth, ends.depth);
-    ends.u = select(goes, o.u, ends.u);
-    ends.settle(*task.wheel);
+    ends.take(o, goes, *task.wheel);
     // concave where it is to be largest; a step at most `longest`
     const Pack step = o.slope / larger(-o.bend, surface::least_curvature_left * o.own);
-    const Pack next = x + smaller(larger(step, -longest), longest);
+    Pack next = x + smaller(larger(step, -longest), longest);
+    if (n >= soon) {
+      const Mask grows = o.slope > 0.0;
+      behind = select(grows, x, behind);
+      ahead = select(grows, ahead, x);
+      const Mask between = (next > behind) & (next < ahead);
+      next = select(between, next, 0.5 * (x + select(grows, ahead, behind)));
+    }
     const Pack to = smaller(larger(next, task.low), task.high) - x;
     x = select(goes, x + to, x);
     // both steps square the residual
     goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
-    if (!any(goes)) break;
+    if (!any(goes)) return;
     // rays along the mean of the normals there
-    const Pack dy = strips.blended(strips.weights, 1.0, 2), dz = strips.blended(strips.weights, 1.0, 3),
-               per = 1.0 / root(dy * dy + dz * dz);
     Pack ny = strips.ny, nz = strips.nz;
-    surface::turn_rays<Pack>(o, dy * per, dz * per, ny, nz);
+    strips.turn(o, ny, nz);
     strips.ny = select(goes, ny, strips.ny);
     strips.nz = select(goes, nz, strips.nz);
   }
-  return goes;
+  // those that are not there
+  double lost[lanes];
+  store_pack(lost, select(goes, 1.0, 0.0));
+  for (std::int32_t i = 0; i < lanes; ++i)
+    if (lost[i] > 0.0) ends.piece[i] = first_ends.piece[i];
+  ends.u = select(goes, first_ends.u, ends.u);
+  ends.depth = select(goes, first_ends.depth, ends.depth);
+  ends.on = pieces_of(*task.wheel, ends.piece);
+  x = select(goes, first_x, x);
+  strips.ny = select(goes, first_ny, strips.ny);
+  strips.nz = select(goes, first_nz, strips.nz);
 }
+
+/// The rays that fit_along() follows contacts by, from the ends of those at the largest overlaps.
+struct RaysAlong {
+  StripsOverX& strips;
+  RayEnds end[surface::along_rays];
+  bool first[surface::along_rays] = {true, true, true};
+
+  surface::OverlapAlong<Pack> look(surface::AlongRay ray, Pack x, Mask goes) {
+    const FollowRailTask& task = strips.task;
+    RayEnds& at = end[ray];
+    const surface::RayStart<Pack> from = strips.start(x);
+    if (first[ray])
+      at.take(surface::step_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth), goes,
+              *task.wheel);
+    first[ray] = false;
+    const surface::OverlapAlong<Pack> o =
+        surface::overlap_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth);
+    at.take(o, goes, *task.wheel);
+    return o;
+  }
+
+  surface::AtMiddle<Pack> at_middle(Pack x) {
+    const FollowRailTask& task = strips.task;
+    RayEnds& at = end[surface::ray_middle];
+    const Mask all = Pack(0.0) < 1.0;
+    const surface::RayStart<Pack> from = strips.start(x);
+    at.take(surface::step_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth), all,
+            *task.wheel);
+    const surface::OverlapAlong<Pack> o =
+        surface::overlap_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth);
+    Pack ny = strips.ny, nz = strips.nz;
+    strips.turn(o, ny, nz);
+    return {from, ny, nz, o.depth, o.own};
+  }
+};
 
 /// The strips of so many lanes from `first` on.
 inline void follow_strips(const FollowRailTask& task, std::int32_t first, FollowedStrips& s) {
@@ -168,46 +238,23 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   ends.depth = load_pack(s.depth + first);
   Pack x = load_pack(s.x + first);
 
-  // the largest overlap; where it was not found, all is left as it was but the rays
-  if (!task.at_largest) {
-    const Mask lost = find_largest(strips, x, ends);
-    double settled[lanes];
-    store_pack(settled, select(lost, 0.0, 1.0));
-    for (std::int32_t i = 0; i < lanes; ++i)
-      if (settled[i] > 0.0) s.piece[first + i] = ends.piece[i];
-    store_pack(s.settled + first, select(lost, 0.0, 1.0));
-    store_pack(s.x + first, select(lost, load_pack(s.x + first), x));
-    store_pack(s.u + first, select(lost, load_pack(s.u + first), ends.u));
-    store_pack(s.depth + first, select(lost, load_pack(s.depth + first), ends.depth));
-  }
+  // the largest overlap
+  find_largest(strips, x, ends);
+  for (std::int32_t i = 0; i < lanes; ++i) s.piece[first + i] = ends.piece[i];
+  store_pack(s.x + first, x);
+  store_pack(s.u + first, ends.u);
+  store_pack(s.depth + first, ends.depth);
 
-  // the overlap there, and the parabola through places about it
-  surface::AtLargest<Pack> at;
-  at.from = strips.start(x);
-  at.ny = strips.ny;
-  at.nz = strips.nz;
-  at.depth = ends.depth;
-  at.over =
-      surface::overlap_along<Pack>(ends.on, *task.pose, at.from, strips.ny, strips.nz, ends.u, ends.depth);
+  // the parabola of the contact about it
+  const surface::OverlapAlong<Pack> over = surface::overlap_along<Pack>(
+      ends.on, *task.pose, strips.start(x), strips.ny, strips.nz, ends.u, ends.depth);
   const Mask inside = (x > task.low) & (x < task.high),
              at_end = (!inside) & (magnitude(x) < surface::farthest_along);
-  at.end_slope = select(at_end, at.over.slope, 0.0);
-  at.high = task.high;
-  at.low = task.low;
-  const auto depth_at = [&](Pack place) {  // along a ray in the same direction, from the largest one's end
-    const surface::RayPlace<Pack> from = strips.place(place);
-    RayEnds end = ends;
-    for (int n = 0; n < surface::ray_steps; ++n) {
-      const surface::RayBeside<Pack> beside =
-          surface::step_along<Pack>(end.on, *task.pose, from, strips.ny, strips.nz, end.u, end.depth);
-      end.u = beside.u;
-      end.depth = beside.depth;
-      end.settle(*task.wheel);
-    }
-    return end.depth;
-  };
+  const surface::AtLargest<Pack> at{
+      x, ends.depth, over.bend, over.own, select(at_end, over.slope, 0.0), task.high, task.low};
+  RaysAlong rays{strips, {ends, ends, ends}};
   surface::StripOverlap<Pack> o;
-  surface::fit_along<Pack>(at, depth_at, o);
+  surface::fit_along<Pack>(at, rays, o);
   store_pack(s.overlap.depth + first, o.depth);
   store_pack(s.overlap.centre + first, o.centre);
   store_pack(s.overlap.curvature + first, o.curvature);

@@ -124,7 +124,6 @@ struct FollowRailTask {
   const surface::Curve* wheel;
   const surface::RelativePose* pose;
   double distance, low, high;  ///< as PlacedRail [m]
-  bool at_largest;             ///< the strips' places are those of their largest overlaps
 };
 
 /// A wheel's outline, and the strips whose rays it may cross.

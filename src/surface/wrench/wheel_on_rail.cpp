@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
+#include "surface/geometry/along_track.hpp"
 #include "surface/wrench/first_touch.hpp"
 #include "surface/wrench/given_load.hpp"
 #include "surface/wrench/regions.hpp"
@@ -10,6 +12,45 @@
 
 namespace wrc::surface {
 namespace {
+
+/// Flags a second place along the track where a strip would carry load: a strip has one. Looked at is the
+/// strip of the longest contact. Beyond its half length l the load presses the surfaces apart by at most
+/// w l / t at the distance t, w the overlap at the contact's edge. A larger overlap there is pressed.
+Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
+  const SurfaceModel& model = problem.model;
+  // a wheel that is not round has its own waves there, which are not looked at
+  if (s.strips.count == 0 || model.out_of_round.rows > 0) return {};
+  const Overlaps& o = s.overlaps;
+  std::int32_t k = 0;
+  for (std::int32_t n = 1; n < s.strips.count; ++n)
+    if (s.strips.half_length[n] > s.strips.half_length[k]) k = n;
+  const std::int32_t i = s.strips.candidate[k], strip = o.strip[i], face = face_of(model.varying, strip);
+  if (!model.varying.face[face].changes) return {};
+
+  // the overlap at places ahead and behind, from the edge of the contact on
+  constexpr double nearest = 0.5, apart = 1.5e-3;  // [-], [m]
+  constexpr int to_a_side = 10;
+  const PlacedRail& rail = problem.rail;
+  StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
+                          rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
+  const double l = s.strips.half_length[k], at = s.strips.x[k];
+  const double edge = larger(o.depth[i] - 0.5 * o.curvature[i] * l * l, 0.0);
+  for (const double way : {1.0, -1.0}) {
+    RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
+    double least = o.depth[i];
+    for (int n = 0; n < to_a_side; ++n) {
+      const double t = nearest * l + n * apart, x = at + way * t;
+      if (x < rail.low[face] || x > rail.high[face]) break;
+      const double depth = depth_at(over, x, end);
+      least = smaller(least, depth);
+      if (t > l && depth * t > edge * l && depth > least)
+        return Fault::more_patches(
+            "overlap at a second place along the track", {depth, "m"},
+            "a strip has one place of contact along the track: this one carries nothing");
+    }
+  }
+  return {};
+}
 
 /// Completes the results of the strips, of which a solve leaves slips, friction and forces there.
 void complete_results(const WheelProblem& problem, const WheelSolution& s, const StripResults& results) {
@@ -189,6 +230,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   *last.head = {start.from == StartFrom::overlaps ? 0.0 : 1.0, out.height, -out.force[2], start.stiffness,
                 1.0 * start.solution.count};
   complete_results(problem, solution, state.kept);
+  keep_worst(fault, second_place(problem, solution));
   if (problem.memory) {
     state.steps->pending = 1.0;
     state.steps->to[0] = in.wheel.position[1] - in.rail.y;
