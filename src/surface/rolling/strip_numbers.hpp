@@ -353,7 +353,9 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     // Spread of the slip across the contact, for fields, which have no derivatives.
     if constexpr (!has_more_inputs<0, Number>) {
       const Number size = fitted.per_size;
-      at.put(a.across, tangential::SlipAcross<Number>(u, x * size, e * size, s * size).at(across));
+      const tangential::SlipAcross<Number> spread(u, x * size, e * size, s * size);
+      at.put(a.across, spread.at(across));
+      at.put(a.beside, spread.beside);
     }
   });
 }
