@@ -439,13 +439,13 @@ struct SlipShape {
   Pack per_even, per_odd;     ///< twice / (v + u_s - u) in a pair of cells, the first of even index
 };
 
-/// Sets the numbers that a task has of its strips; returns b of methods/slip_across.hpp.
+/// Sets the numbers that a task has of its strips; returns b k of methods/slip_across.hpp.
 inline Pack set_slip(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = (2.0 * task.l11) * g.slope;
   shape.elastic_y = (2.0 * task.l22) * g.slope;
   const Pack t = (g.y - task.middle) * task.per_width;
   shape.twice = 2.0 * tangential::slip_factor<Pack>(task.across_even, task.across_odd, t);
-  return task.across_beside;
+  return task.across_beside * g.curvature;
 }
 inline Pack set_slip(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = load(task.edge_x, g.first, g.count, 0.0);
@@ -458,7 +458,7 @@ template <class Task>
 inline SlipShape slip_shape(const Task& task, const Group& g) {
   SlipShape shape;
   // growth (gx, gy + 2 k x) with the share b of k moved from 2 k x to the strip as a whole: gy + b k, k - b k
-  const Pack moved = set_slip(task, g, shape) * g.curvature, one = 1.0;
+  const Pack moved = set_slip(task, g, shape), one = 1.0;
   const Pack curvature = g.curvature - moved;
   const tangential::AdhesionGrowth<Pack> growth{g.gx, g.gy + 2.0 * g.curvature - moved, curvature};
   const Pack end = tangential::slip_end_parabolic<Pack>(growth, one, one), per_end = one / (end + 1e-14);

@@ -118,7 +118,7 @@ struct SurfaceStripsTask : StripFastsimMarch {
   const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
   const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
   const double* across;               ///< factor on the slip at each strip's place across, for fields [-]
-  const double* beside;               ///< b of methods/slip_across.hpp at each strip, for fields [-]
+  const double* beside;               ///< b k of methods/slip_across.hpp, k by the mean spin, for fields [-]
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
   const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
