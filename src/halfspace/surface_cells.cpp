@@ -53,8 +53,8 @@ Extent extent_below(double margin, const RollingSurfaces& surfaces, const std::v
     extent.first = std::min(extent.first, j);
     extent.last = j;
   }
-  // along x: of each such row from its middle outwards, cell by cell, until the gap has opened, for good if the
-  // rail does not change; each search on the wheel's profile starts where the one before ended
+  // along x: of each such row from its middle outwards, cell by cell, until the gap has opened, for good if
+  // the rail does not change; each search on the wheel's profile starts where the one before ended
   for (int j = extent.first; j <= extent.last && !extent.too_many; ++j) {
     const NearestCell& c = nearest[static_cast<std::size_t>(j)];
     if (!below(c)) continue;

@@ -738,9 +738,9 @@ TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionOnANoseAndOnAWing) {
   }
 }
 
-/// Level, a ramp that rises 4 mm at 1:10, level again: the wheel meets the ramp far ahead while the rail below
-/// the axle is level, then turns over the ramp's corner. A round wheel without friction has no moment about
-/// its axle.
+/// Level, a ramp that rises 4 mm at 1:10, level again: the wheel meets the ramp far ahead while the rail
+/// below the axle is level, then turns over the ramp's corner. A round wheel without friction has no moment
+/// about its axle.
 TEST_F(ExactAlongTrack, ItFindsARampAheadOfALevelRailAndTurnsOverItsCorner) {
   constexpr double ramp = 40e-3;
   add(-0.3);
