@@ -467,6 +467,7 @@ inline SlipShape slip_shape(const Task& task, const Group& g) {
   shape.lambda = -((g.gy + moved + curvature * end) * per_end);
   shape.beside = 0.5 * (moved * shape.elastic_y);
   shape.twice = select(g.bound > 0.0, shape.twice, 0.0);
+  shape.per_even = shape.per_odd = 0.0;
   return shape;
 }
 
@@ -584,8 +585,11 @@ WRC_IN_LOOP void stay(const StripFastsimMarch& task, const Cell& cell, Marching&
   const StickCell stuck =
       stick<false, sensitivities>(m.group, cell, none, shape, fields, m.stick, m.sums, derivative);
   if constexpr (fields) {
-    const Pack x = m.slip.kappa, y = m.slip.lambda;
-    store_cell(task, m.group, cell, {stuck.x, stuck.y, x, y, slip_size(m.group, m.slip, cell, x, y)}, m.sums);
+    CellFields f{stuck.x, stuck.y, m.slip.kappa, m.slip.lambda, 0.0};
+    // no slip before the pair of cells in which a strip's slip begins
+    const double end_of_pair = (cell.index & 1) == 0 ? cell.t + cell.h : cell.t;
+    if (any(m.slip.stick < end_of_pair)) f.slip = slip_size(m.group, m.slip, cell, f.x, f.y);
+    store_cell(task, m.group, cell, f, m.sums);
   }
 }
 
