@@ -390,7 +390,8 @@ WRC_API int32_t wrc_exact_check(wrc_contact* contact, const wrc_exact_check_opti
  * On a rail that changes along the track every cell has its gap to the rail as it is there, and its sliding along it. Normals turn with
  * the section, and forces lean along the track, row by row as they do where the wheel is nearest. Surfaces (a check rail, a blade)
  * are solved each alone, with its own rolling speed, and added up. A wheel that is not round has its radius at every cell. Its
- * hollows are bridged as by a rail that is level along the track. Each row of cells has one patch along the track.
+ * hollows are bridged as by a rail that is level along the track. A row of cells looks for the wheel up to 120 mm ahead and behind
+ * and starts where that is nearest; it has cells up to 100 mm from there, on the level and on a ramp at once.
  * @param contact of a model with profiles and WRC_NORMAL_STRIP_HALFSPACE, which gives the bodies alone
  * @param input as for wrc_contact_wrench(); without WRC_TEMPERATURE_LAW_LINEAR: there are no temperatures
  * @param options NULL: the defaults

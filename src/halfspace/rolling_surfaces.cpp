@@ -257,9 +257,55 @@ double RollingSurfaces::gap_slope(const SurfaceRow& row, const SurfacePoint& at)
   return (at.normal[0] + (at.normal[1] * at.fall.slope_y + at.normal[2] * at.fall.slope_z)) / facing;
 }
 
+// The wheel is nearest below its axle, unless the rail changes along the track or the wheel's profile ends
+// there: then in one of the gap's valleys, of which a ramp ahead makes one beside that below the axle.
+SurfacePoint RollingSurfaces::nearest_place(SurfaceRow& row) const {
+  constexpr int side = 24, whole_search = 4;  // places a side; each fourth is searched on the whole profile
+  constexpr double apart = 5e-3;              // [m]
+  SurfacePoint middle = there(0.0) ? point(row, 0.0) : SurfacePoint{};
+  if (middle.found && !varies()) return middle;
+  // the wheel at places along the row, outwards, as neighbours start each other's search
+  SurfacePoint places[2 * side + 1];
+  places[side] = middle;
+  for (const int direction : {1, -1}) {
+    for (int k = 1; k <= side; ++k) {
+      const double x = direction * k * apart;
+      const SurfacePoint& before = places[side + direction * (k - 1)];
+      SurfacePoint& here = places[side + direction * k];
+      if (!there(x)) continue;
+      if (before.found) here = point(row, x, before.wheel_s);
+      if (!here.found && k % whole_search == 0) here = point(row, x);
+    }
+  }
+  // the deepest of the valleys between them, the nearer of two
+  SurfacePoint nearest;
+  const SurfaceRow as_it_is = row;
+  const auto gap = [&](int k) { return k >= 0 && k <= 2 * side && places[k].found ? places[k].gap : 1.0; };
+  for (int k = 0; k <= 2 * side; ++k) {
+    if (!places[k].found || gap(k - 1) < gap(k) || gap(k + 1) <= gap(k)) continue;
+    SurfaceRow valley = as_it_is;
+    SurfacePoint at = places[k];
+    valley.middle = (k - side) * apart;
+    find_middle(valley, at);
+    if (!at.found || (nearest.found && at.gap >= nearest.gap)) continue;
+    row = valley;
+    nearest = at;
+  }
+  return nearest;
+}
+
+void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
+  // the slope of the gap jumps on a flat and at a rail's corner, which secants do not survive
+  if (deviation_ || varies()) {
+    halve_to_middle(row, at);
+  } else {
+    roll_to_middle(row, at);
+  }
+}
+
 // The gap is smallest where the wheel's normal has no part along the rail: Newton's method with the wheel's
 // radius as first guess of the curvature, secants after.
-void RollingSurfaces::find_middle(SurfaceRow& row, SurfacePoint& at) const {
+void RollingSurfaces::roll_to_middle(SurfaceRow& row, SurfacePoint& at) const {
   constexpr int steps = 8;
   double before = 0.0, slope_before = 0.0;
   for (int k = 0; k < steps && at.found; ++k) {
@@ -326,26 +372,10 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   // the rail's own normal first; where the wheel is nearest along it is the row's middle
   double on_rail = rail_angle(row, s, 0.0);
   row.angle = on_rail;
-  SurfacePoint at = there(0.0) ? point(row, 0.0) : SurfacePoint{};
-  // A steep face under yaw is met ahead of the axle or behind it, where above it the wheel's profile may have
-  // ended.
-  constexpr int starts = 6;
-  constexpr double apart = 20e-3;  // [m]
-  for (int k = -starts; k <= starts && (!at.found || row.middle != 0.0); ++k) {
-    if (!there(k * apart)) continue;
-    const SurfacePoint start = point(row, k * apart);
-    if (!start.found || (at.found && start.gap >= at.gap)) continue;
-    row.middle = k * apart;
-    at = start;
-  }
+  SurfacePoint at = nearest_place(row);
   constexpr int rounds = 4;
   for (int round = 0; round < rounds && at.found; ++round) {
-    // a flat's gap has a slope that jumps, which secants do not survive
-    if (deviation_) {
-      halve_to_middle(row, at);
-    } else {
-      find_middle(row, at);
-    }
+    find_middle(row, at);
     if (normals == RowNormals::rail || !at.found) break;
     if (surface_.varying != nullptr) on_rail = rail_angle(row, s, row.middle);
     // Where the surfaces part at a large angle they do not touch: there the rail's normal will do.
@@ -362,9 +392,8 @@ SurfaceRow RollingSurfaces::row(double s, RowNormals normals, bool& found) const
   found = at.found;
   const Vector3 n = normal_of(row);
   row.grade = n.y * at.fall.slope_y + n.z * at.fall.slope_z;
-  // at the end of a face the wheel's lean: it rolls over an edge that rests
-  const bool at_end = row.middle == surface_.extent.begin || row.middle == surface_.extent.end;
-  if (at_end && found) row.grade -= gap_slope(row, at);
+  // at the end of a face and on a corner along the track the wheel's lean: it rolls over an edge that rests
+  if (varies() && found) row.grade -= gap_slope(row, at);
   return row;
 }
 

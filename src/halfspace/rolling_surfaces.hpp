@@ -111,6 +111,9 @@ class RollingSurfaces {
   /// All three outlive it.
   RollingSurfaces(const WheelAndRail& bodies, const RailSurface& surface, const surface::WheelOnRail& state);
 
+  /// Does the rail change along the track?
+  bool varies() const { return surface_.varying != nullptr; }
+
   /// Is the face there at x?
   bool there(double x) const { return surface_.extent.holds(x); }
 
@@ -143,8 +146,12 @@ class RollingSurfaces {
   double rail_angle(const SurfaceRow& row, double s, double x) const;
   /// Growth of the gap by x [-].
   double gap_slope(const SurfaceRow& row, const SurfacePoint& at) const;
-  /// Moves the row's middle, and `at` with it, to where the wheel is nearest.
+  /// Moves the row's middle to where the wheel is nearest; returns the point there.
+  SurfacePoint nearest_place(SurfaceRow& row) const;
+  /// Moves the row's middle, and `at` with it, to the bottom of the gap's valley in which it lies.
   void find_middle(SurfaceRow& row, SurfacePoint& at) const;
+  /// The same where the gap's slope is smooth: by secants.
+  void roll_to_middle(SurfaceRow& row, SurfacePoint& at) const;
   /// A place of the face near x.
   double on_face(double x) const { return std::clamp(x, surface_.extent.begin, surface_.extent.end); }
   /// The same where the gap's slope may leap: by halving.

@@ -53,20 +53,23 @@ Extent extent_below(double margin, const RollingSurfaces& surfaces, const std::v
     extent.first = std::min(extent.first, j);
     extent.last = j;
   }
-  // along x: of each such row from its middle outwards, cell by cell, until the gap has opened; each search
-  // on the wheel's profile starts where the one before ended
+  // along x: of each such row from its middle outwards, cell by cell, until the gap has opened, for good if
+  // the rail does not change; each search on the wheel's profile starts where the one before ended
   for (int j = extent.first; j <= extent.last && !extent.too_many; ++j) {
     const NearestCell& c = nearest[static_cast<std::size_t>(j)];
     if (!below(c)) continue;
     for (const double direction : {-1.0, 1.0}) {
       SurfacePoint p = c.middle;
       double x = c.row.middle;
-      while (p.found && surfaces.there(x) && p.gap < margin && std::abs(x - c.row.middle) < farthest) {
+      double end = x;
+      while (p.found && surfaces.there(x) && (p.gap < margin || surfaces.varies()) &&
+             std::abs(x - c.row.middle) < farthest) {
         x += direction * options.cell_x;
+        if (p.gap < margin) end = x;
         p = surfaces.point(c.row, x, p.wheel_s);
       }
-      extent.low = std::min(extent.low, x);
-      extent.high = std::max(extent.high, x);
+      extent.low = std::min(extent.low, end);
+      extent.high = std::max(extent.high, end);
     }
     extent.too_many = (extent.high - extent.low) / options.cell_x * (extent.last - extent.first + 1) >
                       static_cast<double>(options.max_cells);

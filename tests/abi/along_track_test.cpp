@@ -1,6 +1,7 @@
 /// A rail that changes along the track and a wheel that is not round, seen through the C interface.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -734,6 +735,30 @@ TEST_F(ExactAlongTrack, ItIsNearTheRealTimeSolutionOnANoseAndOnAWing) {
       carry();
       expect_as_real_time(0.015);
     }
+  }
+}
+
+/// Level, a ramp that rises 4 mm at 1:10, level again: the wheel meets the ramp far ahead while the rail
+/// below the axle is level, then turns over the ramp's corner. A round wheel without friction has no moment
+/// about its axle.
+TEST_F(ExactAlongTrack, ItFindsARampAheadOfALevelRailAndTurnsOverItsCorner) {
+  constexpr double ramp = 40e-3;
+  add(-0.3);
+  for (int k = -10; k <= 20; ++k) add(5e-3 * k, -0.1 * std::clamp(5e-3 * k, 0.0, ramp));
+  add(0.5);
+  give();
+  create_under(80e3);
+  for (const double at : {-0.02, -0.01, 0.0, 0.01, 0.02}) {
+    const double height = height_at(at), lean = std::min(0.1, (ramp - at) / radius);
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = height;
+    ASSERT_EQ(solve(), WRC_OK) << error();
+    EXPECT_NEAR(exact.force[2], -80e3, 0.015 * 80e3) << at;
+    EXPECT_NEAR(exact.force[0], -80e3 * lean, 0.1 * 80e3 * lean) << at;
+    EXPECT_NEAR(exact.moment[1], 0.0, 1e-3 * radius * 80e3) << at;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 80e3;
   }
 }
 

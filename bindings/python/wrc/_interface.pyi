@@ -4163,8 +4163,9 @@ class ContactCalls(_l.Handle):
             Normals turn with the section, and forces lean along the track, row by row as they do where the
             wheel is nearest. Surfaces (a check rail, a blade) are solved each alone, with its own rolling
             speed, and added up. A wheel that is not round has its radius at every cell. Its hollows are
-            bridged as by a rail that is level along the track. Each row of cells has one patch along the
-            track.
+            bridged as by a rail that is level along the track. A row of cells looks for the wheel up to 120
+            mm ahead and behind and starts where that is nearest; it has cells up to 100 mm from there, on the
+            level and on a ramp at once.
 
         input: as for Contact.wrench(); without FrictionTemperatureLaw.LINEAR: there are no temperatures
         options: None: the defaults

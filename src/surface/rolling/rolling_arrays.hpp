@@ -47,7 +47,7 @@ struct RollingArraysOf : RollingMeans {
   Number* pressed;          ///< longitudinal slip by pressure, used for unlike bodies alone [-]
   /// Members of SurfaceStripsTask of the same names (tangential/simd/tasks.hpp).
   Number *bound, *growth_x, *growth_y, *curvature, *slip_x, *slip_y, *elastic, *turn_x, *turn_y, *edge_x,
-      *edge_y, *across;
+      *edge_y, *across, *beside;
 };
 using RollingArrays = RollingArraysOf<double>;
 
@@ -58,7 +58,7 @@ RollingArraysOf<Number> cut_rolling_arrays(Arena& arena, std::int32_t strips, st
   for (Number*& mean : a.mean) mean = arena.take<Number>(strips);
   arena.each(strips, a.load, a.link, a.pivot, a.c11, a.c22, a.c23, a.own, a.pressed);
   arena.each(at_a_time, a.bound, a.growth_x, a.growth_y, a.curvature, a.slip_x, a.slip_y, a.elastic, a.turn_x,
-             a.turn_y, a.edge_x, a.edge_y, a.across);
+             a.turn_y, a.edge_x, a.edge_y, a.across, a.beside);
   return a;
 }
 

@@ -353,7 +353,12 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
     // Spread of the slip across the contact, for fields, which have no derivatives.
     if constexpr (!has_more_inputs<0, Number>) {
       const Number size = fitted.per_size;
-      at.put(a.across, tangential::SlipAcross<Number>(u, x * size, e * size, s * size).at(across));
+      const tangential::SlipAcross<Number> spread(u, x * size, e * size, s * size);
+      at.put(a.across, spread.at(across));
+      // The curvature above by the mean force of spin: on a wheel's slopes strips have spins that cancel.
+      const Number area = larger(l * at.get(in.width), Number(least_strip_length * least_strip_length));
+      const Number mean = s * at.get(a.load) / ((0.75 * shared.shear_modulus) * area);
+      at.put(a.beside, spread.beside * (16.0 / (3.0 * pi) * stiff * mean / by_spin_y));
     }
   });
 }

@@ -25,6 +25,7 @@ SurfaceRollingTotals roll_by_strip_fastsim(const SurfaceRollingInput& in, const 
   task.edge_x = a.edge_x;
   task.edge_y = a.edge_y;
   task.across = a.across;
+  task.beside = a.beside;
   // power is force times rigid slip: elastic slip from the tractions beside takes none
   task.rigid_x = in.slip_x;
   task.rigid_y = in.slip_y;

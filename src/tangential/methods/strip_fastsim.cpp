@@ -36,6 +36,7 @@ struct Model {
   double elastic;                  ///< difference of the elastic slip between x and y, (l_x - l_y) B [1/m]
   double B;                        ///< bound of the march [Pa/m^2]
   double across_even, across_odd;  ///< m, n of slip_across.hpp
+  double across_beside;            ///< its b
   double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m]
 };
 
@@ -134,6 +135,7 @@ Model<T> model(const RollingContact& c, const StripCalibration& calibration, con
                                   value_of(spin) * per_size);
   m.across_even = across.even;
   m.across_odd = across.odd;
+  m.across_beside = across.beside;
   m.middle = patch.y_stiff;
   m.per_width = 1.0 / b;
   return m;
@@ -172,6 +174,7 @@ simd::StripFastsimTask task_of(const RollingContact& contact, const Model<T>& m,
   task.elastic = m.elastic;
   task.across_even = m.across_even;
   task.across_odd = m.across_odd;
+  task.across_beside = m.across_beside;
   task.middle = m.middle;
   task.per_width = m.per_width;
   return task;

@@ -41,11 +41,10 @@ WRC_IN_LOOP void move_both(const Task& task, const Cell& cell, Marching (&m)[in_
 /// Takes all strips of a task over their cells. A kernel's own parts are those of March: Marching, a group
 /// during the march, in_flight of them at a time; prepare() a group and its derivatives; cell() number i;
 /// stay(), a cell in the first stick zones of all strips of a group, where March::stays, otherwise such cells
-/// are left out; finish(), a group's part of the results. Returns the first cell in which some strip moves.
+/// are left out; finish(), a group's part of the results.
 template <Output output, class March, class Task>
-WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
+WRC_IN_LOOP void march_groups(const Task& task, const March& march) {
   constexpr std::int32_t together = March::in_flight;
-  std::int32_t first_to_move = task.cells;
   for (std::int32_t first = 0; first < task.strips; first += together * lanes) {
     // as many groups as are marched side by side; the last ones may be fewer
     typename March::Marching marching[together];
@@ -61,7 +60,6 @@ WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
     }
     // Cells from the leading edge on. Behind the last strip's first stick zone both groups step at once;
     // before it each by itself, with or without lanes that still stick.
-    first_to_move = start < first_to_move ? start : first_to_move;
     for (std::int32_t i = March::stays ? 0 : start; i < task.cells; ++i) {
       const auto cell = march.cell(i);
       if constexpr (together == 2) {
@@ -84,7 +82,6 @@ WRC_IN_LOOP std::int32_t march_groups(const Task& task, const March& march) {
     // in the order of the strips, which is part of the sums' bits
     for (std::int32_t k = 0; k < groups; ++k) march.finish(marching[k], derivative[k]);
   }
-  return first_to_move;
 }
 
 }  // namespace

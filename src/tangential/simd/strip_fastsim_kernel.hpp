@@ -126,7 +126,7 @@ WRC_IN_LOOP StickCell stick(const Group& g, const Cell& cell, Mask moving, const
 
 /// A march step: its numbers up to the turn, and its results for fields and derivatives.
 struct MarchStep {
-  Mask stick, slips;
+  Mask stick;
   bool any_sticks;
   Pack dv, part;                  ///< length of the step; cells of slip that the cell stands for
   Advance advance;                ///< the step
@@ -186,10 +186,8 @@ WRC_IN_LOOP void end_step(const Group& g, const Cell& cell, Mask moving, MarchSt
   // half a cell to one and a half of slip.
   Pack ex = step.turn.ex, ey = step.turn.ey, ahead = step.turn.ahead;
   step.part = one;
-  step.slips = !step.stick;
   if constexpr (entering) {
     step.part = select(step.dv < cell.h, 0.5 + step.dv * cell.per_h, one);
-    step.slips = moving & step.slips;
     sums.unslid += select(moving, one - step.part, zero);
     ex = select(moving, ex, s.ex);
     ey = select(moving, ey, s.ey);
@@ -432,58 +430,73 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
 
 /// Constants of the slip of a group's strips, for the fields.
 struct SlipShape {
-  Pack stick;                 ///< 2 - u_s, the length of the first stick zone
+  Pack stick;                 ///< distance t at which slip begins
+  Pack kappa, lambda;         ///< direction of the traction there
   Pack twice;                 ///< twice the factor across the patch (methods/slip_across.hpp); 0 without
                               ///< friction, where the slip has no direction
   Pack elastic_x, elastic_y;  ///< elastic slip at the leading edge along x and y
+  Pack beside;                ///< lateral elastic slip at the middle by strips beside
   Pack per_even, per_odd;     ///< twice / (v + u_s - u) in a pair of cells, the first of even index
 };
 
-inline void set_slip(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
+/// Sets the numbers that a task has of its strips; returns b k of methods/slip_across.hpp.
+inline Pack set_slip(const StripFastsimTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = (2.0 * task.l11) * g.slope;
   shape.elastic_y = (2.0 * task.l22) * g.slope;
   const Pack t = (g.y - task.middle) * task.per_width;
   shape.twice = 2.0 * tangential::slip_factor<Pack>(task.across_even, task.across_odd, t);
+  return task.across_beside * g.curvature;
 }
-inline void set_slip(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
+inline Pack set_slip(const SurfaceStripsTask& task, const Group& g, SlipShape& shape) {
   shape.elastic_x = load(task.edge_x, g.first, g.count, 0.0);
   shape.elastic_y = load(task.edge_y, g.first, g.count, 0.0);
   shape.twice = 2.0 * load(task.across, g.first, g.count, 0.0);
+  return load(task.beside, g.first, g.count, 0.0);
 }
 
 template <class Task>
 inline SlipShape slip_shape(const Task& task, const Group& g) {
   SlipShape shape;
-  shape.stick = 2.0 - g.slip_end;
-  set_slip(task, g, shape);
+  // growth (gx, gy + 2 k x) with the share b of k moved from 2 k x to the strip as a whole: gy + b k, k - b k
+  const Pack moved = set_slip(task, g, shape), one = 1.0;
+  const Pack curvature = g.curvature - moved;
+  const tangential::AdhesionGrowth<Pack> growth{g.gx, g.gy + 2.0 * g.curvature - moved, curvature};
+  const Pack end = tangential::slip_end_parabolic<Pack>(growth, one, one), per_end = one / (end + 1e-14);
+  shape.stick = 2.0 - end;
+  shape.kappa = -(g.gx * per_end);
+  shape.lambda = -((g.gy + moved + curvature * end) * per_end);
+  shape.beside = 0.5 * (moved * shape.elastic_y);
   shape.twice = select(g.bound > 0.0, shape.twice, 0.0);
+  shape.per_even = shape.per_odd = 0.0;
   return shape;
 }
 
-/// Sets the inverses 2 / (v + u_s - u), times the factor across, of the pair of cells in which `cell` lies:
-/// one divide makes both.
-inline void enter_pair(const Cell& cell, SlipShape& shape) {
+/// Sets the inverses 2 / (v + u_s - u), times the factor across, of a pair of cells, of which `even` is the
+/// first: one divide makes both.
+inline void enter_pair(const Cell& even, SlipShape& shape) {
   // v + (u_s - u) with v = t and u_s - u = t - (2 - u_s), at the middles of both cells
-  const std::int32_t even = cell.index - (cell.index & 1);
-  const double t_even = (even + 0.5) * cell.h, t_odd = (even + 1.5) * cell.h;
-  const Pack of_even = t_even + larger(0.0, t_even - shape.stick);
+  const double t_odd = even.t + even.h;
+  const Pack of_even = even.t + larger(0.0, even.t - shape.stick);
   const Pack of_odd = t_odd + larger(0.0, t_odd - shape.stick);
   const Pack inverse = shape.twice / (of_even * of_odd);
   shape.per_even = of_odd * inverse;
   shape.per_odd = of_even * inverse;
 }
 
-/// Magnitude of the slip in a slipping cell, before the scaling to the balance of power: rigid slip along the
-/// traction plus the elastic slip 2 B L x of a strip that slips as a whole, times the form of Carter's
-/// solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the place
-/// across.
-inline Pack slip_size(const Group& g, const SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
+/// Magnitude of the slip in a cell, before the scaling to the balance of power: rigid slip along the traction
+/// plus the elastic slip, 2 B L x of a strip that slips as a whole and that by strips beside, times the form
+/// of Carter's solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the
+/// place across.
+inline Pack slip_size(const Group& g, SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
+  if ((cell.index & 1) == 0) enter_pair(cell, shape);
   const Pack zero = 0.0;
-  const Pack along = g.wx * rho_x + (g.wy + g.spin * cell.x) * rho_y;
+  const Pack along = g.wx * rho_x + ((g.wy + g.spin * cell.x) + shape.beside * (1.0 - 2.0 * cell.x)) * rho_y;
   const Pack elastic = cell.x * (shape.elastic_y + (shape.elastic_x - shape.elastic_y) * (rho_x * rho_x));
+  // the first cell whose middle slips stands for half a cell to one and a half
   const Pack behind = larger(zero, cell.t - shape.stick);
+  const Pack cells = select(behind < cell.h, 0.5 + cell.per_h * behind, Pack(1.0));
   const Pack per_sum = (cell.index & 1) != 0 ? shape.per_odd : shape.per_even;
-  return larger(zero, zero - (along + elastic)) * (root(behind * cell.t) * per_sum);
+  return larger(zero, zero - (along + elastic)) * cells * (root(behind * cell.t) * per_sum);
 }
 
 /// The first stick zone's share of a group's sums, from the sums over s.
@@ -506,18 +519,19 @@ inline void add_stick_derivative(const Group& g, const StickSums& s, Changes& d)
   d.force.stick_t_py += d.lambda * t_bent + d.psi * s.t_straight + (g.psi - g.lambda) * t_change;
 }
 
-/// A cell's tractions over the bound and its slip, not yet scaled, for the fields; `power` is their product.
+/// A cell's traction, rho over the bound, and its slip against the unit vector (x, y), not yet scaled.
 struct CellFields {
-  Pack rho_x, rho_y, slip_x, slip_y, power;
+  Pack rho_x, rho_y, x, y, slip;
 };
 
-/// Stores them and adds to the power of the slip.
+/// Stores them and adds to the power of the slip. A cell does not slip where its traction would aid that.
 inline void store_cell(const StripFastsimMarch& task, const Group& g, const Cell& cell, const CellFields& f,
                        Sums& sums) {
-  const Pack bound = cell.mean * g.bound;
-  sums.power += f.power * bound;
-  simd::store_cell(*task.fields, g, cell.index, task.strips, bound * f.rho_x, bound * f.rho_y, f.slip_x,
-                   f.slip_y);
+  const Pack bound = cell.mean * g.bound, against = f.rho_x * f.x + f.rho_y * f.y;
+  const Pack slip = select(against > 0.0, f.slip, 0.0);
+  sums.power += (slip * against) * bound;
+  simd::store_cell(*task.fields, g, cell.index, task.strips, bound * f.rho_x, bound * f.rho_y,
+                   0.0 - slip * f.x, 0.0 - slip * f.y);
 }
 
 /// A group of strips during the march.
@@ -546,19 +560,17 @@ WRC_IN_LOOP void settle(const StripFastsimMarch& task, const Cell& cell, Mask mo
     stuck = stick<true, sensitivities>(m.group, cell, moves, step.shape, output == Output::fields, m.stick,
                                        m.sums, derivative);
   if constexpr (output == Output::fields) {
-    // Slip against the traction of the march; its power uses the traction of the cell, which the first stick
-    // zone may share. Lanes still in that zone have its traction and no slip.
-    const Pack x = m.state.x(), y = m.state.y();
-    if ((cell.index & 1) == 0 || cell.index == m.group.all_stick) enter_pair(cell, m.slip);
-    Pack slip = slip_size(m.group, m.slip, cell, x, y);
-    if constexpr (entering) slip = step.part * slip;
-    if (entering || step.any_sticks) slip = select(step.slips, slip, 0.0);
-    CellFields f{step.x, step.y, 0.0 - slip * x, 0.0 - slip * y, slip};
-    if constexpr (entering) {
-      f.power = select(step.shape.s > 0.0, slip * (step.x * x + step.y * y), slip);
-      f.rho_x = select(moves, step.x, stuck.x);
-      f.rho_y = select(moves, step.y, stuck.y);
-    }
+    // Slip against the traction of the march, or where a strip has not left its first stick zone, against
+    // that at which its slip begins.
+    CellFields f{step.x, step.y, m.state.x(), m.state.y(), {}};
+    if constexpr (entering)
+      f = {select(moves, f.rho_x, stuck.x),
+           select(moves, f.rho_y, stuck.y),
+           select(moves, f.x, m.slip.kappa),
+           select(moves, f.y, m.slip.lambda),
+           {}};
+    f.slip = slip_size(m.group, m.slip, cell, f.x, f.y);
+    if (step.any_sticks) f.slip = select(step.stick, 0.0, f.slip);
     store_cell(task, m.group, cell, f, m.sums);
   }
 }
@@ -572,7 +584,13 @@ WRC_IN_LOOP void stay(const StripFastsimMarch& task, const Cell& cell, Marching&
   const StickShape shape = stick_shape<sensitivities>(m.group, cell, m.stick);
   const StickCell stuck =
       stick<false, sensitivities>(m.group, cell, none, shape, fields, m.stick, m.sums, derivative);
-  if constexpr (fields) store_cell(task, m.group, cell, {stuck.x, stuck.y, 0.0, 0.0, 0.0}, m.sums);
+  if constexpr (fields) {
+    CellFields f{stuck.x, stuck.y, m.slip.kappa, m.slip.lambda, 0.0};
+    // no slip before the pair of cells in which a strip's slip begins
+    const double end_of_pair = (cell.index & 1) == 0 ? cell.t + cell.h : cell.t;
+    if (any(m.slip.stick < end_of_pair)) f.slip = slip_size(m.group, m.slip, cell, f.x, f.y);
+    store_cell(task, m.group, cell, f, m.sums);
+  }
 }
 
 /// Power by the balance -(Fx nu_x + Fy nu_y + Mz phi) [N].
@@ -601,13 +619,12 @@ inline double balance_of_power(const SurfaceStripsTask& task, const simd::Sums&)
   return balance > 0.0 ? balance : 0.0;
 }
 
-/// The fields of slip, whose power is known as that of their distribution only, are scaled; all cells before
-/// the cell `first` stick.
-inline void scale_slip(const StripFastsimMarch& task, std::int32_t first, double scale) {
+/// The fields of slip, whose power is known as that of their distribution only, are scaled.
+inline void scale_slip(const StripFastsimMarch& task, double scale) {
   const std::int32_t cells = task.strips * task.cells;
   double* const fields[] = {task.fields->slip_x, task.fields->slip_y};
   for (double* field : fields) {
-    for (std::int32_t at = first * task.strips; field != nullptr && at < cells; at += lanes) {
+    for (std::int32_t at = 0; field != nullptr && at < cells; at += lanes) {
       const std::int32_t count = cells - at < lanes ? cells - at : lanes;
       store(scale * load(field, at, count, 0.0), field + at, count);
     }
@@ -676,10 +693,10 @@ template <Output output, class Task>
 void strip_fastsim_kernel(const Task& task, Sums& total) {
   total = {};
   // fields have the distribution of slip; the balance of forces and creepages gives its size
-  const std::int32_t slips = march_groups<output>(task, strip::March<output, Task>{task, total});
+  march_groups<output>(task, strip::March<output, Task>{task, total});
   const double power = strip::balance_of_power(task, total);
   if constexpr (output == Output::fields)
-    strip::scale_slip(task, slips, total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0);
+    strip::scale_slip(task, total.power_per_speed > 0.0 ? power / total.power_per_speed : 0.0);
   total.power_per_speed = power;
 }
 

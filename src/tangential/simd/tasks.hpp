@@ -100,6 +100,7 @@ struct StripFastsimTask : StripFastsimMarch {
   Coefficient torsion;             ///< lateral elastic slip of a patch that spins [-]
   double B, elastic;               ///< B [Pa/m^2], (l_x - l_y) B [1/m], both where friction is the mean
   double across_even, across_odd;  ///< m, n of methods/slip_across.hpp, for fields
+  double across_beside;            ///< its b
   double middle, per_width;        ///< y of the patch's middle [m], one over half its width [1/m]
 };
 
@@ -117,6 +118,7 @@ struct SurfaceStripsTask : StripFastsimMarch {
   const double *turn_x, *turn_y;      ///< flexibilities that turn the slip, times bound over half length [-]
   const double *edge_x, *edge_y;      ///< elastic slip at the leading edge, for fields [-]
   const double* across;               ///< factor on the slip at each strip's place across, for fields [-]
+  const double* beside;               ///< b k of methods/slip_across.hpp, k by the mean spin, for fields [-]
   double *fx, *fy, *mz;               ///< results: force [N], moment about the strip's middle [N m]
   const double *rigid_x, *rigid_y;    ///< slip without torsion, for the balance of power [-]
 };
