@@ -393,8 +393,8 @@ int scans() {
   return worst <= 2e-3 ? 0 : 1;
 }
 
-/// Shift of full slip of an ellipse over friction, along x, or y (`across`), of bodies of this steel; or, with
-/// `approach`, what the bodies approach [m].
+/// Shift of full slip of an ellipse over friction, along x, or y (`across`), of bodies of this steel; or,
+/// with `approach`, what the bodies approach [m].
 double full_shift(const wrc_ellipse& e, const wrc_material& steel, bool across, bool approach = false) {
   constexpr int angles = 720;
   double sum = 0.0;
@@ -475,9 +475,9 @@ struct Displaced {
   double exactly() const { return (4.0 * by_cells(16) - by_cells(8)) / 3.0; }
 };
 
-/// Largest difference of a wheel's force to that of the load over approach, over mu N, shifted forth and back.
-/// A shift d of the full one leaves the load of the approach that is less by d (Jaeger, Ciavarella); on an
-/// ellipse that is Cattaneo's and Mindlin's law.
+/// Largest difference of a wheel's force to that of the load over approach, over mu N, shifted forth and
+/// back. A shift d of the full one leaves the load of the approach that is less by d (Jaeger, Ciavarella); on
+/// an ellipse that is Cattaneo's and Mindlin's law.
 double shift_error(Wheel& wheel, double y, bool across) {
   constexpr int places = 20;
   constexpr double turned = 0.8, step = turned / places, time = 1e-3;
@@ -535,7 +535,8 @@ int loops() {
   }
   Wheel wheel(true);
   std::printf("shifts of a wheel beside its load over approach, over mu N [%%]: along, across\n");
-  for (const double y : {4e-3, 3.5e-3, 3e-3, 2e-3, 1.5e-3, 1.1e-3, 0.75e-3, 0.4e-3, 0.0, -1.2e-3, -3e-3, -5e-3}) {
+  for (const double y :
+       {4e-3, 3.5e-3, 3e-3, 2e-3, 1.5e-3, 1.1e-3, 0.75e-3, 0.4e-3, 0.0, -1.2e-3, -3e-3, -5e-3}) {
     const double along = shift_error(wheel, y, false), across = shift_error(wheel, y, true);
     std::printf("y %5.2f mm  %.2f  %.2f\n", 1e3 * y, 100.0 * along, 100.0 * across);
     off = std::max({off, along, across});
