@@ -170,8 +170,8 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
     }
     const Pack to = smaller(larger(next, task.low), task.high) - x;
     x = select(goes, x + to, x);
-    // both steps square the residual
-    goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
+    // both steps square the residual, once the rays have been turned
+    if (n > 0) goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
     if (!any(goes)) return;
     // rays along the mean of the normals there
     Pack ny = strips.ny, nz = strips.nz;
