@@ -19,7 +19,7 @@ bool aligned(const void* memory) {
   return reinterpret_cast<std::uintptr_t>(memory) % contact::block_alignment == 0;
 }
 
-#if defined(_WIN32)  // its C library has no aligned_alloc, and free() does not take what is aligned
+#if defined(_WIN32)  // its C library has no aligned_alloc, and free() takes no aligned memory
 void* default_allocate(void*, std::uint64_t bytes, std::uint64_t alignment) {
   return _aligned_malloc(bytes, alignment);
 }

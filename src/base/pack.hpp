@@ -1,7 +1,7 @@
 /// Numbers as wide as the instruction set this unit is compiled for: one strip per lane.
 ///
 /// Included by src/*/simd only, which is compiled once for each instruction set. Everything is in an unnamed
-/// namespace, and nothing of the standard library's templates is used: what these units generate
+/// namespace, and nothing of the standard library's templates is used: the code of these units
 /// is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy of a
 /// function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
 ///
@@ -291,7 +291,7 @@ inline Pack whole_part(Pack a) {
 #endif
 }
 
-/// The bits of a pack, for what is read off them.
+/// The bits of a pack, for masks and exponents read off them.
 using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
 struct Bits {
   NativeBits a, b;
@@ -325,7 +325,7 @@ inline void keep_indices(Bits whole, Indices& i) {
   __builtin_memcpy(i.at, &whole.a, sizeof whole.a);
   __builtin_memcpy(i.at + native_lanes, &whole.b, sizeof whole.b);
 }
-/// Lets what follows read them from memory: gcc pulls each lane out of the vector, at three times the cost.
+/// Makes the next reads come from memory: gcc pulls each lane out of the vector, at three times the cost.
 inline void by_way_of_memory(Indices& i) { __asm__("" : "+m"(i)); }
 inline Indices indices(Bits whole) {
   Indices i;

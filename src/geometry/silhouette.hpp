@@ -1,5 +1,5 @@
-/// The wheelset's pose and the silhouette of its wheels along the track: what makes wheel/rail contact
-/// geometry a problem between two plane curves, exactly.
+/// The wheelset's pose and the silhouette of its wheels along the track. With it wheel/rail contact
+/// geometry is a problem between two plane curves, exactly.
 ///
 /// The rail is a cylinder along the track's x axis, so only the outline of the wheel seen along x matters:
 /// the points of the wheel whose surface normal is perpendicular to x. The wheel is the surface of revolution

@@ -1,5 +1,5 @@
-/// The separation of the true surfaces of wheel and rail over the contact plane: what the parabolas of
-/// gap_rows.hpp expand. Not real-time code.
+/// The separation of the true surfaces of wheel and rail over the contact plane. The parabolas of
+/// gap_rows.hpp expand it. Not real-time code.
 ///
 /// Contact frame of gap_rows.hpp; the separation is measured along the contact normal, at fixed x and y. The
 /// plane x = const cuts the wheel, the surface of revolution p of silhouette.hpp, in a curve with the profile

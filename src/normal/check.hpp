@@ -13,7 +13,7 @@ Fault check_normal_problem(const NormalProblem& problem, patch::Strips& output) 
 /// First touch of the undeformed bodies.
 struct FirstTouch {
   patch::GapMinimum lowest;
-  patch::GapRow row;  ///< of the gap at lowest.y
+  patch::GapRow row;  ///< row of the gap at lowest.y
 };
 
 /// Beginning of most methods: the solution cleared, the problem checked, first touch found.

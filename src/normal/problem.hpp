@@ -31,7 +31,7 @@ struct NormalProblem {
   std::int32_t strips = 0;                 ///< strips to divide the patch into
   std::int32_t max_iterations = 0;         ///< cap of the root find
   double force_tolerance = 0.0;            ///< relative error of the load at which the root find stops
-  const Kernels* kernels = nullptr;        ///< of an instruction set the processor has
+  const Kernels* kernels = nullptr;        ///< those of an instruction set that the processor has
 };
 
 struct NormalSolution {
@@ -41,7 +41,7 @@ struct NormalSolution {
   double peak_pressure = 0.0;   ///< [Pa]
   double area = 0.0;            ///< [m^2]
   double y_contact = 0.0;       ///< y of the gap's minimum, the initial contact point of this gap [m]
-  std::int64_t iterations = 0;  ///< of the root find; evaluations of the method at a trial approach
+  std::int64_t iterations = 0;  ///< steps of the root find; evaluations of the method at a trial approach
 };
 
 }  // namespace wrc::normal

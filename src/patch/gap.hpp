@@ -71,7 +71,7 @@ class GapReader {
 
   GapRows rows_;
   std::int32_t interval_ = -1;
-  double from_ = 0.0, to_ = 0.0;                      ///< of the interval [m]
+  double from_ = 0.0, to_ = 0.0;                      ///< ends of the interval [m]
   double slope_to_ = 0.0;                             ///< d height / dy at its end
   double c0_ = 0.0, c1_ = 0.0, c2_ = 0.0, c3_ = 0.0;  ///< height = c0 + d (c1 + d (c2 + d c3))
   double centre_ = 0.0, centre_slope_ = 0.0;

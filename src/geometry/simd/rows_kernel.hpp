@@ -122,7 +122,7 @@ struct Outwards {
       }
       low = select(ahead < Pack(0.0), low, parameter);
       high = select(ahead < Pack(0.0), parameter, high);
-      // A step that leaves what is known to hold the row (steep flanks: Newton's method may go in circles).
+      // A step that leaves the interval of the row (steep flanks: Newton's method may go in circles).
       const Pack next = parameter + step;
       const Pack inside = select((low <= next) & (next <= high), next, 0.5 * (low + high));
       parameter = select(far, inside, parameter);

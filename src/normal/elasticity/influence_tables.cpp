@@ -90,7 +90,7 @@ double line_potential(double tau, double xi) noexcept {
   const double middle = 0.5 * (v_trailing + v_leading);
   const double half = 0.5 * (v_leading - v_trailing);
   const int halvings = tau < 0.3 ? 3 : 2;  // to 1e-9; nearer than 1e-4 to 2e-7
-  const int pairs = 1 << halvings;         // of points at sin(phi) and -sin(phi)
+  const int pairs = 1 << halvings;         // pairs of points at sin(phi) and -sin(phi)
   // sin and cos of the step pi / (2 pairs) by halving the angle pi / 2.
   double cosine_step = 0.0, sine_step = 1.0;
   for (int n = 0; n < halvings; ++n) {

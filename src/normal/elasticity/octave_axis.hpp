@@ -14,7 +14,7 @@ namespace wrc::normal {
 
 /// Nodes x > 0 at equal distances within each octave.
 struct OctaveAxis {
-  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
+  int lowest_exponent;  ///< exponent of the first octave: x starts at 2^lowest_exponent
   int octaves;
   int bits_per_octave;  ///< 2^bits intervals in each octave
 
@@ -63,7 +63,7 @@ struct OctaveAxis {
 struct LogAxis {
   static constexpr int per_octave = 8;
 
-  int lowest_exponent;  ///< of the first octave: x starts at 2^lowest_exponent
+  int lowest_exponent;  ///< exponent of the first octave: x starts at 2^lowest_exponent
   int octaves;
 
   WRC_IN_LOOP constexpr int intervals() const { return octaves * per_octave; }

@@ -37,7 +37,7 @@ inline double straightened(double normal_force) noexcept {
 /// before the jump come in gradually, so that patch and pressure move with the load instead of jumping.
 /// False if there are none, and the jump is of another kind.
 struct BeforeJump {
-  Span span;                  ///< of the patch
+  Span span;                  ///< span of the patch
   double normal_force = 0.0;  ///< [N]
 };
 bool join_gradually(const BeforeJump& before, double target, patch::Strips& strips) noexcept;
@@ -206,9 +206,9 @@ class LoadSearch {
 
  private:
   static constexpr double probe = 1e-4;         // relative step of a stiffness that no two iterates give
-  static constexpr double least_share = 1e-12;  // of the ceiling: below, halving would go on to denormals
+  static constexpr double least_share = 1e-12;  // share of the ceiling: halving could reach denormals below
   static constexpr double least_step = 1e-7;    // relative: over less, rounding is felt in a secant's slope
-  static constexpr double rounding = 1e-12;     // of a load, from where the borders' root search ends
+  static constexpr double rounding = 1e-12;     // share of a load, from where the borders' root search ends
   static constexpr int most_jumps = 4;          // looked into
 
   Trial evaluate(double approach) noexcept {
@@ -320,7 +320,7 @@ class LoadSearch {
   int jumps_ = 0;
   double previous_ = 0.0,
          x_previous_ = 0.0;  ///< the trial before; the unloaded state is a point of the curve
-  double slope_ = 0.0;       ///< of the straightened load over the approach
+  double slope_ = 0.0;       ///< slope of the straightened load over the approach
 };
 
 /// Finds the patch at the prescribed approach, or searches the approach for the prescribed load: secant steps

@@ -98,7 +98,7 @@ void divide_regions(const Kernels& kernels, const patch::GapRows& rows, const pa
                     std::int32_t count, patch::Strips& strips) noexcept {
   if (regions.count == 1)
     return divide_span(kernels, rows, lowest, scale, approach, regions.of[0], count, strips);
-  constexpr double least = 1e-6;  // of a width: no strip is made of less
+  constexpr double least = 1e-6;  // share of a width: no strip is made of less
   // One width for all regions [m]; each further region may cost a strip cut in two.
   double total = 0.0;
   for (std::int32_t r = 0; r < regions.count; ++r) total += regions.of[static_cast<std::size_t>(r)].width();

@@ -55,7 +55,7 @@ struct MiddlePlane {
 /// index.
 struct MiddlePlaneCells {
   Indices first;
-  Pack fraction;  ///< of the way to the next
+  Pack fraction;  ///< share of the way to the next
 };
 
 WRC_IN_LOOP void find_cells(Pack tau, MiddlePlaneCells& cells) {
@@ -106,7 +106,7 @@ WRC_IN_LOOP Number width_correction(const Number& t, const Number& inverse_to_en
 /// Rows of InfluenceTables::anywhere.
 struct LineRows {
   Bits first_cell;  ///< index of it in the table, in the lower halves
-  Pack fraction;    ///< of the way to the next row
+  Pack fraction;    ///< share of the way to the next row
 };
 
 /// At places on the rows' axis; those outside are taken to its ends.
@@ -153,14 +153,14 @@ inline LineRows line_rows(Pack tau) {
 /// J in two neighbouring columns, interpolated between the rows.
 struct BetweenColumns {
   Pack here, rise;            ///< to the next column, away from the line's end
-  Pack here_rise, next_rise;  ///< of both to the next row
-  Pack fraction;              ///< of the way to the next column
+  Pack here_rise, next_rise;  ///< rise of both to the next row
+  Pack fraction;              ///< share of the way to the next column
 };
 
 /// Cells of that table, as MiddlePlaneCells.
 struct LineCells {
   Indices first;
-  Pack fraction, row_fraction;  ///< of the way to the next column, to the next row
+  Pack fraction, row_fraction;  ///< share of the way to the next column, to the next row
 };
 
 /// xi - 1 >= -1.

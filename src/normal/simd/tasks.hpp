@@ -37,7 +37,7 @@ inline constexpr std::int32_t beyond_sources = most_lanes + 8;
 /// its last.
 struct Sources {
   double *y, *centre;      ///< place [m]
-  double* inverse_length;  ///< of the half length [1/m]
+  double* inverse_length;  ///< inverse of the half length [1/m]
   double* line_load;       ///< peak times width [N/m]
 };
 

@@ -41,8 +41,8 @@ struct StripSystem {
   double* shift = nullptr;            ///< x_ca - gap_centre that they ask for [m]
   simd::Sources sources{};            ///< the active strips
   simd::Sources pairs{};  ///< active strips a and a + 1 joined; the outermost strips alone at both ends
-  double* half_width = nullptr;                            ///< of active strips, over their half length [-]
-  double* edge = nullptr;                                  ///< x of their edges [m]
+  double* half_width = nullptr;  ///< half width of active strips, over their half length [-]
+  double* edge = nullptr;        ///< x of their edges [m]
   double *leading = nullptr, *trailing = nullptr;          ///< displacement there, over the compliance [m Pa]
   std::int32_t *active = nullptr, *next_active = nullptr;  ///< indices of the strips in contact
   std::int32_t* row_known = nullptr;  ///< 1: row j of the influence belongs to the present lengths

@@ -74,7 +74,7 @@ struct FollowedOverlaps {
   std::int32_t face;  ///< that the strips gathered belong to
   FollowedStrips gathered;
 
-  /// Adds what else varies, and keeps the strip if it is deeper than the margin then.
+  /// Adds the other variations of the overlap, and keeps the strip if it is deeper than the margin then.
   void keep(std::int32_t strip, std::int32_t piece, double u, StripOverlap<double> s) {
     const double y = surfaces.out_of_round.rows > 0 ? evaluate(surfaces.wheel.curve, piece, u).y : 0.0;
     follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, s);

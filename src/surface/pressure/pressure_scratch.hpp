@@ -88,7 +88,7 @@ struct PressureScratch {
   Change change;                             ///< in the last iteration
   double *rim_weight, *upper, *smooth_part;  ///< for precondition()
   Iterate iterate[history + 1];
-  Iterate best;                               ///< what the map moves least of all attempts that failed
+  Iterate best;  ///< the iterate that the map moves least, of all attempts that failed
   double products[history + 1][history + 1];  ///< scalar products of the iterates' steps
   double shares[history];                     ///< shares g of earlier iterates in `next`
   double* next;                               ///< accelerated iterate
