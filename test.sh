@@ -4,20 +4,21 @@
 #                      ones; golden hashes of every instruction set, two ways of calling; format, code written twice,
 #                      references in comments, figures of the house, one definition a name.
 #                      Leaves out: what the next ones add
-#   ./test.sh          8 minutes. Besides: the long tests; golden hashes of all ways of calling; tests of the generators; the
-#                      interface, but for long tests and kernels for AVX-512, under the address and undefined-behaviour
-#                      sanitizers; proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy over
-#                      what changed lately, growth of structs, manual, main job.
-#                      Leaves out: clang's and mingw's builds, report programs, the Python package, FMUs, hosts, packages, the
-#                      library inside another project, headers under all compilers, symbols of unoptimised kernels, hostile input and
-#                      the fuzzer; under the sanitizers slow tests, unit tests, golden hashes and examples
+#   ./test.sh          8 minutes. Besides: the long tests; golden hashes of all ways of calling; the interface, but for long tests
+#                      and kernels for AVX-512, under the address and undefined-behaviour sanitizers; proofs of real time,
+#                      accuracy, examples, installed tree, instruction counts, clang-tidy over what changed lately, growth of
+#                      structs, manual, main job.
+#                      Leaves out: clang's and mingw's builds, report programs, tests of generators and calibrations, the Python
+#                      package, FMUs, hosts, packages, the library inside another project, headers under all compilers, symbols of
+#                      unoptimised kernels, hostile input and the fuzzer; under the sanitizers slow tests, unit tests, golden
+#                      hashes and examples
 #   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
 #                      bits, examples, FMUs and package, under wine.
 #                      Leaves out: what compiles the library again to compare its results
-#   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, golden hashes from every
-#                      compiler and optimisation and on aarch64 under qemu, kernel symbols at every optimisation, clang-tidy over
-#                      everything, run.sh's own build, static and fetched library, packages from two clones, a method, member,
-#                      field, status added to a copy, every struct made larger in a copy
+#   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, three of the longest tests
+#                      under sanitizers, golden hashes from every compiler and optimisation and on aarch64 under qemu, kernel
+#                      symbols at every optimisation, clang-tidy over everything, run.sh's own build, static and fetched library,
+#                      packages from two clones, a method, member, field, status added to a copy, every struct made larger in a copy
 # Every check is a test of ctest: `ctest --test-dir build/release -L surface` runs what is about src/surface, and
 # `--print-labels` names the labels. Before the last line stand what was left out and what each part took; the last line
 # counts. The exit status is 0 if something passed and nothing failed.
@@ -29,7 +30,7 @@ tier=${1:-default}
 case $tier in
   default | quick | ci) ;;
   all) export WRC_TEST_ALL=1 ;; # kernel_symbols: more optimisations
-  *) sed -n '2,23s/^# *//p' "$0"; exit 2 ;;
+  *) sed -n '2,24s/^# *//p' "$0"; exit 2 ;;
 esac
 need_packages g++ gcc cmake ninja-build libeigen3-dev libgtest-dev clang-format binutils python3 similarity-tester \
   python3-clang-14
@@ -79,24 +80,24 @@ and what that leaves out"
     part release tree release -L '^quick$' -- wrc unit_tests reference_tests abi_tests golden_hash
     ;;
   default)
-    left="builds of clang and mingw, report programs, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, hostile input, fuzzer \
+    left="builds of clang and mingw, report programs, tests of generators and calibrations, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, hostile input, fuzzer \
 (./test.sh ci), and what that leaves out"
     part release tree release -LE '^(long|rebuild)$'
     part sanitize tree sanitize -DWRC_AVX512=OFF -R '^abi_' -LE '^long$' -- abi_tests
     ;;
   ci)
-    left="clang's build, most of mingw's tests, thread sanitizer, other compilers and processors, clang-tidy over everything, static and \
+    left="clang's build, most of mingw's tests, thread sanitizer, three of the longest tests under sanitizers, other compilers and processors, clang-tidy over everything, static and \
 fetched library, packages from two clones, growth built on a copy (./test.sh all)"
-    part release tree release -LE '^rebuild$' -- all tools/all
-    part sanitize tree sanitize -DWRC_AVX512=ON
+    part release tree release -LE '^rebuild$' -- all tools/all long_tests
+    part sanitize tree sanitize -DWRC_AVX512=ON -LE '^rebuild$' -- all long_tests
     part mingw mingw
     ;;
   all)
     left=nothing
     (need_packages g++-aarch64-linux-gnu qemu-user) || echo "without them the aarch64 build is skipped"
-    part release tree release -- all tools/all
-    part sanitize tree sanitize -DWRC_AVX512=ON
-    part clang tree clang -- all tools/all
+    part release tree release -- all tools/all long_tests
+    part sanitize tree sanitize -DWRC_AVX512=ON -- all long_tests
+    part clang tree clang -- all tools/all long_tests
     part tsan tree tsan # threads that share a model
     part mingw mingw
     ;;

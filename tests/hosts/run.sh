@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The runs of docs/hosts.md at full length, ten minutes of one core; rows and pictures go to out/hosts.
-#   run.sh [BUILD]      a built tree [build/release]; hosts that are missing are named and left out
+#   run.sh [BUILD]      a tree with the target long_tests built [build/release]; hosts that are missing are named and left out
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release}
