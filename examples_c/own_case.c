@@ -162,7 +162,9 @@ static options parse(int argc, char** argv) {
       given.scale = strcmp(value, "mm") == 0 ? 1e-3 : 1.0;
       ++i;
     } else {
-      fprintf(stderr, "unknown option or missing value: %s; see ./run.sh --help\n", option);
+      fprintf(stderr, value != NULL ? "unknown option: %s" : "%s has no value behind it, or is no option",
+              option);
+      fputs("; see ./run.sh --help\n", stderr);
       exit(EXIT_FAILURE);
     }
   }
