@@ -69,10 +69,11 @@ def _choice(kind: Any, value: Any) -> Any:
         for name, member in names.items():
             if wanted == name or name.endswith("_" + wanted) and wanted[:1].isdigit():
                 return member
-        near, now = difflib.get_close_matches(wanted, names, 1), since(kind.__name__, wanted)
+        shown = [name.removeprefix("PROFILE_") for name in names]
+        near, now = difflib.get_close_matches(wanted, shown, 1), since(kind.__name__, wanted)
         raise ValueError(f"{value!r} is no {kind.__name__}: " + (now or (f"did you mean {near[0]!r}?" if near else
-                         f"choose {', '.join(repr(name) for name in names)}")) +
-                         ("; wrc.shape() has other standard profiles" if kind.__name__ == "ProfileKind" else ""))
+                         f"choose {', '.join(map(repr, shown))}")) +
+                         (" (wrc.shape() has other standard profiles)" if kind.__name__ == "ProfileKind" else ""))
     try:
         return kind(value)
     except ValueError:
