@@ -165,7 +165,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
       const Mask grows = o.slope > 0.0;
       behind = select(grows, x, behind);
       ahead = select(grows, ahead, x);
-      const Mask between = (next >= behind) & (next <= ahead);  // x bounds it: a step may vanish
+      const Mask between = (next > behind) & (next < ahead);
       next = select(between, next, 0.5 * (x + select(grows, ahead, behind)));
     }
     const Pack to = smaller(larger(next, task.low), task.high) - x;
