@@ -1028,8 +1028,8 @@ WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t 
 
 /* ------------------------------------------------------------------------------------------------ results by region */
 
-/** One region of the contact's last solution: of the last wrc_contact_wrench() or of the last stages of wrc_planar.h, whichever
- * came later. The results stay as they are, here and in the calls below.
+/** One region of the contact's last solution: of wrc_contact_wrench() or of the stages of wrc_planar.h, whichever came later. The
+ * results stay. After a restored state or derivatives the first call here or below solves wrc_planar_tangential() again, at its cost.
  * @param contact the contact; its work space is used
  * @param index 0 .. number of regions - 1, from the gauge side to the field side of a rail, on a contact plane by increasing y
  * @param[out] region the region

@@ -14,7 +14,8 @@ inline constexpr std::size_t block_alignment = 64;  ///< a cache line, and the w
 
 /// Every array a contact owns: over cells, over the strips of the normal problem and the rows of the gap,
 /// then over the `region_` strips that rolled (the same values unless a variant replaces the patch by an
-/// ellipse). Those from `cells_known` on lie behind the state, where copies of it go.
+/// ellipse). Those from `cells_known` on lie behind the state, where copies of it go; so do those over cells,
+/// unless a method remembers them.
 enum class Array : std::size_t {
   traction_x,
   traction_y,

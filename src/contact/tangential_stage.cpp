@@ -294,7 +294,7 @@ Friction friction_of(const Contact& contact) {
 }
 
 void find_cells(Contact& contact) {
-  if (contact.model->options.non_steady || cells_known(contact) > 0.0) return;
+  if (contact.model->options.non_steady || !gives_fields(contact) || cells_known(contact) > 0.0) return;
   cells_known(contact) = 1.0;
   const Friction friction = friction_of(contact);
   for (std::int32_t k = 0; k < contact.patches; ++k) {

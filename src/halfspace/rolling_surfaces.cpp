@@ -277,7 +277,7 @@ SurfacePoint RollingSurfaces::nearest_place(SurfaceRow& row) const {
       if (!here.found && k % whole_search == 0) here = point(row, x);
     }
   }
-  // the deepest of the valleys between them, the nearer of two
+  // the deepest of the valleys between them; of two alike, that behind
   SurfacePoint nearest;
   const SurfaceRow as_it_is = row;
   const auto gap = [&](int k) { return k >= 0 && k <= 2 * side && places[k].found ? places[k].gap : 1.0; };

@@ -3984,8 +3984,9 @@ class ContactCalls(_l.Handle):
             contact than there is room for: 84 of the default widths, 56 at "real time".
         """
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
-        """One region of the contact's last solution: of the last Contact.wrench() or of the last stages of
-            wrc_planar.h, whichever came later. The results stay as they are, here and in the calls below.
+        """One region of the contact's last solution: of Contact.wrench() or of the stages of wrc_planar.h,
+            whichever came later. The results stay. After a restored state or derivatives the first call here
+            or below solves Contact.planar_tangential() again, at its cost.
 
         index: 0 .. number of regions - 1, from the gauge side to the field side of a rail, on a contact plane
             by increasing y

@@ -314,9 +314,8 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   constexpr double near = 0.01e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
   const Number least = least_curvature_left * at.own,
                first = half_contact(at.depth, larger(-at.bend, at.own));
-  ContactChord<Number> chord;
+  ContactChord<Number> chord{at.x, first, {at.depth, at.depth}};
   Number reach[2] = {first, first};
-  chord.middle = at.x;
   auto goes = value_of(first) > 0.0;  // all
   for (int n = 0; n < most_rounds; ++n) {
     // overlaps in the middle, first that known, and on both sides, which fall outwards

@@ -24,13 +24,14 @@ Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
   std::int32_t k = 0;
   for (std::int32_t n = 1; n < s.strips.count; ++n)
     if (s.strips.half_length[n] > s.strips.half_length[k]) k = n;
-  const std::int32_t i = s.strips.candidate[k], strip = o.strip[i], face = face_of(model.varying, strip);
-  if (!model.varying.face[face].changes) return {};
+  const std::int32_t i = s.strips.candidate[k], strip = o.strip[i];
+  if (!changes_along(model, strip)) return {};
 
   // the overlap at places ahead and behind, from the edge of the contact on
   constexpr double nearest = 0.5, apart = 1.5e-3;  // [-], [m]
   constexpr int to_a_side = 10;
   const PlacedRail& rail = problem.rail;
+  const std::int32_t face = face_of(model.varying, strip);
   StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
                           rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
   const double l = s.strips.half_length[k], at = s.strips.x[k];
