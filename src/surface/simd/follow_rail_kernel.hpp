@@ -144,7 +144,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   const FollowRailTask& task = strips.task;
   const RayEnds first_ends = ends;
   const Pack first_x = x, first_ny = strips.ny, first_nz = strips.nz;
-  Pack behind = -far, ahead = far;
+  Pack behind = -far, ahead = far, last = far;  // bounds of the place, and the last step [m]
   Mask goes = Pack(0.0) < 1.0;  // all lanes
   for (int n = 0; n < most_steps; ++n) {
     const surface::RayStart<Pack> from = strips.start(x);
@@ -165,10 +165,13 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
       const Mask grows = o.slope > 0.0;
       behind = select(grows, x, behind);
       ahead = select(grows, ahead, x);
-      const Mask between = (next > behind) & (next < ahead);
+      // a step that is not half of the last one goes to and fro between them: halve instead
+      const Mask known = ahead - behind < far, slow = 2.0 * magnitude(next - x) > last;
+      const Mask between = (next >= behind) & (next <= ahead) & !(known & slow);
       next = select(between, next, 0.5 * (x + select(grows, ahead, behind)));
     }
     const Pack to = smaller(larger(next, task.low), task.high) - x;
+    last = magnitude(to);
     x = select(goes, x + to, x);
     // both steps square the residual, once the rays have been turned
     if (n > 0) goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
