@@ -140,12 +140,12 @@ struct RayEnds {
 /// properly, as on the sides of faces far from it, are left as they were.
 inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   constexpr int most_steps = 24, soon = 4;
-  constexpr double longest = 10e-3, close = 1e-6, far = 1e300;  // [m]
+  constexpr double longest = 10e-3, close = 1e-8, far = 1e300;  // [m]
   const FollowRailTask& task = strips.task;
   const RayEnds first_ends = ends;
   const Pack first_x = x, first_ny = strips.ny, first_nz = strips.nz;
   Pack behind = -far, ahead = far, last = far;  // bounds of the place, and the last step [m]
-  Mask goes = Pack(0.0) < 1.0;  // all lanes
+  Mask goes = Pack(0.0) < 1.0;                  // all lanes
   for (int n = 0; n < most_steps; ++n) {
     const surface::RayStart<Pack> from = strips.start(x);
     // slopes that bound the place are those at the ray's end itself
@@ -166,8 +166,8 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
       behind = select(grows, x, behind);
       ahead = select(grows, ahead, x);
       // a step that is not half of the last one goes to and fro between them: halve instead
-      const Mask known = ahead - behind < far, slow = 2.0 * magnitude(next - x) > last;
-      const Mask between = (next >= behind) & (next <= ahead) & !(known & slow);
+      const Mask bounded = far > ahead - behind, slow = 2.0 * magnitude(next - x) > last;
+      const Mask between = (next >= behind) & (next <= ahead) & !(bounded & slow);
       next = select(between, next, 0.5 * (x + select(grows, ahead, behind)));
     }
     const Pack to = smaller(larger(next, task.low), task.high) - x;
