@@ -306,8 +306,8 @@ struct ContactChord {
 
 /// The chord between the places ahead and behind where the overlap has fallen, from that in the middle, as a
 /// parabola's falls over half a contact: by Newton's method from the largest overlap. It does not leap where
-/// one of two tops within the contact becomes the larger one. `rays`: overlap and slope at a place by one of
-/// AlongRay, each from its own end, in lanes that still go.
+/// one of two tops within the contact becomes the larger one, as rays are turned with the middle. `rays`:
+/// overlap and slope at a place by one of AlongRay, each from its own end, in lanes that still go.
 template <class Number, class Rays>
 ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   constexpr int most_rounds = 6;
@@ -324,6 +324,7 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
       const OverlapAlong<Number> middle = rays.look(ray_middle, chord.middle, goes);
       top = middle.depth;
       top_slope = middle.slope;
+      rays.turn_as(middle, chord.middle, goes);
     }
     const OverlapAlong<Number> ahead = rays.look(ray_ahead, at.x + reach[0], goes),
                                behind = rays.look(ray_behind, at.x - reach[1], goes);

@@ -73,6 +73,11 @@ struct RaysAlong {
     RayStart<PlaceDual> from;
     return overlap(ray, x, from);
   }
+  void turn_as(const OverlapAlong<PlaceDual>& o, const PlaceDual& x, bool) {
+    turn(o, x, strip.ny, strip.nz);
+    plain.ny = strip.ny.value;
+    plain.nz = strip.nz.value;
+  }
   AtMiddle<PlaceDual> at_middle(const PlaceDual& x) {
     AtMiddle<PlaceDual> m;
     const OverlapAlong<PlaceDual> o = overlap(ray_middle, x, m.from);

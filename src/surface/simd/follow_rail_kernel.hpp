@@ -215,6 +215,14 @@ struct RaysAlong {
     return o;
   }
 
+  /// Turns the rays, in lanes that go, as the normals are at the place looked at last.
+  void turn_as(const surface::OverlapAlong<Pack>& o, Pack, Mask goes) {
+    Pack ny = strips.ny, nz = strips.nz;
+    strips.turn(o, ny, nz);
+    strips.ny = select(goes, ny, strips.ny);
+    strips.nz = select(goes, nz, strips.nz);
+  }
+
   surface::AtMiddle<Pack> at_middle(Pack x) {
     const FollowRailTask& task = strips.task;
     RayEnds& at = end[surface::ray_middle];
