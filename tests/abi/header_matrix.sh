@@ -63,6 +63,7 @@ int snprintf(char*, size_t, const char*, ...);
 int sscanf(const char*, const char*, ...);
 #define EOF (-1)
 int puts(const char*);
+int fputs(const char*, FILE*);
 int fgetc(FILE*);
 char* fgets(char*, int, FILE*);
 FILE* fopen(const char*, const char*);

@@ -358,9 +358,10 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
     if (!any(goes)) break;
   }
   // the overlaps at ends that were not reached, or of a contact that is cut short
-  const auto cut = goes | (value_of(chord.half) >= longest_half) |
-                   (value_of(chord.middle + chord.half) > value_of(at.high)) |
-                   (value_of(chord.middle - chord.half) < value_of(at.low));
+  const auto too_long = value_of(chord.half) >= longest_half,
+             ahead_of_face = value_of(chord.middle + chord.half) > value_of(at.high),
+             behind_face = value_of(chord.middle - chord.half) < value_of(at.low);
+  const auto cut = goes | too_long | ahead_of_face | behind_face;
   if (any(cut)) {
     const Number ahead = rays.look(ray_ahead, chord.middle + chord.half, cut).depth,
                  behind = rays.look(ray_behind, chord.middle - chord.half, cut).depth;

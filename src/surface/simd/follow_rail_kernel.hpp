@@ -165,7 +165,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
       const Mask grows = o.slope > 0.0;
       behind = select(grows, x, behind);
       ahead = select(grows, ahead, x);
-      // a step that is not half of the last one goes to and fro between them: halve instead
+      // a step that is not half of the last one goes back and forth between them: halve instead
       const Mask bounded = far > ahead - behind, slow = 2.0 * magnitude(next - x) > last;
       const Mask between = (next >= behind) & (next <= ahead) & !(bounded & slow);
       next = select(between, next, 0.5 * (x + select(grows, ahead, behind)));
