@@ -968,7 +968,7 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
  * @return WRC_OK, or the gravest flag:
- *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
+ *  - WRC_FLAG_NO_CONTACT: apart. Also a wheel too far inside the rail, a flange 4 mm inside its side, which the sentence says.
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
  *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead
  *    or behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for. Or a

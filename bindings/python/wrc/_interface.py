@@ -3938,19 +3938,19 @@ class ContactCalls(_l.Handle):
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
-            inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
-            _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile, or of
-            a surface along the track. Or it lies more than 160 mm ahead or behind, where it is not looked
-            for. _MORE_PATCHES: more regions or strips than there is room for. Or a round wheel touches a rail
-            at two places along the track, of which one carries the load. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
-            config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
-            take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
-            planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
-            _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model without profiles;
-            zones in a contact frame; friction over temperature of a method without tractions; with
-            config.surface.memory friction over temperature and a layer.
+        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a wheel too far inside
+            the rail, a flange 4 mm inside its side, which the sentence says. - _ITERATION_CAP; _CLIMBING;
+            _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of
+            a profile, or of a surface along the track. Or it lies more than 160 mm ahead or behind, where it
+            is not looked for. _MORE_PATCHES: more regions or strips than there is room for. Or a round wheel
+            touches a rail at two places along the track, of which one carries the load. - _CREEPAGES_LIMITED:
+            slower than 0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. -
+            _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm
+            further than its velocities take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness
+            there. - _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or
+            Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load).
+            _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over temperature of a
+            method without tractions; with config.surface.memory friction over temperature and a layer.
         """
         if out is None:
             out = Wrench._new()
