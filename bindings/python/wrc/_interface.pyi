@@ -4075,7 +4075,7 @@ class ContactCalls(_l.Handle):
             are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
             rolling. With speed 0 the wheel rests, and the displacement is a shift. Over two lengths of the
             patch rolling is steady. A contact begins without tractions, also after the bodies have been
-            apart. Save and restore hold them. Theory manual, "Contact that remembers".
+            apart. Save and restore hold them. Theory manual, "Contact with memory".
 
         distance: rolled either way, or at rest the length that creepages are per, 0..1e6 m
 
