@@ -68,10 +68,10 @@ inline void enter_pair(const Cell& even, SlipShape& shape) {
   shape.per_odd = of_even * inverse;
 }
 
-/// Magnitude of the slip in a cell, before the scaling to the balance of power: rigid slip along the traction
-/// plus the elastic slip, 2 B L x of a strip that slips as a whole and that by strips beside, times the form
-/// of Carter's solution where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u), and the factor by the
-/// place across.
+/// Magnitude of the slip in a cell [-], before the scaling to the balance of power. It is the rigid slip
+/// along the traction, plus the elastic slip 2 B L x of a strip that slips as a whole, plus that by strips
+/// beside. Two factors follow: Carter's form where only u < u_s slips, 2 sqrt(v (u_s - u)) / (v + u_s - u),
+/// and the factor by the place across.
 inline Pack slip_size(const Group& g, SlipShape& shape, const Cell& cell, Pack rho_x, Pack rho_y) {
   if ((cell.index & 1) == 0) enter_pair(cell, shape);
   const Pack zero = 0.0;
