@@ -270,6 +270,7 @@ void begin_iterations(StripSet& s, PressureScratch& w) {
   s.skewed = false;
   for (std::int32_t i = 1; i < s.count; ++i) s.skewed = s.skewed || s.deepest_x[i] != s.deepest_x[0];
   for (std::int32_t i = 0; i < s.count; ++i) w.in_contact[i] = s.L[i] > 0.0;
+  std::fill_n(w.continued, s.count, 0.0);
   w.active.count = 0;
   if (s.skewed) {
     std::fill(w.inverse_reach + s.count, w.inverse_reach + simd::whole_packs(s.count), 0.0);
