@@ -40,10 +40,10 @@ namespace wrc::halfspace {
 ///     s_i = w - (u(x_i + dx) - u(x_i)) / dx,
 /// contains the displacements one cell apart, with p constant per cell. The matrix is the same for both.
 enum class Collocation {
-  /// w at x_i + dx/4, p at x_i - dx/4. The difference quotient belongs to x_i + dx/2, and a piecewise
-  /// constant solution of this singular equation represents the exact one best a quarter of a cell behind
-  /// that of its nominal place and meets the equation best a quarter ahead: the quarter-chord,
-  /// three-quarter-chord rule of the vortex lattice (our leading edge is the airfoil's trailing edge).
+  /// w at x_i + dx/4, p at x_i - dx/4. The difference quotient belongs to x_i + dx/2. A piecewise constant
+  /// solution of this singular equation is nearest to the exact one a quarter of a cell behind its nominal
+  /// place, and meets the equation best a quarter ahead. That is the quarter-chord, three-quarter-chord rule
+  /// of the vortex lattice (our leading edge is the airfoil's trailing edge).
   quarter_point,
   /// w at x_i + dx/6, p at x_i: reproduces the reference program CONTACT 25.2 on its own grid to 1e-5 of mu
   /// N. The offset dx/6 was found by that comparison.
@@ -90,10 +90,10 @@ struct RollingSolution {
   Field slip_x, slip_y;          ///< sliding velocity / rolling speed [-]; zero outside the contact
   std::vector<tangential::CellState> state;
   tangential::TangentialForces forces;  ///< mz about the origin; power is the sum of -p . s over the cells
-  /// -(Fx nu_x + Fy nu_y + Mz phi) [N], the dissipation by the energy balance of steady rolling. The limit of
-  /// forces.power_per_speed for fine grids; it has the error of the forces only, where the sum over the cells
-  /// also misses the difference quotient's dissipation in steep gradients (first order, up to half where
-  /// only a few cells at the trailing edge slip).
+  /// -(Fx nu_x + Fy nu_y + Mz phi) [N], the dissipation by the energy balance of steady rolling: the limit of
+  /// forces.power_per_speed for fine grids. It has the error of the forces alone. The sum over the cells also
+  /// misses the difference quotient's dissipation in steep gradients: of first order, up to half where only a
+  /// few cells at the trailing edge slip.
   double power_by_balance = 0.0;
   int iterations = 0;     ///< Newton iterations on the given grid
   int products = 0;       ///< convolutions on the given grid
