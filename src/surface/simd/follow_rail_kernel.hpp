@@ -145,6 +145,29 @@ struct RayEnds {
   }
 };
 
+/// A step of the ends of rays from there, in lanes that go.
+WRC_IN_LOOP void step_ends(const StripsOverX& strips, const surface::RayStart<Pack>& from, Mask goes,
+                           RayEnds& ends) {
+  const FollowRailTask& task = strips.task;
+  ends.take(surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
+            goes, *task.wheel);
+}
+
+/// The overlap of rays from there by their ends.
+WRC_IN_LOOP surface::OverlapAlong<Pack> overlap_of(const StripsOverX& strips,
+                                                   const surface::RayStart<Pack>& from, const RayEnds& ends) {
+  return surface::overlap_along<Pack>(ends.on, *strips.task.pose, from, strips.ny, strips.nz, ends.u,
+                                      ends.depth);
+}
+
+/// Turns the rays of lanes that go, as the normals are at the place looked at last.
+WRC_IN_LOOP void turn_where(StripsOverX& strips, const surface::OverlapAlong<Pack>& o, Mask goes) {
+  Pack ny = strips.ny, nz = strips.nz;
+  strips.turn(o, ny, nz);
+  strips.ny = select(goes, ny, strips.ny);
+  strips.nz = select(goes, nz, strips.nz);
+}
+
 /// Slope, bend and the circle's curvature at the places of the largest overlaps, as in OverlapAlong.
 struct BesideLargest {
   Pack slope, bend, own;
@@ -171,12 +194,8 @@ inline BesideLargest find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   for (int n = 0; n < most_steps; ++n) {
     const surface::RayStart<Pack> from = strips.start(x);
     // slopes that bound the place are those at the ray's end itself
-    for (int k = 0; n >= soon && k < surface::ray_steps; ++k)
-      ends.take(
-          surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
-          goes, *task.wheel);
-    const surface::OverlapAlong<Pack> o =
-        surface::overlap_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth);
+    for (int k = 0; n >= soon && k < surface::ray_steps; ++k) step_ends(strips, from, goes, ends);
+    const surface::OverlapAlong<Pack> o = overlap_of(strips, from, ends);
     // the ray's end, by a step of its own
     const Pack moved = o.depth - ends.depth;
     ends.take(o, goes, *task.wheel);
@@ -200,10 +219,7 @@ inline BesideLargest find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
     if (n > 0) goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
     if (!any(goes)) return largest;
     // rays along the mean of the normals there
-    Pack ny = strips.ny, nz = strips.nz;
-    strips.turn(o, ny, nz);
-    strips.ny = select(goes, ny, strips.ny);
-    strips.nz = select(goes, nz, strips.nz);
+    turn_where(strips, o, goes);
   }
   // those that are not there
   double lost[lanes];
@@ -216,9 +232,7 @@ inline BesideLargest find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   x = select(goes, first_x, x);
   strips.ny = select(goes, first_ny, strips.ny);
   strips.nz = select(goes, first_nz, strips.nz);
-  largest.take(surface::overlap_along<Pack>(ends.on, *task.pose, strips.start(x), strips.ny, strips.nz,
-                                            ends.u, ends.depth),
-               goes);
+  largest.take(overlap_of(strips, strips.start(x), ends), goes);
   return largest;
 }
 
@@ -229,36 +243,23 @@ struct RaysAlong {
   bool first[surface::along_rays] = {true, true, true};
 
   surface::OverlapAlong<Pack> look(surface::AlongRay ray, Pack x, Mask goes) {
-    const FollowRailTask& task = strips.task;
     RayEnds& at = end[ray];
     const surface::RayStart<Pack> from = strips.start(x);
-    if (first[ray])
-      at.take(surface::step_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth), goes,
-              *task.wheel);
+    if (first[ray]) step_ends(strips, from, goes, at);
     first[ray] = false;
-    const surface::OverlapAlong<Pack> o =
-        surface::overlap_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth);
-    at.take(o, goes, *task.wheel);
+    const surface::OverlapAlong<Pack> o = overlap_of(strips, from, at);
+    at.take(o, goes, *strips.task.wheel);
     return o;
   }
 
-  /// Turns the rays, in lanes that go, as the normals are at the place looked at last.
-  void turn_as(const surface::OverlapAlong<Pack>& o, Pack, Mask goes) {
-    Pack ny = strips.ny, nz = strips.nz;
-    strips.turn(o, ny, nz);
-    strips.ny = select(goes, ny, strips.ny);
-    strips.nz = select(goes, nz, strips.nz);
-  }
+  void turn_as(const surface::OverlapAlong<Pack>& o, Pack, Mask goes) { turn_where(strips, o, goes); }
 
   surface::AtMiddle<Pack> at_middle(Pack x) {
-    const FollowRailTask& task = strips.task;
     RayEnds& at = end[surface::ray_middle];
     const Mask all = Pack(0.0) < 1.0;
     const surface::RayStart<Pack> from = strips.start(x);
-    at.take(surface::step_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth), all,
-            *task.wheel);
-    const surface::OverlapAlong<Pack> o =
-        surface::overlap_along<Pack>(at.on, *task.pose, from, strips.ny, strips.nz, at.u, at.depth);
+    step_ends(strips, from, all, at);
+    const surface::OverlapAlong<Pack> o = overlap_of(strips, from, at);
     Pack ny = strips.ny, nz = strips.nz;
     strips.turn(o, ny, nz);
     return {from, ny, nz, o.depth, o.own};
