@@ -2176,8 +2176,8 @@ class PlanarOutputDict(TypedDict, total=False):
 
 class WearLaws(s.Struct):
     """Parameters of the wear laws. Defaults are the published values, in their published units; all are
-        unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
-        Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
+        unconfirmed (quoted from memory, not checked against the original texts) and depend on the pair of
+        steels. Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
         wheel on UIC60 900A; Braghin et al. 2006). - Archard: depth per second, k p v / hardness with the map
         of Jendel (Wear 253 (2002)). - Power law: depth per second, power_coefficient / density * q (q /
@@ -2486,8 +2486,8 @@ class DamageBinsDict(TypedDict, total=False):
 class FatigueLaws(s.Struct):
     """Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to start, rising straight
         to peak at peak_at, falling straight through zero at end and on below it, where wear wins. For R220
-        and R260 steel; Burstow, RSSB T115 (2004); remembered, unconfirmed. The direction of the creep force,
-        by which the model tells cracks that open, is left to the caller.
+        and R260 steel; Burstow, RSSB T115 (2004); quoted from memory, unconfirmed. The direction of the creep
+        force, by which the model tells cracks that open, is left to the caller.
     """
     whole_life_start: float
     """whole_life_start [N]: T-gamma from which cracks start (0 .. 1e6; default 15)"""
@@ -3941,8 +3941,8 @@ class ContactCalls(_l.Handle):
             says so. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED. -
             _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
             more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
-            strips than there is room for. Or a round wheel touches a rail at two places along the track, of
-            which one carries the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
+            strips than there is room for. Or a round wheel touches a rail at three places along the track, of
+            which two carry the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
             Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
             config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
             take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a

@@ -13,10 +13,11 @@
 namespace wrc::surface {
 namespace {
 
-/// Flags a second place along the track where a strip would carry load: a strip has one. Looked at is the
-/// strip of the longest contact. Beyond its half length l the load presses the surfaces apart by at most
-/// w l / t at the distance t, w the overlap at the contact's edge. A larger overlap there is pressed.
-Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
+/// Flags a place along the track where a strip would carry load beside those it has. Looked at is the strip
+/// of the longest contact, up to a valley before its second place. Beyond its half length l the load presses
+/// the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's edge. A larger
+/// overlap there is pressed.
+Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   // a wheel that is not round has its own waves there, which are not looked at
   if (s.strips.count == 0 || model.out_of_round.rows > 0) return {};
@@ -24,7 +25,7 @@ Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
   std::int32_t k = 0;
   for (std::int32_t n = 1; n < s.strips.count; ++n)
     if (s.strips.half_length[n] > s.strips.half_length[k]) k = n;
-  const std::int32_t i = s.strips.candidate[k], strip = o.strip[i];
+  const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
   if (!changes_along(model, strip)) return {};
 
   // the overlap at places ahead and behind, from the edge of the contact on
@@ -41,13 +42,14 @@ Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
     double least = o.depth[i];
     for (int n = 0; n < to_a_side; ++n) {
       const double t = nearest * l + n * apart, x = at + way * t;
-      if (x < rail.low[face] || x > rail.high[face]) break;
+      if (x < larger(rail.low[face], o.behind[i]) || x > smaller(rail.high[face], o.ahead[i])) break;
       const double depth = depth_at(over, x, end);
       least = smaller(least, depth);
       if (t > l && depth * t > edge * l && depth > least)
         return Fault::more_patches(
-            "overlap at a second place along the track", {depth, "m"},
-            "a strip has one place of contact along the track: this one carries nothing");
+            "overlap at another place along the track", {depth, "m"},
+            "a strip has two places of contact along the track, on either side of a valley: this one carries "
+            "nothing");
     }
   }
   return {};
@@ -69,9 +71,9 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, const
   const Overlaps& o = s.overlaps;
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
-    const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
+    const std::int32_t i = s.strips.candidate[k], j = on_rail(o.strip[i]);
     // place on the rail; peak as the wrench has it, beyond the deepest overlap with its factor
-    results.strip[k] = j;
+    results.strip[k] = o.strip[i];
     results.y[k] = rail.y[j];
     results.z[k] = rail.z[j];
     results.angle[k] = strip_angle(rail, j);
@@ -109,14 +111,26 @@ void copy_start(const KeptStart& from, const KeptStart& to) {
   std::copy_n(from.depth, count, to.depth);
 }
 
-/// Change of the strips that are in contact in both of two solutions.
+/// A change by the strips of one solution, brought to those of a later one.
+void move_change(const KeptChange& from, const KeptStart& of, const KeptStart& later, const KeptChange& to) {
+  const auto count = static_cast<std::int32_t>(later.head->count);
+  const auto earlier = static_cast<std::int32_t>(of.head->set * of.head->count);
+  for (double* const each : {to.length_squared, to.shift, to.depth}) std::fill_n(each, count, 0.0);
+  for_shared_strips(count, later.strip, earlier, of.strip, [&](std::int32_t i, std::int32_t b) {
+    to.length_squared[i] = from.length_squared[b];
+    to.shift[i] = from.shift[b];
+    to.depth[i] = from.depth[b];
+  });
+}
+
+/// Change of the strips whose L is known in both of two solutions.
 void take_change(const KeptStart& before, const KeptStart& now, const KeptChange& change) {
   const auto count = static_cast<std::int32_t>(now.head->count);
   const auto earlier = static_cast<std::int32_t>(before.head->set * before.head->count);
   for (double* const each : {change.length_squared, change.shift, change.depth})
     std::fill_n(each, count, 0.0);
   for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
-    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) return;
+    if (before.length_squared[b] == 0.0 || now.length_squared[i] == 0.0) return;
     change.length_squared[i] = now.length_squared[i] - before.length_squared[b];
     change.shift[i] = now.shift[i] - before.shift[b];
     change.depth[i] = now.depth[i] - before.depth[b];
@@ -150,6 +164,7 @@ Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
 }  // namespace
 
 void mark_solution(const SurfaceState& state) {
+  move_change(state.change, state.mark, state.last, state.earlier);
   take_change(state.mark, state.last, state.change);
   copy_start(state.last, state.mark);
 }
@@ -160,7 +175,8 @@ SurfaceState cut_surface_state(Arena& arena, std::int32_t strips, std::int32_t r
     start->head = arena.take<KeptStartHead>(1);
     arena.each(strips, start->strip, start->length_squared, start->shift, start->depth);
   }
-  arena.each(strips, s.change.length_squared, s.change.shift, s.change.depth);
+  for (KeptChange* const change : {&s.change, &s.earlier})
+    arena.each(strips, change->length_squared, change->shift, change->depth);
   s.kept.head = arena.take<StripResultsHead>(1);
   for (double** const column : s.kept.columns()) *column = arena.take(strips);
   s.steps = arena.take<RememberedSteps>(1);
@@ -215,8 +231,10 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
                      {}},
                     warm ? StartFrom::solution : StartFrom::overlaps,
                     warm && last.head->stiffness > 0.0 ? last.head->stiffness : 1.0};
-  if (from == SolutionStart::mark)
+  if (from == SolutionStart::mark) {
     start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
+    start.solution.earlier = {state.earlier.length_squared, state.earlier.shift, state.earlier.depth};
+  }
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
@@ -231,7 +249,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   *last.head = {start.from == StartFrom::overlaps ? 0.0 : 1.0, out.height, -out.force[2], start.stiffness,
                 1.0 * start.solution.count};
   complete_results(problem, solution, state.kept);
-  keep_worst(fault, second_place(problem, solution));
+  keep_worst(fault, another_place(problem, solution));
   if (problem.memory) {
     state.steps->pending = 1.0;
     state.steps->to[0] = in.wheel.position[1] - in.rail.y;
