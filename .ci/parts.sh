@@ -8,7 +8,7 @@ compile() {
   : >"$log"
   "${@:3}" 2>&1 | while IFS= read -r line; do
     printf '%s\n' "$line" >>"$log"
-    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] && ((BASH_REMATCH[1] * 100 / BASH_REMATCH[2] >= next)) || continue
+    [[ $line =~ ^\[([1-9][0-9]*)/([0-9]+)\] ]] && ((BASH_REMATCH[1] * 100 / BASH_REMATCH[2] >= next)) || continue
     echo "$name: step ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} of the build, $((SECONDS - start)) s"
     next=$((BASH_REMATCH[1] * 100 / BASH_REMATCH[2] + 10))
   done

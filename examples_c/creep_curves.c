@@ -173,7 +173,10 @@ static void write_creep_curves(const char* directory) {
               exact.power_by_balance / (limit * unit[0]));
     }
   }
-  printf("Largest deviation of (Fx, Fy) from exact theory, in %% of friction x load:\n%-26s", "");
+  printf(
+      "\nCreep curves of a double ellipse a = 5.8 mm, b = 10.3 mm, psi = -0.3, 80 kN\n"
+      "Largest deviation of (Fx, Fy) from exact theory, in %% of friction x load:\n%-26s",
+      "");
   for (int s = 0; s < SWEEPS; ++s) printf(" %18s", sweeps[s].name);
   printf("\n");
   for (int v = 0; v < VARIANTS; ++v) {

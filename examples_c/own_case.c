@@ -145,8 +145,12 @@ static options parse(int argc, char** argv) {
     if (known) {
       ++i;
     } else if (strcmp(option, "--creepage") == 0) {
-      for (int k = 0; k < 3; ++k)
-        given.creepage[k] = number(option, i + 1 + k < argc ? argv[i + 1 + k] : NULL);
+      if (i + 3 >= argc) {
+        fputs("--creepage needs three numbers: longitudinal, lateral [-], spin [1/m]; see ./run.sh --help\n",
+              stderr);
+        exit(EXIT_FAILURE);
+      }
+      for (int k = 0; k < 3; ++k) given.creepage[k] = number(option, argv[i + 1 + k]);
       i += 3;
     } else if (value != NULL && strcmp(option, "--wheel") == 0) {
       given.wheel = argv[++i];

@@ -486,6 +486,63 @@ class WornHead {
   std::vector<double> y_, z_;
 };
 
+/// Distance of two vectors.
+double distance_of(const double (&a)[3], const double (&b)[3]) {
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/// Relative errors of poses against the exact solver [-], and the number of poses with another flag.
+struct ExactErrors {
+  std::vector<double> force, moment, power;
+  int others = 0;
+
+  /// Solves the pair's step both ways at its height.
+  void add(Pair& pair) {
+    wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
+    options.cell_x = options.cell_s = 3e-4;
+    wrc_wrench exact = sized<wrc_wrench>();
+    const int32_t status = pair.step(),
+                  exact_status = wrc_exact_wrench(pair.contact(), &pair.input, &options, &exact);
+    // the end of a surface is flagged
+    if ((status != WRC_OK && status != WRC_FLAG_PATCH_AT_EDGE) ||
+        (exact_status != WRC_OK && exact_status != WRC_FLAG_PATCH_AT_EDGE)) {
+      ++others;
+      return;
+    }
+    const double none[3] = {}, size = std::max(distance_of(exact.force, none), 20e3);
+    force.push_back(distance_of(pair.wrench.force, exact.force) / size);
+    moment.push_back(distance_of(pair.wrench.moment, exact.moment) / (0.75 * size));
+    if (exact.power > 100.0) power.push_back(std::abs(pair.wrench.power / exact.power - 1.0));
+  }
+
+  void print_row(const char* name) {
+    std::printf("  %-34s", name);
+    print(force);
+    print(moment);
+    print(power);
+    std::printf("%s\n", others > 0 ? (" flagged: " + std::to_string(others)).c_str() : "");
+    std::fflush(stdout);
+  }
+};
+
+/// Sets a random pose and motion without its height; `change` has the last word. Returns the load [N].
+double draw_pose(std::mt19937_64& random, const std::function<void(wrc_wheel_input&)>& change,
+                 wrc_wheel_input& input) {
+  input.damping = 0.0;
+  input.friction.coefficient = 0.0;
+  input.wheel.y = between(random, -6e-3, 6.5e-3);
+  input.wheel.yaw = between(random, -10e-3, 10e-3);
+  input.wheel.velocity[1] = between(random, -0.1, 0.1);
+  input.wheel.velocity[2] = 0.0;
+  input.wheel.angular_velocity[1] = -20.0 / radius * (1.0 + between(random, -4e-3, 4e-3));
+  change(input);
+  // it runs where it points to, and turns about its own axle
+  input.wheel.velocity[1] += 20.0 * std::tan(input.wheel.yaw);
+  input.wheel.angular_axes = WRC_AXES_BODY;
+  return between(random, 20e3, 120e3);
+}
+
 /// `only`: part of the names of the rows wanted.
 void against_exact(const char* only) {
   constexpr int poses = 40;
@@ -573,54 +630,18 @@ void against_exact(const char* only) {
     wrc_config config = bodies();
     change(config);
     Pair pair(config);
-    std::vector<double> force, moment, power;
-    int others = 0;
+    ExactErrors errors;
+    const bool wanted = std::strstr(name, only) != nullptr;
     for (int n = 0; n < poses; ++n) {
-      Input& input = pair.input;
-      input.damping = 0.0;
-      input.friction.coefficient = 0.0;
-      input.wheel.y = between(random, -6e-3, 6.5e-3);
-      input.wheel.yaw = between(random, -10e-3, 10e-3);
-      input.wheel.velocity[1] = between(random, -0.1, 0.1);
-      input.wheel.velocity[2] = 0.0;
-      input.wheel.angular_velocity[1] = -20.0 / radius * (1.0 + between(random, -4e-3, 4e-3));
-      pose(input);
-      // it runs where it points to, and turns about its own axle
-      input.wheel.velocity[1] += 20.0 * std::tan(input.wheel.yaw);
-      input.wheel.angular_axes = WRC_AXES_BODY;
-      const double damping = std::exchange(input.damping, 0.0);
-      const double load = between(random, 20e3, 120e3);
-      if (std::strstr(name, only) == nullptr) continue;  // poses of a row are the same, whichever rows run
-      input.wheel.z = pair.height(load);
-      input.damping = damping;
-      input.friction.coefficient = 0.3;
-      wrc_exact_wrench_options options = wrc_exact_wrench_options_default();
-      options.cell_x = options.cell_s = 3e-4;
-      wrc_wrench exact = sized<wrc_wrench>();
-      const int32_t status = pair.step(),
-                    exact_status = wrc_exact_wrench(pair.contact(), &input, &options, &exact);
-      // the end of a surface is flagged
-      if ((status != WRC_OK && status != WRC_FLAG_PATCH_AT_EDGE) ||
-          (exact_status != WRC_OK && exact_status != WRC_FLAG_PATCH_AT_EDGE)) {
-        ++others;
-        continue;
-      }
-      const auto off = [](const double(&a)[3], const double(&b)[3]) {
-        return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                         (a[2] - b[2]) * (a[2] - b[2]));
-      };
-      const double none[3] = {}, size = std::max(off(exact.force, none), 20e3);
-      force.push_back(off(pair.wrench.force, exact.force) / size);
-      moment.push_back(off(pair.wrench.moment, exact.moment) / (0.75 * size));
-      if (exact.power > 100.0) power.push_back(std::abs(pair.wrench.power / exact.power - 1.0));
+      const double load = draw_pose(random, pose, pair.input);
+      if (!wanted) continue;  // poses of a row are the same, whichever rows run
+      const double damping = std::exchange(pair.input.damping, 0.0);
+      pair.input.wheel.z = pair.height(load);
+      pair.input.damping = damping;
+      pair.input.friction.coefficient = 0.3;
+      errors.add(pair);
     }
-    if (std::strstr(name, only) == nullptr) continue;
-    std::printf("  %-34s", name);
-    print(force);
-    print(moment);
-    print(power);
-    std::printf("%s\n", others > 0 ? (" flagged: " + std::to_string(others)).c_str() : "");
-    std::fflush(stdout);
+    if (wanted) errors.print_row(name);
   }
 }
 

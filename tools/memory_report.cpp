@@ -1,4 +1,4 @@
-/// memory_report - contact that remembers, in numbers: S1002 on the benchmark UIC60 with
+/// memory_report - contact with memory, in numbers: S1002 on the benchmark UIC60 with
 /// config.surface.memory, beside the same wheel without.
 ///
 ///     memory_report steady [CASES [SEED]]   from rest under conditions that stay: difference to the steady force over mu N,

@@ -9,7 +9,8 @@
  *
  * @par Stability
  * wrc.h, wrc_methods.h, wrc_status.h and wrc_planar.h are frozen from 1.0 on: later versions add, and nothing that compiles or
- * runs today stops doing so. wrc_damage.h, wrc_offline.h and wrc_profiles.h may change in a minor version. docs/abi.md.
+ * runs today stops doing so. wrc_damage.h, wrc_surface.h, wrc_offline.h and wrc_profiles.h may change in a minor version.
+ * docs/abi.md.
  *
  * @par Frames and signs
  *
@@ -81,7 +82,7 @@
  *  - Structs grow. Those that begin with struct_size want sizeof the struct there, results too: wrc_wrench w = {sizeof w}.
  *    The others have `reserved` numbers, which must be 0.
  *  - A struct of an older or newer header is honoured, as long as what the library does not know is 0.
- *  - 0 is 0, never a sign for something else. What has two natural meanings has no default.
+ *  - 0 is the number 0, never a sign for a default. An input of two natural meanings has no default.
  *  - What a result does not have is 0. Its bit is missing in `available`, where there is one. Nothing is ever NaN.
  *  - NULL is never dereferenced: it is WRC_ERROR_NULL where a parameter's comment does not say what it means.
  *  - Nothing is kept of what a caller passes, but for memory handed to an init or create and the model of a contact.
@@ -89,7 +90,7 @@
  *  - Real-time class: "rt hard" functions never allocate, lock, throw, print, read files, environment, locale or clock, and
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
- *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.20 MB, with profiles 0.47 MB; a saved state 0.08 MB.
+ *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.20 MB, with profiles 0.48 MB; a saved state 0.08 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows
@@ -130,7 +131,7 @@ extern "C" {
 #define WRC_VERSION_PATCH 0 /**< see WRC_VERSION_MAJOR */
 /** Interface of wrc.h and wrc_planar.h. Raised when an existing caller would break; additions do not raise it. 1.0 has 1000. */
 #define WRC_ABI_VERSION 900
-/** Interface of wrc_damage.h, wrc_offline.h and wrc_profiles.h. A minor version may raise it. */
+/** Interface of wrc_damage.h, wrc_surface.h, wrc_offline.h and wrc_profiles.h. A minor version may raise it. */
 #define WRC_EXPERIMENTAL_VERSION 1
 
 /* ------------------------------------------------------------------------------------------------------ handles */
@@ -365,7 +366,7 @@ typedef struct wrc_config_track {
  * the distance. Marks divide that length: points of equal mark belong together. A surface is there from its first section to its last;
  * where the whole rail begins or ends its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its
  * edge, up to 14 mm high, with WRC_FLAG_PATCH_AT_EDGE. Height and force are continuous there; the peak pressure is not solved. A hollow
- * that is curved more than the wheel is met on one of its sides: force and place leap where that changes. Theory manual, section 9. */
+ * that is curved more than the wheel is met on one of its sides: force and place jump where that changes. Theory manual, section 9. */
 typedef struct wrc_rail_section {
   double distance;      /**< along the track, -1e7..1e7 m. Within a surface it increases by 1 mm at least [0] */
   double y;             /**< place of the profile's origin from that of config.rail, to the field side, -0.5..0.5 m [0] */
@@ -433,9 +434,9 @@ typedef struct wrc_config_surface {
   double max_work;     /**< work that a call may take, all heights of a prescribed load included, 1e3..1e9; of
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
                             takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
-  double max_iterations; /**< work that the normal problem at one height may take, in iterations over all strips that overlap
-                            there, and twice as many over those in contact, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The call
-                            then ends as with max_work [1e6] */
+  double max_iterations; /**< cap of the normal problem at one height, in iterations over all strips that overlap there; over
+                            those in contact about twice as many, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The call then ends as
+                            with max_work [1e6] */
   double reserved[9];    /**< 0 */
 } wrc_config_surface;
 
@@ -968,7 +969,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * @param input what to solve
  * @param[out] wrench the result; NULL: not wanted
  * @return WRC_OK, or the gravest flag:
- *  - WRC_FLAG_NO_CONTACT: apart. Also a flange 4 mm and more inside the side of a rail, which the sentence says.
+ *  - WRC_FLAG_NO_CONTACT: apart. Also a wheel too deep in its rail for contact to be looked for, as a flange 4 mm inside the rail's
+ *    side. The sentence then says so.
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
  *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead
  *    or behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for. Or a
@@ -1007,7 +1009,7 @@ WRC_API int32_t wrc_contact_commit(wrc_contact* contact);
  * @param[out] wrench as for wrc_contact_wrench(), the same bits; NULL: not wanted
  * @param[out] derivatives zero without contact; with WRC_FLAG_BEYOND_GAP those at 2 mm overlap; NULL: not wanted
  * @return as wrc_contact_wrench(); WRC_FLAG_MORE_PATCHES and zero derivatives with more strips in contact than there is room for:
- * 84 of the default widths, 56 at "real time".
+ * 76 of the default widths, 56 at "real time".
  * @rt hard @thread contact */
 WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_wheel_input* input, wrc_wrench* wrench,
                                                wrc_wrench_derivatives* derivatives);
@@ -1068,7 +1070,7 @@ typedef struct wrc_api wrc_api;
  * why. @rt hard @thread free */
 WRC_API const wrc_api* wrc_get_api(uint32_t abi_version);
 
-/** Every function of wrc_damage.h, wrc_offline.h and wrc_profiles.h as a table: wrc_experimental_api.h. */
+/** Every function of wrc_damage.h, wrc_surface.h, wrc_offline.h and wrc_profiles.h as a table: wrc_experimental_api.h. */
 typedef struct wrc_experimental_api wrc_experimental_api;
 
 /** The function table of what may change in a minor version.

@@ -242,7 +242,7 @@ WRC_API int32_t wrc_planar_regularise(wrc_contact* contact, const wrc_planar_str
  * The next wrc_planar_tangential() takes them: every particle brings along its traction, and pressure is that of the end. Creepages
  * times the distance are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of rolling. With
  * speed 0 the wheel rests, and the displacement is a shift. Over two lengths of the patch rolling is steady. A contact begins without
- * tractions, also after the bodies have been apart. Save and restore hold them. Theory manual, "Contact that remembers".
+ * tractions, also after the bodies have been apart. Save and restore hold them. Theory manual, "Contact with memory".
  * @param contact the contact
  * @param distance rolled either way, or at rest the length that creepages are per, 0..1e6 m
  * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _UNSUPPORTED (a model without config.planar.non_steady).

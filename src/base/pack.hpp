@@ -1,9 +1,9 @@
 /// Numbers as wide as the instruction set this unit is compiled for: one strip per lane.
 ///
 /// Included by src/*/simd only, which is compiled once for each instruction set. Everything is in an unnamed
-/// namespace, and nothing of the standard library's templates is used: the code of these units
-/// is theirs alone, so that the linker can never pick, for code that runs on every processor, a copy of a
-/// function that was compiled for the newest (tests/realtime/kernel_symbols.sh).
+/// namespace, and nothing of the standard library's templates is used: the code of these units is theirs
+/// alone. Otherwise the linker might pick a function compiled for the newest processors for code that runs
+/// on all (tests/realtime/kernel_symbols.sh).
 ///
 /// The bits of a lane are those of the same operations on a double: no operation here looks across lanes,
 /// none is approximate, and nothing is contracted (-ffp-contract=off).

@@ -62,9 +62,9 @@ Fault find_patches(Contact& contact) {
 /// pressures lose their digits and then vanish.
 constexpr double smallest_approach = 1e-12;
 
-/// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, or so much more
-/// slender than a strip that the strip's own displacement has no digits left, nor where every patch is
-/// narrower than least_patch_width.
+/// Can a load and a size be read off these strips? Not where the gap is flat to the last bit, nor where every
+/// patch is narrower than least_patch_width. Nor where the gap is so much more slender than a strip that the
+/// strip's own displacement has no digits left.
 bool carries_load(const patch::Strips& strips) {
   const patch::StripTotals sum = patch::totals(strips);
   if (!(std::isfinite(sum.normal_force) && std::isfinite(sum.area) && std::isfinite(sum.length) &&

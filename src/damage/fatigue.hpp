@@ -35,14 +35,14 @@ double fatigue_index(const ShakedownPoint& point);
 /// 1 / (0.25 + 0.3025 mu + 0.045 mu^2) within 0.1 %.
 double shakedown_limit(double friction);
 
-/// The same of a circular contact, for material that hardens kinematically: below the surface p0 / k = 1 /
-/// the largest radius of a ball about the path of the deviatoric stress as the load rolls by, found
-/// numerically for nu = 0.3 (tools/calibration/shakedown_point.py: 4.68 for mu = 0, 4.52 for mu = 0.25) and
-/// fitted by 1 / (0.2139 + 0.1 mu^2 + 0.25 mu^4) within 0.1 %; from mu = 0.22 on the surface comes first, 1 /
-/// mu, as for the line.
+/// The same of a circular contact, for material that hardens kinematically. Below the surface k / p0 is the
+/// radius of the smallest ball about the path of the deviatoric stress as the load rolls by, at the place
+/// where that is largest. It was found numerically for nu = 0.3 (tools/calibration/shakedown_point.py: p0 / k
+/// = 4.68 for mu = 0, 4.52 for mu = 0.25), and is fitted by 0.2139 + 0.1 mu^2 + 0.25 mu^4 within 0.1 %. From
+/// mu = 0.22 on the surface comes first, p0 / k = 1 / mu, as for the line.
 double shakedown_limit_of_point(double friction);
 
-/// Damage of one passage by T-gamma, the Whole Life Rail Model (Burstow, RSSB T115, 2004; values remembered,
+/// Damage of one passage by T-gamma, the Whole Life Rail Model (Burstow, RSSB T115, 2004; values from memory,
 /// unconfirmed): zero up to `start`, rising to `peak` at `peak_at`, falling through zero at `end` and on.
 struct WholeLifeLaw {
   double start = 0.0, peak_at = 1.0, end = 2.0;  ///< T-gamma [N]

@@ -46,10 +46,10 @@ struct GapLimits {
 };
 
 /// The y-range around the contact point in which the gap stays below the limit, out to the last place within
-/// max_half_width where it does: a second zone that nearly touches (flange) is included with the hollow
-/// between. The ends move continuously with the pose (they are interpolated crossings, not scan stations), so
-/// rows spread uniformly over the range do not jump as the wheelset moves, except when a second zone appears
-/// at the limit itself, where nothing touches yet.
+/// max_half_width where it does. A second zone that nearly touches (flange) is included with the hollow
+/// between. The ends are interpolated crossings and move continuously with the pose. So rows spread uniformly
+/// over the range do not jump as the wheelset moves. The exception is a second zone that appears at the limit
+/// itself, where nothing touches yet.
 GapWindow gap_window(const Rail& rail, const PosedWheel& wheel, const ContactPoint& contact,
                      const GapLimits& limits);
 

@@ -814,7 +814,7 @@ TEST_F(WheelOnRail, FrictionZonesOnTheWheelGoWithTheWheel) {
   }
 }
 
-TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
+TEST_F(WheelOnRail, AWheelFarInsideTheRailIsNamed) {
   const auto says = [&](int32_t status, const char* words) {
     EXPECT_EQ(step(), status) << wheel.y;
     EXPECT_NE(error().find(words), std::string::npos) << error();
@@ -826,6 +826,10 @@ TEST_F(WheelOnRail, AFlangeInsideTheRailIsNamed) {
     says(WRC_FLAG_NO_CONTACT, "the flange is inside the rail's side");
     wheel.y = outward * 95e-3;
     says(WRC_FLAG_NO_CONTACT, "the flange's back is inside the rail");
+    wheel.y = 0.0;
+    wheel.z = 20e-3;
+    says(WRC_FLAG_NO_CONTACT, "the tread is inside the rail");
+    wheel.z = 0.0;
     rail = sized<wrc_rail_state>();
     wheel.roll = wheel.yaw = 0.0;
     wheel.y = outward * 105e-3;

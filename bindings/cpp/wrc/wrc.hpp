@@ -42,9 +42,9 @@
  *
  * Nothing here allocates but wrc::field and the library itself, in model's and contact's constructors and
  * make(); an error carries its sentence in an array of its own. A handle that was moved from is empty: its
- * functions return WRC_ERROR_NULL. What wrc_damage.h, wrc_offline.h and wrc_profiles.h declare may change in
- * a minor version, here too. wrc_calls.hpp, which has the functions, is made from the C headers by
- * tools/interface/describe.py.
+ * functions return WRC_ERROR_NULL. What wrc_damage.h, wrc_surface.h, wrc_offline.h and wrc_profiles.h declare
+ * may change in a minor version, here too. wrc_calls.hpp, which has the functions, is made from the C headers
+ * by tools/interface/describe.py.
  */
 #ifndef WRC_HPP
 #define WRC_HPP

@@ -77,7 +77,7 @@ def test_miniprof(tmp_path, shapes):
         wrc.read_profile(write(tmp_path, "odd.whl", head.replace("X,Y,A,C", "A,C") + body))
 
 
-@pytest.mark.parametrize("text", [rows, lambda p: rows(p, ","), lambda p: "y;z\n" + rows(p, ";").replace(".", ","), lambda p: "# of a test\ny z\n" + rows(p),
+@pytest.mark.parametrize("text", [rows, lambda p: rows(p, ","), lambda p: "y;z\n" + rows(p, ";").replace(".", ","), lambda p: rows(p, "\t").replace(".", ","), lambda p: "# of a test\ny z\n" + rows(p),
                                   lambda p: rows(1e-3 * p)])
 def test_columns(tmp_path, shapes, text):
     wheel, _ = shapes

@@ -715,7 +715,7 @@ class RailSection(s.Struct):
         its section goes on. An end is best where no wheel touches it. Else the wheel rolls over its edge, up
         to 14 mm high, with Status.FLAG_PATCH_AT_EDGE. Height and force are continuous there; the peak
         pressure is not solved. A hollow that is curved more than the wheel is met on one of its sides: force
-        and place leap where that changes. Theory manual, section 9.
+        and place jump where that changes. Theory manual, section 9.
     """
     distance: float
     """distance [m]: along the track. Within a surface it increases by 1 mm at least (-1e7 .. 1e7; default 0)
@@ -922,9 +922,9 @@ class ConfigSurface(s.Struct):
         2e7)
     """
     max_iterations: float
-    """max_iterations: work that the normal problem at one height may take, in iterations over all strips that
-        overlap there, and twice as many over those in contact; of NormalMethod.STRIP_HALFSPACE. The call then
-        ends as with max_work (2 .. 1e6; default 1e6)
+    """max_iterations: cap of the normal problem at one height, in iterations over all strips that overlap there;
+        over those in contact about twice as many; of NormalMethod.STRIP_HALFSPACE. The call then ends as with
+        max_work (2 .. 1e6; default 1e6)
     """
     def __init__(self, *, cells: int = ..., memory: int = ..., tread_width: float = ..., corner_width: float = ..., tolerance: float = ..., max_work: float = ..., max_iterations: float = ...) -> None:
         """The defaults, and what is given."""
@@ -2176,8 +2176,8 @@ class PlanarOutputDict(TypedDict, total=False):
 
 class WearLaws(s.Struct):
     """Parameters of the wear laws. Defaults are the published values, in their published units; all are
-        unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
-        Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
+        unconfirmed (quoted from memory, not checked against the original texts) and depend on the pair of
+        steels. Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
         wheel on UIC60 900A; Braghin et al. 2006). - Archard: depth per second, k p v / hardness with the map
         of Jendel (Wear 253 (2002)). - Power law: depth per second, power_coefficient / density * q (q /
@@ -2486,8 +2486,8 @@ class DamageBinsDict(TypedDict, total=False):
 class FatigueLaws(s.Struct):
     """Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to start, rising straight
         to peak at peak_at, falling straight through zero at end and on below it, where wear wins. For R220
-        and R260 steel; Burstow, RSSB T115 (2004); remembered, unconfirmed. The direction of the creep force,
-        by which the model tells cracks that open, is left to the caller.
+        and R260 steel; Burstow, RSSB T115 (2004); quoted from memory, unconfirmed. The direction of the creep
+        force, by which the model tells cracks that open, is left to the caller.
     """
     whole_life_start: float
     """whole_life_start [N]: T-gamma from which cracks start (0 .. 1e6; default 15)"""
@@ -3936,13 +3936,14 @@ class ContactCalls(_l.Handle):
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a flange 4 mm and more
-            inside the side of a rail, which the sentence says. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS;
-            _TABLE_RANGE; _ROTATION_TRANSPOSED. - _PATCH_AT_EDGE: contact reaches the end of a profile, or of
-            a surface along the track. Or it lies more than 160 mm ahead or behind, where it is not looked
-            for. _MORE_PATCHES: more regions or strips than there is room for. Or a round wheel touches a rail
-            at two places along the track, of which one carries the load. - _CREEPAGES_LIMITED: slower than
-            0.1 m/s, as Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
+        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a wheel too deep in
+            its rail for contact to be looked for, as a flange 4 mm inside the rail's side. The sentence then
+            says so. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED. -
+            _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
+            more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
+            strips than there is room for. Or a round wheel touches a rail at two places along the track, of
+            which one carries the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
+            Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
             config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
             take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a
             planar normal method on a patch of several lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE,
@@ -3981,7 +3982,7 @@ class ContactCalls(_l.Handle):
         derivatives: zero without contact; with Status.FLAG_BEYOND_GAP those at 2 mm overlap; None: a new one
 
         C status: as Contact.wrench(); Status.FLAG_MORE_PATCHES and zero derivatives with more strips in
-            contact than there is room for: 84 of the default widths, 56 at "real time".
+            contact than there is room for: 76 of the default widths, 56 at "real time".
         """
     def region(self, index: int, *, out: Optional[Region] = None) -> Region:
         """One region of the contact's last solution: of Contact.wrench() or of the stages of wrc_planar.h,
@@ -4075,7 +4076,7 @@ class ContactCalls(_l.Handle):
             are the rigid displacement of the wheel over the rail. The sign of creepage.speed is the way of
             rolling. With speed 0 the wheel rests, and the displacement is a shift. Over two lengths of the
             patch rolling is steady. A contact begins without tractions, also after the bodies have been
-            apart. Save and restore hold them. Theory manual, "Contact that remembers".
+            apart. Save and restore hold them. Theory manual, "Contact with memory".
 
         distance: rolled either way, or at rest the length that creepages are per, 0..1e6 m
 

@@ -262,7 +262,8 @@ def print_table(title: str, results: Dict[Case, List[Result]]) -> None:
 def print_readings(found: Iterable[Tuple[str, List[Result]]], reference: List[Result]) -> None:
     """reference: the exact solution of both cases."""
     print(f"\nReadings of EKP: peaks of its strips, scaled to the load; FASTSIM-SDEC with friction x pressure\n{'reading':60}{'a':>6}{'b':>7}{'psi':>8}"
-          f"{'p_max':>7}{'power':>8}{'':8}{'W/mm at most':>15}{'FI at most':>17}")
+          f"{'p_max':>7}{'power':>8}{'':8}{'W/mm at most':>15}{'FI at most':>17}\n{'':60}{'mm':>6}{'mm':>7}{'':8}{'MPa':>7}"
+          f"{'case 1':>8}{'case 2':>8}" + f"{'case 1':>8}{'case 2':>8}" + f"{'case 1':>9}{'case 2':>9}")
     for name, results in [*found, ("exact (wrc)", reference)]:
         told = results[0].numbers
         print(f"{name:60}{1e3 * told['a']:6.2f}{1e3 * told['b']:7.2f}{told['psi']:8.3f}{1e-6 * told['peak']:7.0f}"

@@ -24,6 +24,7 @@ UNITS = {"mm": 1e-3, "m": 1.0, "cm": 1e-2, "um": 1e-6, "in": 25.4e-3}
 NARROWEST, WIDEST = 0.020, 0.500  # m: what the library takes for a profile
 BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail", ".wheel": "wheel", ".rail": "rail"}
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$")
+_DECIMAL_COMMAS = re.compile(r"[-+]?\d+,\d+(\s+[-+]?\d+,\d+)+$")
 _SIMPACK_NUMBERS = ("approx.smooth", "point.dist.min", "shift.y", "shift.z", "rotate", "bound.y.min", "bound.y.max", "bound.z.min",
                     "bound.z.max", "mirror.y", "mirror.z", "inversion", "units.len.f", "units.ang.f")
 
@@ -187,7 +188,7 @@ def _row_counter(path: str, points: List[List[float]], heading: str, notes: List
 def _columns(path: str, rows: List[str], miniprof: bool, columns: Optional[Tuple[int, int]],
              notes: List[str]) -> Tuple[np.ndarray, np.ndarray, Dict[str, str], str]:
     """Columns of numbers behind a heading; MiniProf's heading is lines NAME=value, of which ColumnDef and XYPoints are
-    read. A semicolon between numbers makes commas decimal."""
+    read. Commas are decimal where semicolons part the numbers, or where blanks alone do."""
     header: Dict[str, str] = {}
     points: List[List[float]] = []
     first, second = columns or (0, 1)
@@ -207,6 +208,8 @@ def _columns(path: str, rows: List[str], miniprof: bool, columns: Optional[Tuple
             continue
         if ";" in text:
             cells = [each.strip().replace(",", ".") for each in text.split(";") if each.strip()]
+        elif _DECIMAL_COMMAS.match(text):
+            cells = text.replace(",", ".").split()
         else:
             cells = text.replace(",", " ").split()
         numbers = [_number(each) for each in cells]

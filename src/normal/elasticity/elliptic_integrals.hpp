@@ -1,10 +1,10 @@
 /// Complete elliptic integrals by the arithmetic-geometric mean.
 ///
 /// Hertz's ellipse and the closed inner integral of the Kik-Piotrowski condition are made of K, E and D.
-/// std::comp_ellint_1 may throw, is absent from some standard libraries and is several times slower; the mean
-/// needs a handful of square roots, gives the same bits on every instruction set, yields K - E without the
-/// cancellation of computing it as a difference, and can be evaluated by the compiler, which fills the tables
-/// of the hot paths with it.
+/// The mean needs a handful of square roots and gives the same bits on every instruction set. It yields K - E
+/// without the cancellation of a difference. The compiler can evaluate it, and fills the tables of the hot
+/// paths with it. std::comp_ellint_1 may throw, is absent from some standard libraries and is several times
+/// slower.
 #pragma once
 
 #include <algorithm>

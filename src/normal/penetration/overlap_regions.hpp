@@ -2,9 +2,9 @@
 /// the outline of EKP_ELLIPSE and the chord its curvature comes from.
 ///
 /// The reference program takes every row above the threshold, so that a region beside the contact enters the
-/// outline with no size and joins the patch with the size it has. Its chord jumps, though, to the far side of
-/// a valley of the gap that comes above half depth, or runs over a flat of it, and the load then falls by up
-/// to some per cent. Here sudden growth of the chord counts gradually.
+/// outline with no size and joins the patch with the size it has. Its chord may jump, though: to the far side
+/// of a valley of the gap that comes above half depth, or over a flat of it. The load then falls by up to
+/// some per cent. Here sudden growth of the chord counts gradually.
 #pragma once
 
 #include <algorithm>

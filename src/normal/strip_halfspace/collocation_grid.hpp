@@ -26,10 +26,10 @@ struct CollocationGrid {
 double foundation_approach(const patch::GapRows& rows, double lowest_height, double normal_compliance,
                            double normal_force, double guess) noexcept;
 
-/// Spreads `count` strips over all stretches where the height lies less than `depth` over the lowest, with
-/// widths inversely proportional to the root of the lateral curvature (the width of a contact is proportional
-/// to the root of its radius). Curvature is the second difference over 4 % of the whole extent: shorter
-/// waves of a profile do not move the strips. `grid` has memory for `count`.
+/// Spreads `count` strips over all stretches where the height lies less than `depth` over the lowest. Widths
+/// are inversely proportional to the root of the lateral curvature, as the width of a contact is to that of
+/// 1 / radius. Curvature is the second difference over 4 % of the whole extent: shorter waves of a profile do
+/// not move the strips. `grid` has memory for `count`.
 void build_collocation_grid(const patch::GapRows& rows, const patch::GapMinimum& lowest, double depth,
                             std::int32_t count, CollocationGrid& grid) noexcept;
 

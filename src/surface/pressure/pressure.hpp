@@ -13,8 +13,8 @@
 ///             is smoothed over the strips beside, weighted by their loads: a strip that enters has weight
 ///             zero. Its difference between the edges is 2 kappa_i l_i shift_i, smoothed the same way.
 ///
-/// An iteration solves the contact condition for q = lambda L at the present lengths (active_set.hpp), finds
-/// lambda from the edges and with it the next lengths L = q / lambda, and the next centres
+/// An iteration solves the contact condition for q = lambda L at the present lengths (active_set.hpp). From
+/// the edges it finds lambda, with it the next lengths L = q / lambda, and the next centres
 /// (edge_condition.hpp). Alone that leaves 0.1 to 0.6 of an error, by how smooth it is; preconditioned and
 /// accelerated by Anderson's method over (L, shift) it leaves about 0.1 (iteration.hpp). start.hpp: where it
 /// begins.
@@ -50,8 +50,8 @@ struct PressureModel {
   double lambda_length = usual_lambda_length;  ///< lambda_reach() is at least this [m]
 };
 
-/// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips that
-/// are not in contact in both.
+/// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips whose L
+/// is not known in both.
 struct SolutionChange {
   const double* length_squared = nullptr;  ///< L [m^2]
   const double* shift = nullptr;           ///< c less the overlap's centre [m]
@@ -62,11 +62,13 @@ struct SolutionChange {
 /// increasing number.
 struct PressureStart {
   double* strip = nullptr;           ///< number among the rail's strips
-  double* length_squared = nullptr;  ///< L [m^2]
+  double* length_squared = nullptr;  ///< L [m^2]; beside contact negative (activate()); 0: not known
   double* shift = nullptr;           ///< c less the overlap's centre [m]
   double* depth = nullptr;           ///< overlap it was found at [m]
   std::int32_t count = 0;
-  SolutionChange change{};  ///< from the solution before to this one, until it is used; NULL: not known
+  /// Until they are used, changes from the solution before to this one, and from that before to the one
+  /// before. NULL: not known.
+  SolutionChange change{}, earlier{};
 };
 
 /// Calls each(i, b) for each strip that is in both of two lists, at i in the first and b in the second. Both

@@ -28,7 +28,7 @@ constexpr Fault on_the_back =
                          "the flange's back is against the rail's field side: is the wheel beside "
                          "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?");
 
-/// No overlap of faces that face each other: the bodies are apart, or the wheel is inside the rail's side.
+/// No overlap of faces that face each other: the bodies are apart, or the wheel is far inside the rail.
 Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline) {
   const SurfaceModel& model = problem.model;
   constexpr double most = 4e-3;  // [m]: overlaps that rays are crossed for (outline_kernel.hpp)
@@ -52,13 +52,20 @@ Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline
     }
   }
   if (knot < 0) return Fault::no_contact();
-  return Fault::no_contact(
-      "depth of the wheel inside the rail", {deepest, "m", 0.0, most},
-      knot < model.wheel.flange_tip
-          ? "the flange's back is inside the rail, where no contact is looked for: is the wheel "
-            "beside its rail (input.wheel.y)?"
-          : "the flange is inside the rail's side, where no contact is looked for: did you pass "
-            "mm for input.wheel.y, or another gauge?");
+  const WheelCurve& wheel = model.wheel;
+  const double middle_of_flange = 0.5 * (model.wheel_radius + wheel.knot_radius[wheel.flange_tip]);
+  const char* likely =
+      "the flange is inside the rail's side, where no contact is looked for: did you pass mm for "
+      "input.wheel.y, or another gauge?";
+  if (knot < wheel.flange_tip)
+    likely =
+        "the flange's back is inside the rail, where no contact is looked for: is the wheel beside its rail "
+        "(input.wheel.y)?";
+  else if (wheel.knot_radius[knot] < middle_of_flange)
+    likely =
+        "the tread is inside the rail, deeper than contact is looked for: is the wheel too low "
+        "(input.wheel.z)?";
+  return Fault::no_contact("depth of the wheel inside the rail", {deepest, "m", 0.0, most}, likely);
 }
 
 /// Flags contact at the farthest place along the track that is looked at.

@@ -15,9 +15,9 @@ struct WheelProblem;
 struct WheelSolution;
 struct WorkSizes;
 
-/// Inputs of a wrench in rail axes: the wheel's place and attitude relative to the rail (PlaceInput), its
-/// velocities less those of rail material, along and about rail axes [m/s], [rad/s], the turning of a roller
-/// [rad/s], where it acts at a strip's own depth, and a factor on all friction, which is 1 [-].
+/// Inputs of a wrench in rail axes: first the wheel's place and attitude relative to the rail (PlaceInput).
+/// Then its velocities less those of rail material, along and about rail axes [m/s], [rad/s]; the turning of
+/// a roller where that acts at a strip's own depth [rad/s]; a factor on all friction, which is 1 [-].
 enum RailFrameInput : std::int32_t {
   frame_velocity = place_inputs,
   frame_turning = frame_velocity + 3,

@@ -5,18 +5,18 @@
 /// traction at the end of the stick zone is smaller there than that of a strip on its own. Its square is the
 /// strip's power. Along a strip the slip keeps Carter's form. So the slip of a strip is multiplied by
 ///
-///     1 + m (1/4 - t^2) + n t,   t = distance from the patch's middle over half its width,
+///     1 + m (1/4 - t^2) + n t,   t = distance from the patch's middle over half its width.
 ///
-/// where 1/4 is the mean of t^2 over the power of an ellipse that sticks. m and n vanish in full slip. m
+/// 1/4 is the mean of t^2 over the power of an ellipse that sticks. m and n vanish in full slip. m
 /// grows with the slenderness, as the strips of a long patch lie closer to each other. n changes its sign in
 /// a mirror: it needs longitudinal slip together with lateral slip or spin. The power of the whole patch is
 /// that of forces and creepages.
 ///
 /// Spin asks strips for lateral slip in proportion to x. The traction of a strip on its own then ends without
 /// a singularity, so strips near the middle stick as a whole. In a patch, strips beside them carry less where
-/// they slip, at the trailing end, and the middle has to make up for it: a share b of spin's lateral growth
-/// acts along the whole strip, as lateral creepage does, and 1 - b in proportion to x. The force of a strip
-/// that sticks stays. The slip, alone, follows this growth: where it begins, and how large it is.
+/// they slip, at the trailing end, and the middle makes up for that. So a share b of spin's lateral growth
+/// acts along the whole strip, as lateral creepage does; the rest acts in proportion to x. The force of a
+/// strip that sticks stays. Only the slip follows this growth: where it begins, and how large it is.
 #pragma once
 
 #include "base/elementary.hpp"

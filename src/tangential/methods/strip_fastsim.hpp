@@ -10,15 +10,15 @@
 ///
 /// tau being the parabolic bound there and mu p_n here (Carter's solution without spin; FaStrip's, Sichani,
 /// Enblom, Berg 2016, with it). So the march stays FASTSIM's, at its cost, and the traction is read off with
-/// the second line: |p| <= mu p_n, the leading edge has the square-root rise of the exact theory, and the
-/// force is Coulomb's for large creepages.
+/// the second line. Then |p| <= mu p_n, the leading edge has the square-root rise of the exact theory, and
+/// the force is Coulomb's for large creepages.
 ///
 ///  - Strips of a real patch: how stiffly each strip is held by its neighbours follows from the normal
-///    problem. A wheel has nearly one curvature along x, so the peak pressure over the length, p_j / l_j, is
-///    the answer of the half-spaces to the same displacement in every strip, and full-adhesion tractions, the
-///    answer to a displacement linear in x, follow it closely (half-space solutions of S1002 on UIC60: from
-///    120 to 200 MPa/mm across a patch with two lobes, tractions in proportion). Hence adhesion tractions go
-///    with p_j / l_j; as the bound does too, p_j / l_j drops out of the march and B is one number per patch.
+///    problem. A wheel has nearly one curvature along x. So the peak pressure over the length, p_j / l_j, is
+///    the answer of the half-spaces to the same displacement in every strip. Full-adhesion tractions, the
+///    answer to a displacement linear in x, follow it closely: on S1002 and UIC60 it goes from 120 to 200
+///    MPa/mm across a patch with two lobes, tractions in proportion. Hence adhesion tractions go with
+///    p_j / l_j. As the bound does too, p_j / l_j drops out of the march, and B is one number per patch.
 ///    The double ellipse whose linear theory scales all this has the patch's area and the half length
 ///    3 N / (4 IInt peak dy), by which a double ellipse is itself, and is centred midway between the
 ///    centroids of area and of stiffness.

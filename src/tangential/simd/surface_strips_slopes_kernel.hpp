@@ -1,11 +1,12 @@
 /// Derivatives of strip FASTSIM where every strip has numbers of its own: by each of those numbers
 /// (SurfaceStripInput), strip by strip.
 ///
-/// The steps and their derivatives are those of strip_fastsim_kernel.hpp. The place where an input enters a
-/// step is known at compile time: parts that are zero cost nothing.
+/// The steps and their derivatives are those of strip_fastsim_step.hpp and strip_fastsim_slopes.hpp. The
+/// place where an input enters a step is known at compile time: parts that are zero cost nothing.
 #pragma once
 
 #include "tangential/simd/strip_fastsim_kernel.hpp"
+#include "tangential/simd/strip_fastsim_slopes.hpp"
 
 namespace wrc::simd {
 namespace {
