@@ -398,7 +398,7 @@ void PatchStep::bring(double h, bool first) {
     if (first) std::fill_n(to.had, cells, 0.0);
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
-      const double share = (one == from.second ? from.of_second : from.of_first) * (first ? to.kept : 1.0);
+      const double share = one == from.second ? from.of_second : from.of_first;
       for (std::int32_t i = 0; first && i < cells; ++i)
         to.had[i] += share * one->bound[std::min(i, cells - 1 - i)];
       PastStrip mirrored;
@@ -410,6 +410,10 @@ void PatchStep::bring(double h, bool first) {
           to);
       adds = true;
     }
+    // tractions that leave with their strip; the cells are displaced all the same
+    if (!first || to.kept == 1.0) continue;
+    for (double* const numbers : {to.px, to.py, to.had})
+      for (std::int32_t i = 0; i < cells; ++i) numbers[i] *= to.kept;
   }
 }
 
