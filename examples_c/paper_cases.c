@@ -209,9 +209,10 @@ static void print_number(const char* format, double value, int width) {
 static void print_result(const char* case_name, const char* model, const char* bound,
                          const wrc_planar_normal_solution* normal, const wrc_planar_forces* forces,
                          const rolling_case* rolling, double paper_power) {
-  printf("%-42s %-31s %-8s %5.2f %6.2f %6.3f %7.1f %8.2f %6.0f %8.0f %8.0f %7.1f %7.2f", case_name, model,
-         bound, 1e3 * normal->ellipse.a, 1e3 * normal->ellipse.b, normal->ellipse.psi, 1e6 * normal->area,
-         1e6 * normal->approach, 1e-6 * normal->peak_pressure, forces->fx, forces->fy, forces->mz,
+  printf("%-42s %-31s %-8s %5.2f %6.2f %6.3f %7.1f", case_name, model, bound, 1e3 * normal->ellipse.a,
+         1e3 * normal->ellipse.b, normal->ellipse.psi, 1e6 * normal->area);
+  print_number(" %8.2f", normal->approach > 0.0 ? 1e6 * normal->approach : NAN, 8); /* an ellipse has none */
+  printf(" %6.0f %8.0f %8.0f %7.1f %7.2f", 1e-6 * normal->peak_pressure, forces->fx, forces->fy, forces->mz,
          forces->power);
   print_number(" %+8.2f", 100.0 * (forces->power / rolling->power - 1.0), 8);
   print_number(" %8.2f", paper_power, 8);

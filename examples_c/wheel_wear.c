@@ -353,6 +353,103 @@ static void write_state(const char* folder, const state* now) {
     check(-1, path, "cannot be written");
 }
 
+/* The state in the folder, or that of a new wheel, with the model of it. */
+static wrc_model* begin(const char* folder, state* now) {
+  FILE* old = open_in(folder, "state.bin", "rb");
+  if (old != NULL) {
+    if (fread(now, sizeof *now, 1, old) != 1) check(-1, "state.bin", "is of another program");
+    fclose(old);
+    printf("going on from %.0f km\n", now->distance);
+  }
+  wrc_model* model = make_model(now);
+  if (now->points > 0) return model;
+  take_points(model, now);
+  wrc_model_destroy(model);
+  model = make_model(now); /* of the points, as it is when a later call goes on from here */
+  write_profile(folder, now);
+  write_line(folder, now, model, 0.0, 0);
+  write_state(folder, now);
+  return model;
+}
+
+/* Memory that the processes share: bins of each, the number of curves that it could not run, starts. */
+typedef struct {
+  char* memory;
+  size_t cleared; /* bytes that each round begins with as zeros */
+  wrc_damage_bins bins[MOST_PROCESSES];
+  int* lost;
+  place* places;
+} shared_round;
+
+static const size_t of_places = MOST_CURVES * sizeof(place);
+
+static shared_round share(const state* now, int processes) {
+  shared_round r;
+  const size_t bytes = (BINS + 1) * sizeof(wrc_damage_bin);
+  r.cleared = processes * (bytes + 64);
+  r.memory = mmap(NULL, r.cleared + of_places, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (r.memory == MAP_FAILED) check(-1, "memory", "cannot be shared");
+  r.lost = (int*)(r.memory + processes * bytes);
+  r.places = (place*)(r.memory + r.cleared);
+  memcpy(r.places, now->places, of_places);
+  for (int k = 0; k < processes; ++k) {
+    r.bins[k] = wrc_damage_bins_default();
+    r.bins[k].count = BINS;
+    r.bins[k].first = -0.080;
+    r.bins[k].width = 0.5e-3;
+    r.bins[k].bins = (wrc_damage_bin*)(r.memory + k * bytes);
+    r.bins[k].bin_size = sizeof(wrc_damage_bin);
+  }
+  return r;
+}
+
+/* Depth that one time through the network takes off, bin by bin [m]; lost[0]: curves left out. */
+static void run_network(shared_round* r, const wrc_model* model, int curves, int processes, double* depth) {
+  memset(r->memory, 0, r->cleared);
+  for (int k = 0; k < processes; ++k) {
+    if (fork() != 0) continue;
+    r->lost[k] = run(model, &r->bins[k], r->places, curves, k, processes);
+    _exit(0);
+  }
+  for (int k = 0; k < processes; ++k) {
+    int outcome = 0;
+    if (wait(&outcome) < 0 || outcome != 0) check(-1, "process", "ended early");
+  }
+  for (int k = 1; k < processes; ++k)
+    check(wrc_damage_merge(&r->bins[0], &r->bins[k]), "merge", ""), r->lost[0] += r->lost[k];
+  double volume[BINS + 1];
+  check(wrc_damage_values(&r->bins[0], WRC_DAMAGE_WEAR_ARCHARD, volume), "values", "");
+  /* both wheels' volumes are in there, of which a wheel has half */
+  for (int i = 0; i < BINS; ++i) depth[i] = 0.5 * volume[i] / (0.5e-3 * 2.0 * 3.14159265358979 * radius);
+}
+
+/* Takes so many passages off the profile, or as many as wear it by 0.2 mm. */
+static wrc_worn_profile wear_off(state* now, const double* depth, double passages) {
+  wrc_profile_wear wear = wrc_profile_wear_default();
+  wear.count = now->points;
+  wear.y = now->y;
+  wear.z = now->z;
+  wear.bin_count = BINS;
+  wear.depth = depth;
+  wear.first = -0.080;
+  wear.width = 0.5e-3;
+  wear.passages = passages;
+  wear.largest_depth = 0.2e-3;
+  double y[POINTS] = {0}, z[POINTS] = {0};
+  wrc_worn_profile worn = {.struct_size = sizeof worn};
+  worn.capacity = POINTS;
+  worn.y = y;
+  worn.z = z;
+  char text[256] = "";
+  check(wrc_profile_remove_wear(&wear, &worn, text, sizeof text), "wear", text);
+  now->points = worn.count;
+  memcpy(now->y, y, sizeof y);
+  memcpy(now->z, z, sizeof z);
+  worn.y = now->y;
+  worn.z = now->z;
+  return worn;
+}
+
 int main(int argc, char** argv) {
   if (argc < 2) {
     fprintf(stderr, "wheel_wear FOLDER [distance in km] [curves] [processes]\n");
@@ -369,90 +466,22 @@ int main(int argc, char** argv) {
   for (int i = 0; i < curves; ++i) length += 1e-3 * network[i].length;
 
   static state now;
-  FILE* old = open_in(folder, "state.bin", "rb");
-  if (old != NULL) {
-    if (fread(&now, sizeof now, 1, old) != 1) check(-1, "state.bin", "is of another program");
-    fclose(old);
-    printf("going on from %.0f km\n", now.distance);
-  }
-  wrc_model* model = make_model(&now);
-  if (now.points == 0) {
-    take_points(model, &now);
-    wrc_model_destroy(model);
-    model = make_model(&now); /* of the points, as it is when a later call goes on from here */
-    write_profile(folder, &now);
-    write_line(folder, &now, model, 0.0, 0);
-    write_state(folder, &now);
-  }
-
-  /* bins of every process where the parent sees them, and the number of curves it could not run */
-  const size_t bytes = (BINS + 1) * sizeof(wrc_damage_bin);
-  const size_t all = processes * (bytes + 64), of_places = MOST_CURVES * sizeof(place);
-  char* shared = mmap(NULL, all + of_places, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) return EXIT_FAILURE;
-  wrc_damage_bins bins[MOST_PROCESSES];
-  int* lost = (int*)(shared + processes * bytes);
-  place* places = (place*)(shared + all);
-  memcpy(places, now.places, of_places);
-  for (int k = 0; k < processes; ++k) {
-    bins[k] = wrc_damage_bins_default();
-    bins[k].count = BINS;
-    bins[k].first = -0.080;
-    bins[k].width = 0.5e-3;
-    bins[k].bins = (wrc_damage_bin*)(shared + k * bytes);
-    bins[k].bin_size = sizeof(wrc_damage_bin);
-  }
-
+  wrc_model* model = begin(folder, &now);
+  shared_round work = share(&now, processes);
   while (now.distance < distance) {
-    memset(shared, 0, all);
-    for (int k = 0; k < processes; ++k) {
-      if (fork() != 0) continue;
-      lost[k] = run(model, &bins[k], places, curves, k, processes);
-      _exit(0);
-    }
-    for (int k = 0; k < processes; ++k) {
-      int outcome = 0;
-      if (wait(&outcome) < 0 || outcome != 0) check(-1, "process", "ended early");
-    }
-    for (int k = 1; k < processes; ++k)
-      check(wrc_damage_merge(&bins[0], &bins[k]), "merge", ""), lost[0] += lost[k];
-    double volume[BINS + 1], depth[BINS];
-    check(wrc_damage_values(&bins[0], WRC_DAMAGE_WEAR_ARCHARD, volume), "values", "");
-    /* depth of one wheel for each time through the network: both wheels' volumes are in there, of which it
-     * has half */
-    for (int i = 0; i < BINS; ++i) depth[i] = 0.5 * volume[i] / (0.5e-3 * 2.0 * 3.14159265358979 * radius);
-
+    double depth[BINS];
+    run_network(&work, model, curves, processes, depth);
     const double mark = 10e3 * (floor(now.distance / 10e3 + 1e-9) + 1.0); /* the next profile to be written */
-    const double until = mark < distance ? mark : distance;
-    wrc_profile_wear wear = wrc_profile_wear_default();
-    wear.count = now.points;
-    wear.y = now.y;
-    wear.z = now.z;
-    wear.bin_count = BINS;
-    wear.depth = depth;
-    wear.first = -0.080;
-    wear.width = 0.5e-3;
-    wear.passages = (until - now.distance) / length;
-    wear.largest_depth = 0.2e-3;
-    double y[POINTS] = {0}, z[POINTS] = {0};
-    wrc_worn_profile worn = {.struct_size = sizeof worn};
-    worn.capacity = POINTS;
-    worn.y = y;
-    worn.z = z;
-    char text[256] = "";
-    check(wrc_profile_remove_wear(&wear, &worn, text, sizeof text), "wear", text);
-    now.points = worn.count;
-    memcpy(now.y, y, sizeof y);
-    memcpy(now.z, z, sizeof z);
-    memcpy(now.places, places, of_places);
-    const double before = now.distance;
+    const double until = mark < distance ? mark : distance, before = now.distance;
+    const wrc_worn_profile worn = wear_off(&now, depth, (until - now.distance) / length);
+    memcpy(now.places, work.places, of_places);
     now.distance += worn.passages * length;
     if (now.distance > until - 1e-6) now.distance = until;
     ++now.updates;
     wrc_model_destroy(model);
     model = make_model(&now);
     if (now.distance == until) write_profile(folder, &now);
-    write_line(folder, &now, model, worn.depth, lost[0]);
+    write_line(folder, &now, model, worn.depth, work.lost[0]);
     write_state(folder, &now);
     if (now.distance <= before) check(-1, "wear", "takes off no whole passage");
   }

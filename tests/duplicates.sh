@@ -10,7 +10,7 @@ command -v sim_c++ >/dev/null || { echo "skipped: Debian's similarity-tester is 
 # Two files (or one, twice), how many such pairs they have, and why one function cannot serve.
 known='
 src/base/pack.hpp                      src/base/pack.hpp                              2  an operation a line for each instruction set; two types, of numbers and of yes or no
-src/tangential/simd/march_kernel.hpp   src/tangential/simd/strip_fastsim_start.hpp    1  two tasks with members of their own, loaded into vectors
+src/tangential/simd/march_start.hpp    src/tangential/simd/strip_fastsim_start.hpp    1  two tasks with members of their own, loaded into vectors
 src/surface/rolling/surface_calibration.hpp    src/tangential/methods/strip_calibration.hpp   1  two enumerations of fitted constants
 src/contact/region.hpp                 src/contact/region.hpp                         1  a list of fields, a line each
 '

@@ -4,7 +4,7 @@
  *
  * @par Stability
  * May change in a minor version: functions and structs with WRC_EXPERIMENTAL_VERSION. Constants of the wear and fatigue laws are
- * remembered and not confirmed: a version may correct them, and CHANGELOG.md says so.
+ * quoted from memory and not confirmed: a version may correct them, and CHANGELOG.md says so.
  *
  * @par Damage along the line
  *
@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 /** Parameters of the wear laws. Defaults are the published values, in their published units; all are
- * unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels. Theory manual,
+ * unconfirmed (quoted from memory, not checked against the original texts) and depend on the pair of steels. Theory manual,
  * section 6.
  *  - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144 (1991)), over the wheel's diameter.
  *  - Sheffield: depth per metre rolled from T-gamma per area (R8T wheel on UIC60 900A; Braghin et al. 2006).
@@ -183,7 +183,7 @@ typedef struct wrc_damage_bins {
 
 /** Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to `start`, rising straight to `peak` at
  * `peak_at`, falling straight through zero at `end` and on below it, where wear wins. For R220 and R260 steel; Burstow, RSSB
- * T115 (2004); remembered, unconfirmed. The direction of the creep force, by which the model tells cracks that open, is
+ * T115 (2004); quoted from memory, unconfirmed. The direction of the creep force, by which the model tells cracks that open, is
  * left to the caller. */
 typedef struct wrc_fatigue_laws {
   uint32_t struct_size;      /**< sizeof this struct, 40 or more */

@@ -104,9 +104,9 @@ enum wrc_flexibility {
  * adhesion_reduction and slip_reduction. */
 #define WRC_FRICTION_LIST(X)                                                                                                  \
   X(polach_dry, "Polach dry", 0.55, EXPONENTIAL, 0.4, 0.6, 1, 0.4, 0, 0, 0, 0, "Polach, Wear 258 (2005)",                     \
-    "remembered, not read again; not compared with his measurements")                                                         \
+    "quoted from memory, not read again; not compared with his measurements")                                                 \
   X(polach_wet, "Polach wet", 0.3, EXPONENTIAL, 0.4, 0.2, 0.3, 0.1, 0, 0, 0, 0, "Polach, Wear 258 (2005)",                    \
-    "remembered, not read again; not compared with his measurements")                                                         \
+    "quoted from memory, not read again; not compared with his measurements")                                                 \
   X(magnetite, "magnetite", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 176.63e6, 560e6, 0, "Hou, Kalousek, Magel, Wear 211 (1997)",    \
     "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service")                 \
   X(clay, "clay", 0.7, NONE, 0.4, 0.6, 1, 1, 20e-6, 106.25e6, 200e6, 4.35e11, "Hou, Kalousek, Magel, Wear 211 (1997)",        \

@@ -13,9 +13,9 @@
  *  - 1/G = (1/G1 + 1/G2) / 2 and nu/G = (nu1/G1 + nu2/G2) / 2,
  *  - K = G/4 ((1 - 2 nu1)/G1 - (1 - 2 nu2)/G2), which couples normal and tangential problem and is 0 of equal materials.
  *
- * wrc_exact_normal() is without friction and needs no K. Rolling, steady or not, has what the given pressure moves the surfaces along
- * each other. power_by_balance of steady rolling counts that as slip. wrc_exact_wrench() has both couplings, but for products of K
- * and the turn of the normals.
+ * wrc_exact_normal() is without friction and needs no K. Rolling, steady or not, includes the tangential displacements that the given
+ * pressure causes by K. power_by_balance of steady rolling counts them as slip. wrc_exact_wrench() has both couplings, except for
+ * products of K and the turn of the normals.
  *
  * Memory during a call: 600 bytes per cell of the grid for the normal problem, 2.5 kB + 16 nx bytes for rolling. Measured: 7 MB at
  * 64 x 64 cells, 37 MB at 128 x 128, 225 MB at 256 x 256. At 1024 x 1024 the bound is 20 GB. A handle of non-steady rolling keeps

@@ -3,8 +3,8 @@
  * Conventions are those of wrc.h, which it includes.
  *
  * @par Stability
- * May change in a minor version: functions and structs with WRC_EXPERIMENTAL_VERSION. Constants of the named sets are remembered and
- * not confirmed: a version may correct them, and CHANGELOG.md says so.
+ * May change in a minor version: functions and structs with WRC_EXPERIMENTAL_VERSION. Constants of the named sets are quoted from
+ * memory and not confirmed: a version may correct them, and CHANGELOG.md says so.
  *
  * @par One step of a wheel
  *

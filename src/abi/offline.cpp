@@ -17,6 +17,7 @@
 #include "halfspace/planar_contact.hpp"
 #include "halfspace/subsurface.hpp"
 #include "halfspace/tangential.hpp"
+#include "halfspace/transient.hpp"
 #include "wrc/wrc_offline.h"
 
 /// Bodies with their rolling history, grid and materials.

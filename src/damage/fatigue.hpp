@@ -42,7 +42,7 @@ double shakedown_limit(double friction);
 /// mu = 0.22 on the surface comes first, p0 / k = 1 / mu, as for the line.
 double shakedown_limit_of_point(double friction);
 
-/// Damage of one passage by T-gamma, the Whole Life Rail Model (Burstow, RSSB T115, 2004; values remembered,
+/// Damage of one passage by T-gamma, the Whole Life Rail Model (Burstow, RSSB T115, 2004; values from memory,
 /// unconfirmed): zero up to `start`, rising to `peak` at `peak_at`, falling through zero at `end` and on.
 struct WholeLifeLaw {
   double start = 0.0, peak_at = 1.0, end = 2.0;  ///< T-gamma [N]

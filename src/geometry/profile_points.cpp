@@ -168,10 +168,11 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
   }
   const double width = y[count - 1] - y[0];
   if (width < profile_width_least || width > profile_width_most) {
-    return Fault::profile(name.points, {width, "m", profile_width_least, profile_width_most},
-                          width < profile_width_least
-                              ? "that is the width of its points: are they in the unit expected?"
-                              : "that is the width of its points: are they in millimetres?");
+    return Fault::profile(
+        name.points, {width, "m", profile_width_least, profile_width_most},
+        width < profile_width_least
+            ? "the profile is too short, this is its width: are its points in the unit expected?"
+            : "the profile is too long, this is its width: are its points in millimetres?");
   }
   if (const Fault fault = check_steps(body, count, y, z); fault.failed()) return fault;
   return body == ProfileBody::rail ? check_rail_orientation(count, y, z)

@@ -6,6 +6,7 @@
 
 #include "halfspace/normal.hpp"
 #include "halfspace/tangential.hpp"
+#include "halfspace/transient.hpp"
 #include "sdec_pressure.hpp"
 #include "unit/halfspace_closed_forms.hpp"
 

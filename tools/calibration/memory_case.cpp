@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "cases.hpp"
-#include "halfspace/tangential.hpp"
+#include "halfspace/transient.hpp"
 #include "patch/material.hpp"
 #include "random.hpp"
 #include "sdec_pressure.hpp"

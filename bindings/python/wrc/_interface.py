@@ -65,7 +65,7 @@ class Status(s.Choice):
 
 STATUS_TEXTS = {int(each): each.__doc__ for each in Status}
 PRESETS = ('FASTSIM', 'FASTSIM-EQ.E', 'FASTSIM-EQ.L', 'FASTSIM-SDEC', 'strip FASTSIM', 'KBTNH-type table', 'modified FASTSIM', 'FaStrip', 'modified FaStrip', 'FaStrip-SDEC', 'Polach')
-FRICTIONS = {'Polach dry': ('Polach, Wear 258 (2005)', 'remembered, not read again; not compared with his measurements'), 'Polach wet': ('Polach, Wear 258 (2005)', 'remembered, not read again; not compared with his measurements'), 'magnetite': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'clay': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'sand': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'MoS2': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'locomotive': ("CONTACT's example tractcurv, second series: a locomotive's measured curve", 'its creep curve in CONTACT at 10 m/s is met: 0.31 at 1.6 %, 0.19 at 25 % slip; the measurement was not seen')}
+FRICTIONS = {'Polach dry': ('Polach, Wear 258 (2005)', 'quoted from memory, not read again; not compared with his measurements'), 'Polach wet': ('Polach, Wear 258 (2005)', 'quoted from memory, not read again; not compared with his measurements'), 'magnetite': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'clay': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'sand': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'MoS2': ('Hou, Kalousek, Magel, Wear 211 (1997)', "numbers of CONTACT's example plastic_3bl, whose creep curves are met; unconfirmed of a rail in service"), 'locomotive': ("CONTACT's example tractcurv, second series: a locomotive's measured curve", 'its creep curve in CONTACT at 10 m/s is met: 0.31 at 1.6 %, 0.19 at 25 % slip; the measurement was not seen')}
 
 
 class Flags(enum.IntFlag):
@@ -2214,8 +2214,8 @@ assert c.sizeof(PlanarOutput) == 512
 
 class WearLaws(s.Struct):
     """Parameters of the wear laws. Defaults are the published values, in their published units; all are
-        unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
-        Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
+        unconfirmed (quoted from memory, not checked against the original texts) and depend on the pair of
+        steels. Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
         wheel on UIC60 900A; Braghin et al. 2006). - Archard: depth per second, k p v / hardness with the map
         of Jendel (Wear 253 (2002)). - Power law: depth per second, power_coefficient / density * q (q /
@@ -2555,8 +2555,8 @@ assert c.sizeof(DamageBins) == 56
 class FatigueLaws(s.Struct):
     """Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to start, rising straight
         to peak at peak_at, falling straight through zero at end and on below it, where wear wins. For R220
-        and R260 steel; Burstow, RSSB T115 (2004); remembered, unconfirmed. The direction of the creep force,
-        by which the model tells cracks that open, is left to the caller.
+        and R260 steel; Burstow, RSSB T115 (2004); quoted from memory, unconfirmed. The direction of the creep
+        force, by which the model tells cracks that open, is left to the caller.
 
     Members:
       whole_life_start [N]: T-gamma from which cracks start (0 .. 1e6; default 15)

@@ -2176,8 +2176,8 @@ class PlanarOutputDict(TypedDict, total=False):
 
 class WearLaws(s.Struct):
     """Parameters of the wear laws. Defaults are the published values, in their published units; all are
-        unconfirmed (remembered, not checked against the original texts) and depend on the pair of steels.
-        Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
+        unconfirmed (quoted from memory, not checked against the original texts) and depend on the pair of
+        steels. Theory manual, section 6. - T-gamma: area lost per metre rolled (Pearce and Sherratt, Wear 144
         (1991)), over the wheel's diameter. - Sheffield: depth per metre rolled from T-gamma per area (R8T
         wheel on UIC60 900A; Braghin et al. 2006). - Archard: depth per second, k p v / hardness with the map
         of Jendel (Wear 253 (2002)). - Power law: depth per second, power_coefficient / density * q (q /
@@ -2486,8 +2486,8 @@ class DamageBinsDict(TypedDict, total=False):
 class FatigueLaws(s.Struct):
     """Damage of rolling contact fatigue by T-gamma: the Whole Life Rail Model. Zero up to start, rising straight
         to peak at peak_at, falling straight through zero at end and on below it, where wear wins. For R220
-        and R260 steel; Burstow, RSSB T115 (2004); remembered, unconfirmed. The direction of the creep force,
-        by which the model tells cracks that open, is left to the caller.
+        and R260 steel; Burstow, RSSB T115 (2004); quoted from memory, unconfirmed. The direction of the creep
+        force, by which the model tells cracks that open, is left to the caller.
     """
     whole_life_start: float
     """whole_life_start [N]: T-gamma from which cracks start (0 .. 1e6; default 15)"""

@@ -310,8 +310,9 @@ struct ContactChord {
 /// overlap and slope at a place by one of AlongRay, each from its own end, in lanes that still go.
 template <class Number, class Rays>
 ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
-  constexpr int most_rounds = 6;
-  constexpr double near = 0.01e-3, farthest = 24e-3;  // [m]: the step after one so short is far shorter
+  constexpr int most_rounds = 16;
+  // [m]: a step from where both bodies are round is followed by a far shorter one, others by half at most
+  constexpr double near_first = 1e-6, near = 1e-8, farthest = 24e-3;
   const Number least = least_curvature_left * at.own,
                first = half_contact(at.depth, larger(-at.bend, at.own));
   ContactChord<Number> chord{at.x, first, {at.depth, at.depth}};
@@ -346,7 +347,7 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
       const Number step = next - reach[k];
       chord.depth[k] = select(goes, depth[k] + slope[k] * step, chord.depth[k]);
       reach[k] = select(goes, next, reach[k]);
-      const auto is_far = value_of(magnitude(step)) > near;
+      const auto is_far = value_of(magnitude(step)) > (n > 0 ? near : near_first);
       far = k == 0 ? is_far : far | is_far;
     }
     // the middle lies where both ends are on the face

@@ -8,6 +8,8 @@ namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
+/// Growth of L behind the entry of a strip over that of (overlap - displacement) / curvature before.
+constexpr double grows_faster = 1.3;
 
 /// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
 void list_active(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
@@ -141,12 +143,13 @@ bool activate(const PressureProblem& problem, const StripSet& s, Asked asked, Pr
     for (std::int32_t a = 0; a < n; ++a) u += row[a] * w.solution[a];
     // The margin of rounding keeps a strip that just touches from entering and leaving in turn.
     const double overlap = overlap_at_centre(s, i);
+    const double L = (overlap - u) / s.curvature[i];
+    w.continued[i] = smaller(grows_faster * L, 0.0);
     if (!(u < overlap * (1.0 - 1e-12))) continue;
     w.in_contact[i] = 1;
     any = true;
     // It begins with the length that the cold start gives to the overlap that is left: growing from L = 0
     // takes as many iterations as a solve.
-    const double L = (overlap - u) / s.curvature[i];
     if (L > w.half_length[i] * w.half_length[i]) {
       s.L[i] = L;
       w.half_length[i] = root(L);

@@ -17,7 +17,8 @@ enum class Asked { none, beside, all };
 /// line loads in w.solution. No strip is active where none overlaps.
 void solve_contact(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w);
 
-/// Activates strips that would overlap under the loads in w.solution. Returns whether there are any.
+/// Activates strips that would overlap under the loads in w.solution. Returns whether there are any. The
+/// others that were asked get a negative L, which goes on steadily where they enter: w.continued.
 bool activate(const PressureProblem& problem, const StripSet& s, Asked asked, PressureScratch& w);
 
 /// The active strips, or some of them, for kernels.

@@ -270,6 +270,7 @@ void begin_iterations(StripSet& s, PressureScratch& w) {
   s.skewed = false;
   for (std::int32_t i = 1; i < s.count; ++i) s.skewed = s.skewed || s.deepest_x[i] != s.deepest_x[0];
   for (std::int32_t i = 0; i < s.count; ++i) w.in_contact[i] = s.L[i] > 0.0;
+  std::fill_n(w.continued, s.count, 0.0);
   w.active.count = 0;
   if (s.skewed) {
     std::fill(w.inverse_reach + s.count, w.inverse_reach + simd::whole_packs(s.count), 0.0);
@@ -316,10 +317,12 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     // Active set, edges, residual f. Far strips are asked whether they enter at the beginning and at the end,
     // those beside contact while the solution moves much.
     const bool moves = moved_before > asked_from * w.change.area;
-    evaluate(problem, s, k == 0 ? Asked::all : moves ? Asked::beside : Asked::none, w);
+    const Asked asked = k == 0 ? Asked::all : moves ? Asked::beside : Asked::none;
+    evaluate(problem, s, asked, w);
     if (w.active.count == 0) break;
     const auto [moved, area] = w.change;
-    result.converged = moved <= limits.tolerance * area && !activate(problem, s, Asked::all, w);
+    result.converged =
+        moved <= limits.tolerance * area && (asked == Asked::all || !activate(problem, s, Asked::all, w));
     if (k == 0 && moved > limits.farthest * area) return result;
 
     // Acceleration from scratch where it does not pay twice in a row, as while strips enter.

@@ -42,7 +42,7 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
   }
   if (from == StartFrom::overlaps) return false;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
-    s.L[i] = start.length_squared[b];
+    s.L[i] = larger(start.length_squared[b], 0.0);
     s.shift[i] = start.shift[b];
     w.depth_before[i] = start.depth[b];
     started = started || s.L[i] > 0.0;
@@ -51,11 +51,12 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
 }
 
 /// The solution over the candidates, and where the next solve may start.
-void store(const Overlaps& o, const StripSet& s, PressureStart& start, const StripPressure& p) {
+void store(const Overlaps& o, const PressureScratch& w, PressureStart& start, const StripPressure& p) {
+  const StripSet& s = w.fine;
   start.count = s.count;
   for (std::int32_t i = 0; i < s.count; ++i) {
     start.strip[i] = o.strip[i];
-    start.length_squared[i] = s.L[i];
+    start.length_squared[i] = s.L[i] > 0.0 ? s.L[i] : w.continued[i];
     start.shift[i] = s.shift[i];
     start.depth[i] = s.depth[i];
     p.length_squared[i] = s.L[i];
@@ -158,7 +159,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   bool started = load_strips(rail, o, start, from, w);
   if (o.count == 0) {
     result.converged = true;
-    store(o, s, start, p);
+    store(o, w, start, p);
     return result;
   }
   const PressureOptions options = limited_by_overlaps(o, given);
@@ -178,7 +179,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
     result.iterations += spent;
   }
   result.work = w.work;
-  store(o, s, start, p);
+  store(o, w, start, p);
   return result;
 }
 

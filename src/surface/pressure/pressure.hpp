@@ -50,8 +50,8 @@ struct PressureModel {
   double lambda_length = usual_lambda_length;  ///< lambda_reach() is at least this [m]
 };
 
-/// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips that
-/// are not in contact in both.
+/// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips whose L
+/// is not known in both.
 struct SolutionChange {
   const double* length_squared = nullptr;  ///< L [m^2]
   const double* shift = nullptr;           ///< c less the overlap's centre [m]
@@ -62,11 +62,13 @@ struct SolutionChange {
 /// increasing number.
 struct PressureStart {
   double* strip = nullptr;           ///< number among the rail's strips
-  double* length_squared = nullptr;  ///< L [m^2]
+  double* length_squared = nullptr;  ///< L [m^2]; beside contact negative (activate()); 0: not known
   double* shift = nullptr;           ///< c less the overlap's centre [m]
   double* depth = nullptr;           ///< overlap it was found at [m]
   std::int32_t count = 0;
-  SolutionChange change{};  ///< from the solution before to this one, until it is used; NULL: not known
+  /// Until they are used, changes from the solution before to this one, and from that before to the one
+  /// before. NULL: not known.
+  SolutionChange change{}, earlier{};
 };
 
 /// Calls each(i, b) for each strip that is in both of two lists, at i in the first and b in the second. Both

@@ -22,9 +22,9 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   ActiveStrips& a = w.active;
   arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,
              a.load_factor, a.load, a.width, a.ny, a.nz);
-  arena.each(padded, w.depth_before, w.half_length, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz,
-             w.u_leading, w.u_trailing, w.edge_lambda, w.edge_shift, w.inverse_reach, w.rim_weight, w.upper,
-             w.smooth_part, w.residual_before, w.best.q);
+  arena.each(padded, w.depth_before, w.half_length, w.continued, w.outside_place, w.outside_x, w.outside_ny,
+             w.outside_nz, w.u_leading, w.u_trailing, w.edge_lambda, w.edge_shift, w.inverse_reach,
+             w.rim_weight, w.upper, w.smooth_part, w.residual_before, w.best.q);
   // Vectors of all unknowns: L, then shifts.
   arena.each(2 * padded, w.residual, w.next, w.best.x);
   for (Iterate& iterate : w.iterate) {

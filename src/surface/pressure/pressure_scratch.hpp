@@ -75,8 +75,9 @@ struct PressureScratch {
   double max_work = 0.0;  ///< that it may take
   double* depth_before;   ///< each strip: overlap of the solution that a solve starts from [m]
   ActiveStrips active;
-  std::int32_t* in_contact;   ///< each strip: 1 in the active set
-  double* half_length;        ///< each strip: l, at least a part of its width [m]
+  std::int32_t* in_contact;  ///< each strip: 1 in the active set
+  double* half_length;       ///< each strip: l, at least a part of its width [m]
+  double* continued;  ///< each strip that was asked and is not in contact: L < 0 [m^2] (activate()); else 0
   double *matrix, *solution;  ///< elimination (simd::EliminationTask)
   std::int64_t places;        ///< doubles of the matrix, which many strips do not fit in
   double* rows;               ///< rows_at_a_time of such many

@@ -5,7 +5,7 @@
 namespace wrc::surface {
 namespace {
 
-constexpr double coarse_tolerance = 0.1;  ///< for the solution on pairs, part of the area
+constexpr double coarse_tolerance = 0.3;  ///< for the solution on pairs, part of the area
 constexpr std::int32_t fewest_pairs = 12;
 /// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
 /// overlaps are nearer, and lead to another solution less often where there are two.
@@ -13,7 +13,9 @@ constexpr double farthest_followed = 0.5;
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
-constexpr double farthest_extrapolated = 2.0;  ///< most times the earlier change in an extrapolation
+constexpr double farthest_extrapolated = 2.0;  ///< most times an earlier change in an extrapolation
+/// Part of the earlier change, squared, that its rest beside the later one must exceed to count.
+constexpr double hardly_across = 3e-3;
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
 void pair_up(const Overlaps& o, PressureScratch& w) {
@@ -40,22 +42,49 @@ void pair_up(const Overlaps& o, PressureScratch& w) {
   }
 }
 
-/// L and shifts of the strips on lines between the solved pairs.
+/// Gives pairs beside contact the L that goes on from the two inside on a line, at most 0: contact ends where
+/// L vanishes, not in the middle of a pair.
+void continue_outside(StripSet& c) {
+  const auto inside = [&](std::int32_t k) { return k >= 0 && k < c.count && c.q[k] > 0.0; };
+  for (std::int32_t k = 0; k < c.count; ++k) {
+    if (inside(k)) continue;
+    double L = -any_change;
+    for (const std::int32_t way : {-1, 1}) {
+      const std::int32_t near = k + way, next = near + way;
+      if (!inside(near) || !inside(next)) continue;
+      const double part = (c.place[k] - c.place[near]) / (c.place[near] - c.place[next]);
+      L = larger(L, c.L[near] + part * (c.L[near] - c.L[next]));
+    }
+    c.L[k] = L > -any_change ? smaller(L, 0.0) : 0.0;
+  }
+}
+
+/// L of the strips on parabolas through three of the solved pairs, shifts on lines through two.
 void interpolate_pairs(PressureScratch& w) {
-  const StripSet &s = w.fine, &c = w.coarse;
+  const StripSet& s = w.fine;
+  StripSet& c = w.coarse;
+  continue_outside(c);
+  const auto adjoins = [&](std::int32_t j, std::int32_t k) {
+    return j >= 0 && j < c.count && magnitude(c.place[j] - c.place[k]) <= 1.5 * c.width[k];
+  };
   for (std::int32_t i = 0; i < s.count; ++i) {
-    // The line runs through the strip's pair and the next one on the strip's side, if that is next to it.
     const std::int32_t k = w.pair_of[i];
     const double off = s.place[i] - c.place[k];
-    const std::int32_t other = off > 0.0 ? k + 1 : k - 1;
-    s.L[i] = c.L[k];
+    double L = c.L[k];
     s.shift[i] = c.shift[k];
-    if (off == 0.0 || other < 0 || other >= c.count) continue;
-    const double apart = c.place[other] - c.place[k];
-    if (magnitude(apart) > 1.5 * c.width[k]) continue;
-    const double t = off / apart;
-    s.L[i] = larger(c.L[k] + t * (c.L[other] - c.L[k]), 0.0);
-    s.shift[i] = c.shift[k] + t * (c.shift[other] - c.shift[k]);
+    // The line to the next pair on the strip's side, if that is next to it.
+    const std::int32_t side = off > 0.0 ? 1 : -1, ahead = k + side, behind = k - side;
+    if (off != 0.0 && adjoins(ahead, k)) {
+      const double apart = c.place[ahead] - c.place[k], slope = (c.L[ahead] - c.L[k]) / apart;
+      L += off * slope;
+      s.shift[i] += off / apart * (c.shift[ahead] - c.shift[k]);
+      // Its bend, by the pair on the other side. Beside contact there is none.
+      if (c.q[k] > 0.0 && adjoins(behind, k)) {
+        const double before = c.place[k] - c.place[behind], slope_before = (c.L[k] - c.L[behind]) / before;
+        L += off * (off - apart) * (slope - slope_before) / (apart + before);
+      }
+    }
+    s.L[i] = larger(L, 0.0);
   }
 }
 
@@ -63,13 +92,24 @@ void interpolate_pairs(PressureScratch& w) {
 
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
                                  PressureScratch& w, std::int32_t most) {
-  // Half of the overlap's own squared half length, 2 d / kappa: Hertz's a^2 = R d between spheres.
+  // Few strips: half of the overlap's own squared half length, 2 d / kappa. Hertz's a^2 = R d between
+  // spheres.
   const StripSet& s = w.fine;
   for (std::int32_t i = 0; i < s.count; ++i) {
     s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
     s.shift[i] = 0.0;
   }
   if (s.count < 2 * fewest_pairs) return 0;
+  // Many: (2 d - D) / kappa, D the overlap on top of the hill that the strip lies on. Contact of spheres ends
+  // where d = D / 2.
+  double* const top = w.next;  // on the way up to the left; no iteration has begun
+  for (std::int32_t i = 0; i < s.count; ++i)
+    top[i] = i > 0 && s.depth[i - 1] > s.depth[i] ? top[i - 1] : s.depth[i];
+  double to_right = 0.0;
+  for (std::int32_t i = s.count - 1; i >= 0; --i) {
+    if (!(i + 1 < s.count && s.depth[i + 1] > s.depth[i])) to_right = s.depth[i];
+    s.L[i] = larger(2.0 * s.depth[i] - larger(top[i], to_right), 0.0) / s.curvature[i];
+  }
   pair_up(o, w);
   // An iteration over all strips must be left.
   const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * s.count * s.count, any_change,
@@ -80,23 +120,36 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
 }
 
 void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart& start) {
-  const SolutionChange change = start.change;
-  start.change = {};
-  if (!change.depth) return;
-  // share of the earlier change: the overlaps' growth since, projected on their growth in it, by areas
-  double along = 0.0, squared = 0.0;
+  const SolutionChange first = start.change, second = start.earlier;
+  start.change = start.earlier = {};
+  if (!first.depth) return;
+  // Products of the overlaps' growth in the later change (1), in the earlier one (2) and since, by areas.
+  double a11 = 0.0, a12 = 0.0, a22 = 0.0, a1 = 0.0, a2 = 0.0;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
-    const double weight = rail.width[o.strip[i]] * start.length_squared[b] * change.depth[b];
-    along += weight * (o.depth[i] - start.depth[b]);
-    squared += weight * change.depth[b];
+    const double weight = rail.width[o.strip[i]] * larger(start.length_squared[b], 0.0);
+    const double along = weight * first.depth[b], across = weight * second.depth[b];
+    const double grown = o.depth[i] - start.depth[b];
+    a11 += along * first.depth[b];
+    a12 += along * second.depth[b];
+    a22 += across * second.depth[b];
+    a1 += along * grown;
+    a2 += across * grown;
   });
-  if (!(squared > 0.0)) return;
-  const double share = smaller(larger(along / squared, -farthest_extrapolated), farthest_extrapolated);
+  if (!(a11 > 0.0)) return;
+  const auto limited = [](double share) {
+    return smaller(larger(share, -farthest_extrapolated), farthest_extrapolated);
+  };
+  // The growth since, projected on that of the later change, then on the rest of the earlier one, which is
+  // not along the later one.
+  const double part = a12 / a11, rest = a22 - part * a12;
+  const double later = limited(a1 / a11);
+  const double earlier = rest > 0.0 ? limited((a2 - part * a1) / (rest + hardly_across * a22)) : 0.0;
+  const double share = later - part * earlier;
   for (std::int32_t b = 0; b < start.count; ++b) {
-    double& L = start.length_squared[b];
-    L = smaller(larger(L + share * change.length_squared[b], 0.25 * L), 4.0 * L);
-    start.shift[b] += share * change.shift[b];
-    start.depth[b] += share * change.depth[b];
+    if (start.length_squared[b] == 0.0) continue;
+    start.length_squared[b] += share * first.length_squared[b] + earlier * second.length_squared[b];
+    start.shift[b] += share * first.shift[b] + earlier * second.shift[b];
+    start.depth[b] += share * first.depth[b] + earlier * second.depth[b];
   }
 }
 

@@ -10,6 +10,25 @@ namespace {
 
 using surface::FollowedStrips;
 
+/// A number of strips between two sections, by powers of the share t of the way: value_weights() and its
+/// derivatives, multiplied out.
+struct BetweenSections {
+  Pack whole, once, cubed, fourth, fifth;
+
+  /// From the values in both sections, and their slopes by t.
+  static BetweenSections of(Pack left, Pack right, Pack leaving, Pack reaching) {
+    const Pack rise = right - left;
+    return {left, leaving, 10.0 * rise - 6.0 * leaving - 4.0 * reaching,
+            8.0 * leaving + 7.0 * reaching - 15.0 * rise, 6.0 * rise - 3.0 * (leaving + reaching)};
+  }
+  Pack value(Pack t, Pack t2) const { return whole + t * (once + t2 * (cubed + t * (fourth + t * fifth))); }
+  /// The first two derivatives by t.
+  Pack slope(Pack t, Pack t2) const {
+    return once + t2 * (3.0 * cubed + t * (4.0 * fourth + t * (5.0 * fifth)));
+  }
+  Pack curvature(Pack t) const { return t * (6.0 * cubed + t * (12.0 * fourth + t * (20.0 * fifth))); }
+};
+
 /// Strips of one face, seen along x: rays in the directions ny, nz.
 struct StripsOverX {
   static constexpr std::int32_t lists = 4;  ///< y, z, dy/du, dz/du
@@ -17,10 +36,11 @@ struct StripsOverX {
   const FollowRailTask& task;
   const std::int32_t* strip;
   Pack ny, nz;
-  /// Each lane's two sections hold for distances begin <= X < end [m]; `apart`, `per`: as of their weights.
-  Pack begin = 1.0, end = 0.0, per = {}, apart = {};
-  Pack left[lists] = {}, right[lists] = {}, left_slope[lists] = {}, right_slope[lists] = {};
-  surface::SectionWeights<Pack> weights = {};  ///< at the place looked at last
+  /// Each lane's two sections hold for distances begin <= X < end [m]; `per`: 1 over their distance,
+  /// beyond all sections 0.
+  Pack begin = 1.0, end = 0.0, per = {};
+  BetweenSections list[lists] = {};
+  Pack t = {}, t2 = {};  ///< share of the way, at the place looked at last
 
   /// Looks up the sections for distances, where those at hand do not hold.
   void go_to(Pack there) {
@@ -30,10 +50,17 @@ struct StripsOverX {
     const double* const at = rail.distance;
     const std::int32_t first = task.face->first_section, behind = first + task.face->sections;
     double wanted[lanes], from[lanes], to[lanes], between[lanes];
-    double value[4][lists][lanes];
+    const double* numbers[2][lanes];  // those of a strip in both sections
     store_pack(wanted, there);
-    // Lane by lane: neighbouring strips may look at different sections.
+    // Lane by lane: neighbouring strips may look at different sections, most look at the same ones.
     for (std::int32_t i = 0; i < lanes; ++i) {
+      if (i > 0 && wanted[i] >= from[i - 1] && wanted[i] < to[i - 1]) {
+        from[i] = from[i - 1];
+        to[i] = to[i - 1];
+        between[i] = between[i - 1];
+        for (auto& of : numbers) of[i] = of[i - 1] + (strip[i] - strip[i - 1]);
+        continue;
+      }
       // The first section ahead, by halving.
       std::int32_t low = first, high = behind;
       while (low < high) {
@@ -49,56 +76,40 @@ struct StripsOverX {
       from[i] = low > first ? at[one] : -far;
       to[i] = low < behind ? at[low] : far;
       between[i] = within ? to[i] - from[i] : 0.0;
-      for (std::int32_t q = 0; q < lists; ++q) {
-        const auto of = [&](std::int32_t section, std::int32_t list) {
-          return rail.outline[(static_cast<std::int64_t>(section) * 8 + list) * rail.stride + strip[i]];
-        };
-        value[0][q][i] = of(one, q);
-        value[1][q][i] = of(other, q);
-        value[2][q][i] = within ? of(one, q + lists) : 0.0;
-        value[3][q][i] = within ? of(other, q + lists) : 0.0;
-      }
+      numbers[0][i] = rail.outline + static_cast<std::int64_t>(one) * 8 * rail.stride + strip[i];
+      numbers[1][i] = rail.outline + static_cast<std::int64_t>(other) * 8 * rail.stride + strip[i];
     }
-    // 0 for both beyond the sections: there the weights are those at the nearest one
     begin = load_pack(from);
     end = load_pack(to);
-    apart = load_pack(between);
+    const Pack apart = load_pack(between);
     const Mask within = apart > 0.0;
     per = select(within, 1.0 / select(within, apart, 1.0), 0.0);
-    for (std::int32_t q = 0; q < lists; ++q) {
-      left[q] = load_pack(value[0][q]);
-      right[q] = load_pack(value[1][q]);
-      left_slope[q] = load_pack(value[2][q]);
-      right_slope[q] = load_pack(value[3][q]);
-    }
+    const auto gather = [&](int section, std::int32_t q) {
+      double value[lanes];
+      for (std::int32_t i = 0; i < lanes; ++i) value[i] = numbers[section][i][q * rail.stride];
+      return load_pack(value);
+    };
+    for (std::int32_t q = 0; q < lists; ++q)
+      list[q] = BetweenSections::of(gather(0, q), gather(1, q), apart * gather(0, q + lists),
+                                    apart * gather(1, q + lists));
   }
 
-  /// One of the lists there, or its derivative by the distance, where `whole` is 0.
-  Pack blended(const surface::SectionWeights<Pack>& w, double whole, std::int32_t q) const {
-    return (whole - w.up) * left[q] + w.up * right[q] + w.leaving * left_slope[q] +
-           w.reaching * right_slope[q];
-  }
-
-  Pack share(Pack x) {
+  surface::RayStart<Pack> start(Pack x) {
     const Pack there = task.distance + x;
     go_to(there);
-    return (there - begin) * per;
-  }
-  surface::RayPlace<Pack> place(Pack x, Pack t) {
-    weights = surface::value_weights(t, apart);
-    return {x, blended(weights, 1.0, 0) - task.pose->y, blended(weights, 1.0, 1) - task.pose->z};
-  }
-  surface::RayStart<Pack> start(Pack x) {
-    const Pack t = share(x);
-    // the place, its slope and its curvature by the distance
-    const surface::SectionWeights<Pack> first = surface::slope_weights(t, per),
-                                        second = surface::curvature_weights(t, per);
-    return {place(x, t), blended(first, 0.0, 0), blended(first, 0.0, 1), blended(second, 0.0, 0),
-            blended(second, 0.0, 1)};
+    t = (there - begin) * per;
+    t2 = t * t;
+    const BetweenSections &y = list[0], &z = list[1];
+    const Pack per2 = per * per;
+    return {{x, y.value(t, t2) - task.pose->y, z.value(t, t2) - task.pose->z},
+            per * y.slope(t, t2),
+            per * z.slope(t, t2),
+            per2 * y.curvature(t),
+            per2 * z.curvature(t)};
   }
   /// Turns rays into the mean of both surfaces' normals at the place looked at last.
   void turn(const surface::OverlapAlong<Pack>& o, Pack& to_y, Pack& to_z) const {
-    const Pack dy = blended(weights, 1.0, 2), dz = blended(weights, 1.0, 3),
+    const Pack dy = list[2].value(t, t2), dz = list[3].value(t, t2),
                per_length = 1.0 / root(dy * dy + dz * dz);
     surface::turn_rays<Pack>(o, dy * per_length, dz * per_length, to_y, to_z);
   }
@@ -134,11 +145,21 @@ struct RayEnds {
   }
 };
 
+/// Slope, bend and the circle's curvature at the places of the largest overlaps, as in OverlapAlong.
+struct BesideLargest {
+  Pack slope, bend, own;
+  void take(const surface::OverlapAlong<Pack>& o, Mask lanes_that_go) {
+    slope = select(lanes_that_go, o.slope, slope);
+    bend = select(lanes_that_go, o.bend, bend);
+    own = select(lanes_that_go, o.own, own);
+  }
+};
+
 /// Newton's method for the largest overlaps within low..high, from x; the rays are turned with it. Lanes that
 /// are there rest. Where it does not settle soon, as on a wheel whose curvature changes within millimetres,
 /// it keeps between places from which the overlap grows towards each other. Rays that do not meet the wheel
 /// properly, as on the sides of faces far from it, are left as they were.
-inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
+inline BesideLargest find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   constexpr int most_steps = 24, soon = 4;
   constexpr double longest = 10e-3, close = 1e-8, far = 1e300;  // [m]
   const FollowRailTask& task = strips.task;
@@ -146,6 +167,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   const Pack first_x = x, first_ny = strips.ny, first_nz = strips.nz;
   Pack behind = -far, ahead = far, last = far;  // bounds of the place, and the last step [m]
   Mask goes = Pack(0.0) < 1.0;                  // all lanes
+  BesideLargest largest = {};
   for (int n = 0; n < most_steps; ++n) {
     const surface::RayStart<Pack> from = strips.start(x);
     // slopes that bound the place are those at the ray's end itself
@@ -158,6 +180,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
     // the ray's end, by a step of its own
     const Pack moved = o.depth - ends.depth;
     ends.take(o, goes, *task.wheel);
+    largest.take(o, goes);
     // concave where it is to be largest; a step at most `longest`
     const Pack step = o.slope / larger(-o.bend, surface::least_curvature_left * o.own);
     Pack next = x + smaller(larger(step, -longest), longest);
@@ -175,7 +198,7 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
     x = select(goes, x + to, x);
     // both steps square the residual, once the rays have been turned
     if (n > 0) goes = goes & !((magnitude(to) < close) & (magnitude(moved) < close));
-    if (!any(goes)) return;
+    if (!any(goes)) return largest;
     // rays along the mean of the normals there
     Pack ny = strips.ny, nz = strips.nz;
     strips.turn(o, ny, nz);
@@ -193,6 +216,10 @@ inline void find_largest(StripsOverX& strips, Pack& x, RayEnds& ends) {
   x = select(goes, first_x, x);
   strips.ny = select(goes, first_ny, strips.ny);
   strips.nz = select(goes, first_nz, strips.nz);
+  largest.take(surface::overlap_along<Pack>(ends.on, *task.pose, strips.start(x), strips.ny, strips.nz,
+                                            ends.u, ends.depth),
+               goes);
+  return largest;
 }
 
 /// The rays that fit_along() follows contacts by, from the ends of those at the largest overlaps.
@@ -250,19 +277,17 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   Pack x = load_pack(s.x + first);
 
   // the largest overlap
-  find_largest(strips, x, ends);
+  const BesideLargest beside = find_largest(strips, x, ends);
   for (std::int32_t i = 0; i < lanes; ++i) s.piece[first + i] = ends.piece[i];
   store_pack(s.x + first, x);
   store_pack(s.u + first, ends.u);
   store_pack(s.depth + first, ends.depth);
 
   // the parabola of the contact about it
-  const surface::OverlapAlong<Pack> over = surface::overlap_along<Pack>(
-      ends.on, *task.pose, strips.start(x), strips.ny, strips.nz, ends.u, ends.depth);
   const Mask inside = (x > task.low) & (x < task.high),
              at_end = (!inside) & (magnitude(x) < surface::farthest_along);
   const surface::AtLargest<Pack> at{
-      x, ends.depth, over.bend, over.own, select(at_end, over.slope, 0.0), task.high, task.low};
+      x, ends.depth, beside.bend, beside.own, select(at_end, beside.slope, 0.0), task.high, task.low};
   RaysAlong rays{strips, {ends, ends, ends}};
   surface::StripOverlap<Pack> o;
   surface::fit_along<Pack>(at, rays, o);

@@ -109,14 +109,26 @@ void copy_start(const KeptStart& from, const KeptStart& to) {
   std::copy_n(from.depth, count, to.depth);
 }
 
-/// Change of the strips that are in contact in both of two solutions.
+/// A change by the strips of one solution, brought to those of a later one.
+void move_change(const KeptChange& from, const KeptStart& of, const KeptStart& later, const KeptChange& to) {
+  const auto count = static_cast<std::int32_t>(later.head->count);
+  const auto earlier = static_cast<std::int32_t>(of.head->set * of.head->count);
+  for (double* const each : {to.length_squared, to.shift, to.depth}) std::fill_n(each, count, 0.0);
+  for_shared_strips(count, later.strip, earlier, of.strip, [&](std::int32_t i, std::int32_t b) {
+    to.length_squared[i] = from.length_squared[b];
+    to.shift[i] = from.shift[b];
+    to.depth[i] = from.depth[b];
+  });
+}
+
+/// Change of the strips whose L is known in both of two solutions.
 void take_change(const KeptStart& before, const KeptStart& now, const KeptChange& change) {
   const auto count = static_cast<std::int32_t>(now.head->count);
   const auto earlier = static_cast<std::int32_t>(before.head->set * before.head->count);
   for (double* const each : {change.length_squared, change.shift, change.depth})
     std::fill_n(each, count, 0.0);
   for_shared_strips(count, now.strip, earlier, before.strip, [&](std::int32_t i, std::int32_t b) {
-    if (!(before.length_squared[b] > 0.0) || !(now.length_squared[i] > 0.0)) return;
+    if (before.length_squared[b] == 0.0 || now.length_squared[i] == 0.0) return;
     change.length_squared[i] = now.length_squared[i] - before.length_squared[b];
     change.shift[i] = now.shift[i] - before.shift[b];
     change.depth[i] = now.depth[i] - before.depth[b];
@@ -150,6 +162,7 @@ Fault look_for_jump(const WheelOnRail& in, const RememberedSteps& steps) {
 }  // namespace
 
 void mark_solution(const SurfaceState& state) {
+  move_change(state.change, state.mark, state.last, state.earlier);
   take_change(state.mark, state.last, state.change);
   copy_start(state.last, state.mark);
 }
@@ -160,7 +173,8 @@ SurfaceState cut_surface_state(Arena& arena, std::int32_t strips, std::int32_t r
     start->head = arena.take<KeptStartHead>(1);
     arena.each(strips, start->strip, start->length_squared, start->shift, start->depth);
   }
-  arena.each(strips, s.change.length_squared, s.change.shift, s.change.depth);
+  for (KeptChange* const change : {&s.change, &s.earlier})
+    arena.each(strips, change->length_squared, change->shift, change->depth);
   s.kept.head = arena.take<StripResultsHead>(1);
   for (double** const column : s.kept.columns()) *column = arena.take(strips);
   s.steps = arena.take<RememberedSteps>(1);
@@ -215,8 +229,10 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
                      {}},
                     warm ? StartFrom::solution : StartFrom::overlaps,
                     warm && last.head->stiffness > 0.0 ? last.head->stiffness : 1.0};
-  if (from == SolutionStart::mark)
+  if (from == SolutionStart::mark) {
     start.solution.change = {state.change.length_squared, state.change.shift, state.change.depth};
+    start.solution.earlier = {state.earlier.length_squared, state.earlier.shift, state.earlier.depth};
+  }
   out = {};
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;

@@ -128,7 +128,8 @@ struct RememberedSteps {
 /// bytes. It holds doubles alone, and behind them the tractions of a model that remembers.
 struct SurfaceState {
   KeptStart last, mark;
-  KeptChange change;  ///< from the solution marked before to the marked one
+  KeptChange change;   ///< from the solution marked before to the marked one
+  KeptChange earlier;  ///< from that marked two before to that marked before, by the strips of the marked one
   StripResults kept;
   RememberedSteps* steps = nullptr;
   tangential::Memory* memory = nullptr;  ///< nullptr: the model remembers nothing

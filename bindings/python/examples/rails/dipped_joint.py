@@ -8,7 +8,7 @@ move together on the track's spring. The formula is that of Jenkins and others (
 
     P2 = P0 + 2 alpha V sqrt(m / (m + m_t)) (1 - pi c_t / (4 sqrt(k_t (m + m_t)))) sqrt(k_t m),
 
-with the numbers that GM/TT0088 gives an average track, as remembered. It is the largest force of that spring after an impact
+with the numbers that GM/TT0088 gives an average track, quoted from memory. It is the largest force of that spring after an impact
 without rebound; the contact's slow force is less, by m / (m + m_t) of its growth."""
 import pathlib
 import sys
