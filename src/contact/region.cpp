@@ -73,7 +73,7 @@ std::int32_t face_of(const Contact& contact, const surface::SurfaceRegion& regio
   // Strips are numbered face by face.
   const surface::VaryingRail& rail = contact.model->surface->varying;
   std::int32_t face = 0;
-  while (face + 1 < rail.faces && region.first >= rail.face[face + 1].first) ++face;
+  while (face + 1 < rail.faces && surface::on_rail(region.first) >= rail.face[face + 1].first) ++face;
   return face;
 }
 

@@ -111,7 +111,7 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
       const double at = *number;
       wrc_wrench above, below;
       *number = at + h;
-      ASSERT_EQ(step(), WRC_OK);
+      ASSERT_EQ(step(), WRC_OK) << error();
       above = wrench;
       *number = at - h;
       ASSERT_EQ(step(), WRC_OK);
@@ -387,6 +387,55 @@ TEST_F(AlongTrack, AWheelRollsThroughADipShorterThanItself) {
   }
   EXPECT_GT(deepest, 0.7 * deep);
   EXPECT_LT(deepest, deep);
+}
+
+/// A ramp that ends: the wheel touches it and its upper end at once, and goes over from one to the other.
+class TwoPlaces : public AlongTrack {
+ protected:
+  void SetUp() override {
+    for (int k = -10; k <= 20; ++k) add(0.01 * k, 0.1 * std::max(0.0, 0.1 - 0.01 * k) - 0.01);
+    give();
+  }
+};
+
+TEST_F(TwoPlaces, AreNoLeapAndCarryAsMuchAsTheExactSolverHas) {
+  auto options = wrc_exact_wrench_options_default();
+  options.cell_x = options.cell_s = 0.3e-3;
+  create_under(40e3);
+  double force[2] = {}, last = 0.0;
+  int touched_twice = 0;
+  for (int k = 0; k <= 400; ++k) {
+    input.distance = 33e-3 + 30e-6 * k;
+    ASSERT_EQ(step(), WRC_OK) << error() << input.distance;
+    const double now = wrench.force[0];
+    const double jump = k > 1 ? std::abs(now - 2.0 * force[0] + force[1]) : 0.0;
+    EXPECT_LT(jump, 5e-4 * 40e3) << input.distance;
+    force[1] = std::exchange(force[0], now);
+    EXPECT_LT(std::abs(wrench.z - last), k > 0 ? 10e-6 : 1.0);
+    last = wrench.z;
+    touched_twice += wrench.region_count > 1 ? 1 : 0;
+    if (k % 80 != 0) continue;
+    input.prescribed = WRC_PRESCRIBE_HEIGHT;
+    input.vertical_load = 0.0;
+    wheel.z = last;
+    EXPECT_EQ(wrc_exact_wrench(contact, &input, &options, &wrench), WRC_OK) << error();
+    EXPECT_NEAR(wrench.force[2], -40e3, 0.015 * 40e3) << input.distance;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 40e3;
+  }
+  EXPECT_GT(touched_twice, 80);
+}
+
+TEST_F(TwoPlaces, DerivativesAreDifferences) {
+  give_wheel(720, [](double a) { return 1e-5 * std::cos(7.0 * a); });
+  create();
+  wheel.y = 1e-3;
+  wheel.yaw = 3e-3;
+  for (const double distance : {39e-3, 40e-3, 41e-3}) {
+    input.distance = distance;
+    expect_differences();
+    EXPECT_GT(wrench.region_count, 1) << distance;
+  }
 }
 
 /// A surface that begins within the rail begins on its ramp: straight from its first section on.

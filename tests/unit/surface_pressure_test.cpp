@@ -180,7 +180,7 @@ struct DifferentiatedGap {
     const std::size_t n = number.size();
     for (auto* dual : {&line_load_dual, &length_squared_dual, &centre_dual}) dual->resize(n);
     PressedStrips s;
-    s.count = static_cast<std::int32_t>(n);
+    s.count = s.behind = static_cast<std::int32_t>(n);
     s.place = place.data();
     s.width = width.data();
     s.line_load = line_load.data();

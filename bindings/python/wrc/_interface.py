@@ -3943,8 +3943,8 @@ class ContactCalls(_l.Handle):
             says so. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED. -
             _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
             more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
-            strips than there is room for. Or a round wheel touches a rail at two places along the track, of
-            which one carries the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
+            strips than there is room for. Or a round wheel touches a rail at three places along the track, of
+            which two carry the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
             Contact.planar_creepages(); not with config.surface.memory. - _MEMORY_DROPPED: with
             config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities
             take it. - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there. - _FORCE_JUMPS: a

@@ -272,13 +272,22 @@ void cut_at_end(Yes near, const Number& way, const Number& room, const Number& s
   put(o.grade + way * (at_end.slope + curvature * t), o.grade);
 }
 
+/// Up to where the contact about a top of an overlap may reach ahead and behind: valleys before another top.
+/// unbounded: there is none.
+template <class Number>
+struct TopBounds {
+  Number ahead, behind;  ///< from the wheel's reference point [m]
+};
+inline constexpr TopBounds<double> unbounded{1e9, -1e9};
+
 /// A strip at its largest overlap along x.
 template <class Number>
 struct AtLargest {
-  Number x, depth;   ///< its place, and the overlap along the ray there [m]
-  Number bend, own;  ///< as in OverlapAlong [1/m]
-  Number end_slope;  ///< Slope of the overlap where it is largest at an end of the face, else 0 [-].
-  Number high, low;  ///< where the face ends, ahead and behind [m]
+  Number x, depth;       ///< its place, and the overlap along the ray there [m]
+  Number bend, own;      ///< as in OverlapAlong [1/m]
+  Number end_slope;      ///< Slope of the overlap where it is largest at an end of the face, else 0 [-].
+  Number high, low;      ///< where the face ends, ahead and behind [m]
+  Number ahead, behind;  ///< TopBounds
 };
 
 /// A strip in the middle of its contact.
@@ -316,7 +325,8 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   const Number least = least_curvature_left * at.own,
                first = half_contact(at.depth, larger(-at.bend, at.own));
   ContactChord<Number> chord{at.x, first, {at.depth, at.depth}};
-  Number reach[2] = {first, first};
+  const Number room[2] = {at.ahead - at.x, at.x - at.behind};  // before another top's contact
+  Number reach[2] = {smaller(first, room[0]), smaller(first, room[1])};
   auto goes = value_of(first) > 0.0;  // all
   for (int n = 0; n < most_rounds; ++n) {
     // overlaps in the middle, first that known, and on both sides, which fall outwards
@@ -335,7 +345,13 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
     // the depth wanted at both ends, as it is and once they and so the middle have moved
     const Number fallen = top - 0.5 * contact_share * (larger(top, Number(0.0)) + least_contact_depth);
     const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * top_slope;
-    const Number per[2] = {1.0 / slope[0], 1.0 / slope[1]};
+    Number per[2] = {1.0 / slope[0], 1.0 / slope[1]};
+    // an end in the valley before another top stays there
+    for (int k = 0; k < 2; ++k) {
+      const auto in_valley = value_of(reach[k]) >= value_of(room[k]),
+                 above = value_of(depth[k]) > value_of(fallen);
+      per[k] = select(in_valley, select(above, Number(0.0), per[k]), per[k]);
+    }
     const Number widens = ((fallen - depth[0]) * per[0] - (fallen - depth[1]) * per[1]) /
                           larger(1.0 - by_middle * (per[0] - per[1]), Number(0.5));
     const Number wanted = fallen + by_middle * widens;
@@ -343,7 +359,8 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
     auto far = goes;
     for (int k = 0; k < 2; ++k) {
       const Number there = reach[k] + (wanted - depth[k]) * per[k];
-      const Number next = smaller(smaller(larger(there, 0.25 * reach[k]), 2.0 * reach[k]), Number(farthest));
+      const Number next = smaller(smaller(larger(there, 0.25 * reach[k]), 2.0 * reach[k]),
+                                  smaller(Number(farthest), room[k]));
       const Number step = next - reach[k];
       chord.depth[k] = select(goes, depth[k] + slope[k] * step, chord.depth[k]);
       reach[k] = select(goes, next, reach[k]);
@@ -408,18 +425,21 @@ struct FollowedStrips {
   Each x;
   std::int32_t piece[most];
   Each u, depth;
+  TopBounds<Each> bounds;
   StripOverlap<Each> overlap;  ///< normals, then all
 };
 
 /// Adds a strip, with the normal of `o`.
 inline void put_largest(std::int32_t strip, const LargestOverlap& near, const StripOverlap<double>& o,
-                        FollowedStrips& s) {
+                        FollowedStrips& s, const TopBounds<double>& bounds = unbounded) {
   const std::int32_t i = s.count++;
   s.strip[i] = strip;
   s.x[i] = near.x;
   s.piece[i] = near.end.piece;
   s.u[i] = near.end.u;
   s.depth[i] = near.end.depth;
+  s.bounds.ahead[i] = bounds.ahead;
+  s.bounds.behind[i] = bounds.behind;
   s.overlap.ny[i] = o.ny;
   s.overlap.nz[i] = o.nz;
 }

@@ -63,7 +63,10 @@ struct Overlaps {
   std::int32_t* strip = nullptr;   ///< number of the rail's strip
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
-  double* grade = nullptr;        ///< nullptr: zero everywhere
+  double* grade = nullptr;  ///< nullptr: zero everywhere
+  /// With grades: of a strip with two tops, the bounds of its contact along the track (TopBounds) [m], and
+  /// the part of its overlap that counts [-].
+  double *ahead = nullptr, *behind = nullptr, *part = nullptr;
   std::int32_t* piece = nullptr;  ///< piece of the wheel's curve where the ray ends
   double* u = nullptr;            ///< length on that piece [m]
 };

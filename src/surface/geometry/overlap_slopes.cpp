@@ -171,8 +171,16 @@ OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& 
   rays.turn(ray.overlap(s, from), x, s.ny, s.nz);
   step();
   over = ray.overlap(s, from);
-  const AtLargest<PlaceDual> at{
-      x, ray.depth, over.bend, over.own, at_end ? over.slope : PlaceDual(0.0), high + moved, low + moved};
+  // valleys count as places that rest on the rail, and a second place's part of its overlap as a constant
+  const AtLargest<PlaceDual> at{x,
+                                ray.depth,
+                                over.bend,
+                                over.own,
+                                at_end ? over.slope : PlaceDual(0.0),
+                                high + moved,
+                                low + moved,
+                                near.bounds.ahead[0] + moved,
+                                near.bounds.behind[0] + moved};
   OverlapSlopes o;
   fit_along(at, rays, o);
   o.y_wheel = rays.y_wheel;

@@ -12,6 +12,12 @@ namespace wrc::surface {
 /// its sections.
 inline constexpr std::int32_t most_rail_faces = 8, most_rail_marks = 64;
 
+/// Number of a strip's second place along the track (second_place.hpp) less that of the strip itself.
+inline constexpr std::int32_t second_places = 4096;
+
+/// The rail's strip that a number belongs to, of a first or a second place.
+inline std::int32_t on_rail(std::int32_t strip) { return strip & (second_places - 1); }
+
 /// Strips side by side, and the bounds of their middles.
 struct FaceStrips {
   std::int32_t first, count;
@@ -32,6 +38,19 @@ struct RailStrips {
   std::int32_t ranges = 0;
   FaceStrips range[most_rail_faces];
 };
+
+/// Arc length at a strip of the number given, by which it displaces others. A second place is as far from the
+/// first one of its strip as tells them apart [m].
+inline double place_on_rail(const RailStrips& rail, std::int32_t strip) {
+  constexpr double apart = 1e-7;
+  return strip < second_places ? rail.s[strip] : rail.s[on_rail(strip)] + apart;
+}
+
+/// The same by which its neighbours are told: second places are far from the first ones [m].
+inline constexpr double rows_apart = 16.0;
+inline double row_place(const RailStrips& rail, std::int32_t strip) {
+  return strip < second_places ? rail.s[strip] : rail.s[on_rail(strip)] + rows_apart;
+}
 
 /// Widths of strips: the narrowest where the surface is curved as a gauge corner, the widest where it is
 /// nearly flat [m].

@@ -189,6 +189,26 @@ bool sections_differ(const VaryingRail& rail, const RailFace& face, const double
   return false;
 }
 
+/// The valleys between a face's sections, at places between them.
+void find_valleys(const VaryingRail& rail, const RailFace& face, double* valley) {
+  constexpr int places = 8;
+  for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
+    const double* const here = rail.outline + static_cast<std::int64_t>(k) * 8 * rail.stride;
+    // the largest of all strips at places between the sections
+    valley[k] = 0.0;
+    for (int n = 1; n < places; ++n) {
+      const double at = rail.distance[k] + (rail.distance[k + 1] - rail.distance[k]) * n / places;
+      const SectionBlend blend = blend_at(rail, face, at, 2);
+      for (std::int32_t j = face.first; j < face.first + face.strips; ++j) {
+        // n.P'' of the normal (-dz/du, dy/du) at the section before
+        const double dy = here[2 * rail.stride + j], dz = here[3 * rail.stride + j];
+        const double bent = dy * blended(rail, blend, j, 1).f[2] - dz * blended(rail, blend, j, 0).f[2];
+        valley[k] = larger(valley[k], -bent / std::sqrt(dy * dy + dz * dz));
+      }
+    }
+  }
+}
+
 /// Puts the sections into faces, and notes their distances.
 void take_sections(const RailSection* sections, std::int32_t count, double* distance, VaryingRail& rail) {
   // sections of one face stand together, by increasing distance
@@ -265,7 +285,7 @@ Fault lay_outlines(SectionReader& reader, const VaryingRail& rail, const RailFac
 VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int32_t nodes,
                                    std::int32_t most_strips) {
   VaryingRailArrays a;
-  a.distance = arena.take(sections);
+  arena.each(sections, a.distance, a.valley);
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
   arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
@@ -283,6 +303,8 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
   rail.distance = a.distance;
   rail.outline = a.outline;
   rail.step = a.step;
+  rail.valley = a.valley;
+  std::fill_n(a.valley, count, 0.0);
   take_sections(sections, count, a.distance, rail);
   const double cosine = 1.0 / std::sqrt(1.0 + inclination * inclination), sine = inclination * cosine;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
@@ -309,6 +331,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
     if (!fault.failed()) fault = check_directions(rail, face, a.outline);
     if (fault.failed()) return fault;
     find_slopes(rail, face, a.outline, a.before, a.behind);
+    find_valleys(rail, face, a.valley);
     const bool ends = rail.distance[face.first_section] > rail.begin ||
                       rail.distance[face.first_section + face.sections - 1] < rail.end;
     face.changes = ends || sections_differ(rail, face, a.outline);
@@ -378,6 +401,8 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   const FaceExtent extent = extent_of(rail, face, placed.distance);
   placed.low[f] = larger(extent.begin, -farthest_along);
   placed.high[f] = smaller(extent.end, farthest_along);
+  placed.valley[f] =
+      valley_between(rail, face, placed.distance - farthest_along, placed.distance + farthest_along);
   for (std::int32_t k = 0; k < track_places; ++k) {
     placed.place[f][k] = place_at(rail, face, placed.distance, place_apart * (k - places_to_a_side));
   }

@@ -22,6 +22,7 @@
 
 #include "base/dual.hpp"
 #include "base/fault.hpp"
+#include "base/number.hpp"
 #include "geometry/profile.hpp"
 #include "kernels/kernels.hpp"
 #include "surface/geometry/rail_strips.hpp"
@@ -53,11 +54,15 @@ struct VaryingRail {
   const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
                                     ///< their slopes along the track
   const double* step = nullptr;     ///< range of u across each strip [m]
+  /// Behind each section, to the next of its face: the largest curvature by which a strip rises out of its
+  /// tangent along the track, against its normal [1/m].
+  const double* valley = nullptr;
 };
 
 /// Arrays of a rail that varies, and of its making.
 struct VaryingRailArrays {
   double *distance, *outline, *step;  ///< as VaryingRail
+  double* valley;                     ///< as VaryingRail
   double* middle;                     ///< u in the middle of the strips of a face [m]
   double* wanted;                     ///< samples of the widths wanted [m]
   double *before, *behind;            ///< secants between sections, four lists each
@@ -147,6 +152,7 @@ struct PlacedRail : RailStrips {
   double low[most_rail_faces], high[most_rail_faces];
   PlaceWeights place[most_rail_faces][track_places];
   PlaceWeights end[most_rail_faces][2];  ///< at low and high
+  double valley[most_rail_faces];        ///< sharpest valley of each face there (VaryingRail) [1/m]
   const double* gain = nullptr;          ///< largest growth of a strip's overlap along the track [m]
 };
 
@@ -187,6 +193,14 @@ inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
   std::int32_t f = 0;
   while (f + 1 < rail.faces && strip >= rail.face[f + 1].first) ++f;
   return f;
+}
+
+/// The sharpest valley of a face along the track between two distances, over all its strips [1/m].
+inline double valley_between(const VaryingRail& rail, const RailFace& face, double from, double to) {
+  double sharpest = 0.0;
+  for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k)
+    if (rail.distance[k + 1] > from && rail.distance[k] < to) sharpest = larger(sharpest, rail.valley[k]);
+  return sharpest;
 }
 
 inline double with_slope(double, double value, double) { return value; }

@@ -1,6 +1,7 @@
 #include "surface/pressure/active_set.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/number.hpp"
 
@@ -16,7 +17,10 @@ void list_active(const PressureProblem& problem, const StripSet& s, PressureScra
   // By increasing place, so that kernels and sums have the order of the rail.
   ActiveStrips& active = w.active;
   active.count = 0;
-  for (std::int32_t i = 0; i < s.count; ++i)
+  for (std::int32_t i = 0; i < s.behind; ++i)
+    if (w.in_contact[i]) active.index[active.count++] = i;
+  active.behind = active.count;
+  for (std::int32_t i = s.behind; i < s.count; ++i)
     if (w.in_contact[i]) active.index[active.count++] = i;
   // A line of half length l under unit q = lambda l^2 has the peak 1 / l: C w / l times J displaces.
   for (std::int32_t a = 0; a < active.count; ++a) {
@@ -37,6 +41,26 @@ void list_active(const PressureProblem& problem, const StripSet& s, PressureScra
   for (double* const each : {active.place, active.centre, active.inverse_length, active.half_width,
                              active.factor, active.q, active.width, active.ny, active.nz})
     std::fill(each + active.count, each + end, 0.0);
+  if (active.behind == active.count) return;
+  // a line's ends are no nearer to points beyond them for its strip's width
+  std::fill_n(active.width_behind, end, 0.0);
+  for (std::int32_t a = active.behind; a < active.count; ++a)
+    active.width_behind[a] = std::exchange(active.width[a], 0.0);
+}
+
+/// Rows of influence at points, those from `behind` on second places.
+void fill_rows(const PressureProblem& problem, const StripSet& s, const ActiveStrips& active,
+               const simd::SurfacePoints& points, std::int32_t behind, double* rows, std::int64_t stride) {
+  const auto fill = [&](std::int32_t first, std::int32_t count, const double* width) {
+    if (count > 0)
+      problem.kernels.surface.influence(
+          problem.tables, sources_of(active), {width, active.ny, active.nz},
+          {count, points.place + first, points.x + first, points.ny + first, points.nz + first}, s.skewed,
+          rows + first * stride, stride);
+  };
+  const std::int32_t before = std::min(std::max(behind, 0), points.count);
+  fill(0, before, active.width);
+  fill(before, points.count - before, active.width_behind);
 }
 
 /// Activates the strip with the largest overlap; false where none overlaps.
@@ -65,7 +89,6 @@ bool deactivate(PressureScratch& w) {
 void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const std::int32_t n = w.active.count;
   const ActiveStrips& active = w.active;
-  const simd::SurfaceSources sources = sources_of(active);
   w.work += 1.0 * n * n;
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
@@ -76,10 +99,9 @@ void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScra
     const std::int32_t count = std::min(n, end) - first;
     double* const rows = first == 0 ? w.matrix : w.rows;
     // Rows of M at the strips' own middles; the first kernel leaves the diagonal to the second one.
-    problem.kernels.surface.influence(
-        problem.tables, sources, faces_of(active),
-        {count, active.place + first, active.centre + first, active.ny + first, active.nz + first}, s.skewed,
-        rows, stride);
+    fill_rows(problem, s, active,
+              {count, active.place + first, active.centre + first, active.ny + first, active.nz + first},
+              active.behind - first, rows, stride);
     problem.kernels.surface.own_influence(problem.tables, sources_of(active, first, count), rows + first,
                                           stride);
     // Behind the strips: the overlaps as right-hand side, and rows of the unit matrix up to a multiple of
@@ -127,13 +149,14 @@ bool activate(const PressureProblem& problem, const StripSet& s, Asked asked, Pr
     w.outside_x[count++] = s.deepest_x[i] + s.shift[i];
   }
   if (count == 0) return false;
+  std::int32_t behind = count;  // from here on they are second places
+  while (s.behind < s.count && behind > 0 && w.outside[behind - 1] >= s.behind) --behind;
   for (double* const each : {w.outside_place, w.outside_x, w.outside_ny, w.outside_nz}) each[count] = 0.0;
   // Displacement at their middles by the active strips, row by row; the system's memory is free by now.
   const std::int32_t n = w.active.count;
   const std::int64_t stride = simd::whole_packs(n);
-  problem.kernels.surface.influence(problem.tables, sources_of(w.active), faces_of(w.active),
-                                    {count, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz},
-                                    s.skewed, w.matrix, stride);
+  fill_rows(problem, s, w.active, {count, w.outside_place, w.outside_x, w.outside_ny, w.outside_nz}, behind,
+            w.matrix, stride);
   // Their displacement against their overlap [m].
   bool any = false;
   for (std::int32_t b = 0; b < count; ++b) {

@@ -46,17 +46,19 @@ void read_edges(const StripSet& s, PressureScratch& w) {
   }
 }
 
-/// lambda of active strips: means of edge_lambda over the strips within reach, weighted by their
-/// loads, so that a strip that enters changes nothing yet. Adds the lengths q / lambda to the residual.
-void smooth_lambda(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
+/// lambda of the active strips `first` .. `end` - 1, a row of places: means of edge_lambda over the strips
+/// within reach, weighted by their loads, so that a strip that enters changes nothing yet. Adds the lengths q
+/// / lambda to the residual.
+void smooth_lambda(const PressureProblem& problem, const StripSet& s, std::int32_t first, std::int32_t end,
+                   PressureScratch& w) {
   const ActiveStrips& active = w.active;
-  for (std::int32_t a = 0, from = 0; a < active.count; ++a) {
+  for (std::int32_t a = first, from = first; a < end; ++a) {
     const std::int32_t i = active.index[a];
     // A window that moves along: places increase.
     const double reach = lambda_reach(s.width[i], problem.lambda_length), per_reach = 1.0 / reach;
     while (active.place[a] - active.place[from] >= reach) ++from;
     double weights = 0.0, sum = 0.0;
-    for (std::int32_t b = from; b < active.count; ++b) {
+    for (std::int32_t b = from; b < end; ++b) {
       const double t = (active.place[b] - active.place[a]) * per_reach;
       if (t >= 1.0) break;
       const double weight = smoothing_weight(t) * active.load[b];
@@ -87,13 +89,19 @@ void edge_residual(const PressureProblem& problem, const StripSet& s, PressureSc
     shift_residual[i] = 0.0;
   }
   for (std::int32_t a = 0; a < n; ++a) active.load[a] = active.q[a] * s.width[active.index[a]];
-  smooth_lambda(problem, s, w);
+  smooth_lambda(problem, s, 0, active.behind, w);
+  smooth_lambda(problem, s, active.behind, n, w);
   if (!s.skewed) return;
 
   // Residuals of the shifts, which are to lie on lines through those that edges ask for. Strips that are not
   // in contact have the shift they would enter with.
-  problem.kernels.surface.near_lines({s.count, s.place, w.inverse_reach, least_line_spread, n, active.place,
-                                      active.load, w.edge_shift, shift_residual});
+  const auto lines = [&](std::int32_t first, std::int32_t count, std::int32_t from, std::int32_t sources) {
+    problem.kernels.surface.near_lines({count, s.place + first, w.inverse_reach + first, least_line_spread,
+                                        sources, active.place + from, active.load + from, w.edge_shift + from,
+                                        shift_residual + first});
+  };
+  lines(0, s.behind, 0, active.behind);
+  if (s.behind < s.count) lines(s.behind, s.count - s.behind, active.behind, n - active.behind);
   for (std::int32_t i = 0; i < s.count; ++i)
     shift_residual[i] = smaller(larger(shift_residual[i], -longest_shift), longest_shift) - s.shift[i];
 }

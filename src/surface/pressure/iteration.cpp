@@ -80,7 +80,7 @@ void find_smooth_part(const StripSet& s, const double* lengths, PressureScratch&
     if (a + 1 < n) {
       const std::int32_t j = active.index[a + 1];
       const double apart = s.place[j] - s.place[i];
-      if (apart < 0.75 * (s.width[i] + s.width[j]))
+      if (apart > 0.0 && apart < 0.75 * (s.width[i] + s.width[j]))
         next = reach2 * smaller(w.rim_weight[a], w.rim_weight[a + 1]) / (apart * apart);
     }
     const double inverse = 1.0 / (alone + next);

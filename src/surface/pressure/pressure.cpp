@@ -28,9 +28,11 @@ bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart&
   StripSet& s = w.fine;
   bool started = false;
   s.count = o.count;
+  s.behind = 0;
   for (std::int32_t i = 0; i < o.count; ++i) {
-    const std::int32_t j = o.strip[i];
-    s.place[i] = rail.s[j];
+    const std::int32_t j = on_rail(o.strip[i]);
+    s.behind += o.strip[i] < second_places ? 1 : 0;
+    s.place[i] = place_on_rail(rail, o.strip[i]);
     s.width[i] = rail.width[j];
     s.depth[i] = o.depth[i];
     s.curvature[i] = o.curvature[i];

@@ -177,6 +177,14 @@ struct SeenStrip {
 };
 
 /// Sources and tables that rows are filled from.
+/// Widths of the sources as a strip's points see them: beyond the ends of lines, from the other row of
+/// places, there is no width.
+void see_from(const PressedStrips& s, std::int32_t a, const Scratch& w) {
+  if (s.behind == s.count) return;
+  for (std::int32_t b = 0; b < s.count; ++b)
+    w.half_width[b] = (a < s.behind) == (b < s.behind) ? 0.5 * s.width[b] * w.inverse_length[b] : 0.0;
+}
+
 struct Seeing {
   const Kernels& kernels;
   simd::SurfaceTables tables;
@@ -196,6 +204,7 @@ void fill_contact(const Seeing& seeing, const PressedStrips& s, const Size& size
   double* const row = w.matrix + (size.first + a) * size.stride;
   std::fill_n(row, size.stride, 0.0);
   double* const by_q = row + size.first;
+  see_from(s, a, w);
   seeing.kernels.surface.influence_slopes(seeing.tables, seeing.sources, {w.place[a], w.centre[a]},
                                           w.seen[0]);
   const Displacement middle = fill_row(seeing.kernels, s, w, a, w.seen[0], by_q);
@@ -264,6 +273,7 @@ void fill_edges(const Seeing& seeing, const PressedStrips& s, const Size& size, 
   const double q = strip.q, l = strip.l, kappa = strip.kappa;
   for (double* const row : {w.leading, w.trailing}) std::fill_n(row, size.stride, 0.0);
 
+  see_from(s, a, w);
   // Rows of u+ at c + l and u- at c - l; these points move with L, too.
   const double x[2] = {w.centre[a] + l, w.centre[a] - l};
   kernels.surface.edge_slopes(seeing.tables, seeing.sources, w.place[a], x, w.seen);
@@ -318,11 +328,12 @@ template <bool line>
 Smoothed smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* edge) {
   const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a], w.lambda_length);
   Smoothed r{0.0, a, 0};
-  while (r.from > 0 && w.place[a] - w.place[r.from - 1] < reach) --r.from;
+  const std::int32_t first = a < s.behind ? 0 : s.behind, end = a < s.behind ? s.behind : s.count;
+  while (r.from > first && w.place[a] - w.place[r.from - 1] < reach) --r.from;
 
   // Moments of the neighbours.
   double weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
-  for (std::int32_t b = r.from; b < s.count; ++b, ++r.count) {
+  for (std::int32_t b = r.from; b < end; ++b, ++r.count) {
     const double at = (w.place[b] - w.place[a]) / reach;
     if (at >= 1.0) break;
     w.y[r.count] = at;

@@ -35,7 +35,7 @@ inline std::int32_t most_differentiated(std::int32_t overlapping) {
 
 /// Strips in contact, by increasing place; one element per strip.
 struct PressedStrips {
-  std::int32_t count = 0;
+  std::int32_t count = 0, behind = 0;                           ///< from `behind` on strips are second places
   double *place, *width, *line_load, *length_squared, *centre;  ///< as the solution has them
   OverlapSlopes* overlap;
   PlaceDual *line_load_dual, *length_squared_dual, *centre_dual;  ///< results

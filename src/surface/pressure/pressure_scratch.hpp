@@ -41,20 +41,22 @@ struct PressureProblem {
 /// Strips that are solved for: the candidates, or pairs of them.
 struct StripSet {
   std::int32_t count = 0;
-  bool skewed = false;  ///< deepest_x differs from strip to strip: shifts are unknowns, too
+  std::int32_t behind = 0;  ///< strips from here on are second places: no neighbours of those before
+  bool skewed = false;      ///< deepest_x differs from strip to strip: shifts are unknowns, too
   double *place, *width, *depth, *curvature, *deepest_x, *ny, *nz;  ///< given
   double *L, *shift, *lambda, *q;                                   ///< solution; c = deepest_x + shift
 };
 
 /// Strips in contact, as sources of displacement; whole packs, those behind the last without effect.
 struct ActiveStrips {
-  std::int32_t count = 0;
-  std::int32_t* index;  ///< in the StripSet
+  std::int32_t count = 0, behind = 0;  ///< behind: as in the StripSet
+  std::int32_t* index;                 ///< in the StripSet
   double *place, *centre, *half_length, *inverse_length, *half_width, *factor;
-  double* q;            ///< not negative [N/m]
-  double* load_factor;  ///< factor q [m]
-  double* load;         ///< w q [N], weights of the means
-  double *width, *ny, *nz;
+  double* q;                ///< not negative [N/m]
+  double* load_factor;      ///< factor q [m]
+  double* load;             ///< w q [N], weights of the means
+  double *width, *ny, *nz;  ///< width: 0 of second places, whose width is not seen from the first ones
+  double* width_behind;     ///< the same for second places as points: 0 of the first ones
 };
 
 /// An iterate and its step.

@@ -21,7 +21,7 @@ constexpr double hardly_across = 3e-3;
 void pair_up(const Overlaps& o, PressureScratch& w) {
   const StripSet& s = w.fine;
   StripSet& c = w.coarse;
-  c.count = 0;
+  c.count = c.behind = 0;
   for (std::int32_t i = 0; i < s.count;) {
     // Neighbours on the rail; at a gap between two faces or the end of the candidates a strip stays alone.
     const bool two = i + 1 < s.count && o.strip[i + 1] == o.strip[i] + 1;
@@ -38,6 +38,7 @@ void pair_up(const Overlaps& o, PressureScratch& w) {
     c.L[k] = mean(s.L);
     c.shift[k] = mean(s.shift);
     w.pair_of[i] = w.pair_of[j] = k;
+    c.behind += i < s.behind ? 1 : 0;
     i = j + 1;
   }
 }
@@ -46,12 +47,13 @@ void pair_up(const Overlaps& o, PressureScratch& w) {
 /// L vanishes, not in the middle of a pair.
 void continue_outside(StripSet& c) {
   const auto inside = [&](std::int32_t k) { return k >= 0 && k < c.count && c.q[k] > 0.0; };
+  const auto same_row = [&](std::int32_t j, std::int32_t k) { return (j < c.behind) == (k < c.behind); };
   for (std::int32_t k = 0; k < c.count; ++k) {
     if (inside(k)) continue;
     double L = -any_change;
     for (const std::int32_t way : {-1, 1}) {
       const std::int32_t near = k + way, next = near + way;
-      if (!inside(near) || !inside(next)) continue;
+      if (!inside(near) || !inside(next) || !same_row(next, k)) continue;
       const double part = (c.place[k] - c.place[near]) / (c.place[near] - c.place[next]);
       L = larger(L, c.L[near] + part * (c.L[near] - c.L[next]));
     }
@@ -65,7 +67,8 @@ void interpolate_pairs(PressureScratch& w) {
   StripSet& c = w.coarse;
   continue_outside(c);
   const auto adjoins = [&](std::int32_t j, std::int32_t k) {
-    return j >= 0 && j < c.count && magnitude(c.place[j] - c.place[k]) <= 1.5 * c.width[k];
+    return j >= 0 && j < c.count && (j < c.behind) == (k < c.behind) &&
+           magnitude(c.place[j] - c.place[k]) <= 1.5 * c.width[k];
   };
   for (std::int32_t i = 0; i < s.count; ++i) {
     const std::int32_t k = w.pair_of[i];
@@ -126,7 +129,7 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   // Products of the overlaps' growth in the later change (1), in the earlier one (2) and since, by areas.
   double a11 = 0.0, a12 = 0.0, a22 = 0.0, a1 = 0.0, a2 = 0.0;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
-    const double weight = rail.width[o.strip[i]] * larger(start.length_squared[b], 0.0);
+    const double weight = rail.width[on_rail(o.strip[i])] * larger(start.length_squared[b], 0.0);
     const double along = weight * first.depth[b], across = weight * second.depth[b];
     const double grown = o.depth[i] - start.depth[b];
     a11 += along * first.depth[b];

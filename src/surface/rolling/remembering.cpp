@@ -133,11 +133,14 @@ class Rememberer {
     from_now_ = takes_over_ == 1.0;
   }
 
-  /// The face of the rail to which a strip in contact belongs.
-  const FaceStrips& face_of(std::int32_t j) const {
+  /// The numbers of the strips of the same face, and of the same row of places, as a strip in contact.
+  FaceStrips face_of(std::int32_t j) const {
+    const auto number = static_cast<std::int32_t>(in_.number[j]);
     std::int32_t r = 0;
-    while (in_.number[j] >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
-    return in_.rail.range[r];
+    while (on_rail(number) >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
+    FaceStrips face = in_.rail.range[r];
+    face.first += number - on_rail(number);
+    return face;
   }
 
   /// Friction limit of a strip [N].
@@ -165,7 +168,7 @@ class Rememberer {
       square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
     }
     tangential::LeftStrips left;
-    const FaceStrips& face = face_of(part.first);
+    const FaceStrips face = face_of(part.first);
     std::int32_t j = 0;  // the first strip in contact with that number or a larger one
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
@@ -179,7 +182,7 @@ class Rememberer {
         const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
         lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
       }
-      const double y = in_.rail.s[static_cast<std::int32_t>(strip.y)] - part.means.place;
+      const double y = row_place(in_.rail, static_cast<std::int32_t>(strip.y)) - part.means.place;
       const double near = y * y > square ? std::sqrt(square / (y * y)) : 1.0;
       const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
       left.fx += fx;

@@ -286,8 +286,15 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   // the parabola of the contact about it
   const Mask inside = (x > task.low) & (x < task.high),
              at_end = (!inside) & (magnitude(x) < surface::farthest_along);
-  const surface::AtLargest<Pack> at{
-      x, ends.depth, beside.bend, beside.own, select(at_end, beside.slope, 0.0), task.high, task.low};
+  const surface::AtLargest<Pack> at{x,
+                                    ends.depth,
+                                    beside.bend,
+                                    beside.own,
+                                    select(at_end, beside.slope, 0.0),
+                                    task.high,
+                                    task.low,
+                                    load_pack(s.bounds.ahead + first),
+                                    load_pack(s.bounds.behind + first)};
   RaysAlong rays{strips, {ends, ends, ends}};
   surface::StripOverlap<Pack> o;
   surface::fit_along<Pack>(at, rays, o);
@@ -311,6 +318,8 @@ inline void follow_rail_kernel(const FollowRailTask& task, FollowedStrips& s) {
     s.x[i] = s.x[last];
     s.u[i] = s.u[last];
     s.depth[i] = s.depth[last];
+    s.bounds.ahead[i] = s.bounds.ahead[last];
+    s.bounds.behind[i] = s.bounds.behind[last];
     s.overlap.ny[i] = s.overlap.ny[last];
     s.overlap.nz[i] = s.overlap.nz[last];
   }

@@ -83,7 +83,7 @@ Fault beyond_search(const Overlaps& o) {
 Fault ends_along(const WheelProblem& problem, const WheelSolution& s) {
   const VaryingRail& varying = problem.model.varying;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
-    const std::int32_t j = s.overlaps.strip[s.strips.candidate[k]], f = face_of(varying, j);
+    const std::int32_t j = on_rail(s.overlaps.strip[s.strips.candidate[k]]), f = face_of(varying, j);
     const FaceExtent extent = extent_of(varying, varying.face[f], problem.rail.distance);
     const double behind = s.strips.x[k] - s.strips.half_length[k],
                  ahead = s.strips.x[k] + s.strips.half_length[k];
@@ -120,7 +120,7 @@ Fault extrapolated(const WheelProblem& problem, const WheelSolution& s) {
   // strips in contact from the gauge side on: the first that is flagged counts
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
     constexpr double rounding = 1e-9;  // [m]
-    const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
+    const std::int32_t i = s.strips.candidate[k], j = on_rail(o.strip[i]);
     const double depth = o.depth[i];
     if (depth > deepest_overlap + rounding)
       return Fault::beyond_gap("overlap", {depth, "m", 0.0, deepest_overlap},
@@ -190,7 +190,7 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
   ContactStrips& strips = s.strips;
   for (std::int32_t i = 0; i < o.count; ++i) {
     if (!(p.length_squared[i] > 0.0 && p.line_load[i] > 0.0)) continue;
-    const std::int32_t j = o.strip[i];
+    const std::int32_t j = on_rail(o.strip[i]);
     const double l = std::sqrt(p.length_squared[i]), x = p.centre[i];
     const StripMotion<double> m = motion_at(s.motion.velocity, strip_of(o, i), x, o.grade != nullptr);
 
@@ -202,7 +202,7 @@ LoadSums take_loaded_strips(const WheelProblem& problem, WheelSolution& s) {
     const std::int32_t k = strips.count++;
     strips.candidate[k] = i;
     strips.x[k] = x;
-    strips.place[k] = rail.s[j];
+    strips.place[k] = row_place(rail, o.strip[i]);
     strips.width[k] = rail.width[j];
     strips.half_length[k] = l;
     strips.solved_peak[k] = peak;

@@ -268,7 +268,8 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   double grown = 0.0, stiffness = 0.0;
   for_shared_strips(o.count, o.strip, earlier.count, earlier.strip, [&](std::int32_t i, std::int32_t b) {
     const double down = downwards(s.motion, o.ny[i], o.nz[i]);
-    const double spring = problem.rail.width[o.strip[i]] * larger(earlier.length_squared[b], 0.0) * down;
+    const double spring =
+        problem.rail.width[on_rail(o.strip[i])] * larger(earlier.length_squared[b], 0.0) * down;
     grown += spring * (o.depth[i] - earlier.depth[b]);
     stiffness += spring * down;
   });

@@ -18,7 +18,7 @@ struct OnWheel {
 
 OnWheel on_wheel(const WheelProblem& problem, const Overlaps& overlaps, std::int32_t i) {
   // the strip's width about the end of its ray, seen along y
-  const double width = problem.rail.width[overlaps.strip[i]];
+  const double width = problem.rail.width[on_rail(overlaps.strip[i])];
   const CurvePoint p = evaluate(problem.model.wheel.curve, overlaps.piece[i], overlaps.u[i]);
   const double speed = std::sqrt(p.dy * p.dy + p.dz * p.dz), advance = p.dy / speed;
   const double turning = (p.ddy * p.dz - p.dy * p.ddz) * p.dz / (speed * speed * speed);
@@ -62,7 +62,7 @@ FrictionAtRest clean_at_rest(const WheelOnRail& in, const OnWheel& wheel, double
 FrictionAtRest friction_at_rest(const WheelProblem& problem, const Overlaps& overlaps, std::int32_t i) {
   const WheelOnRail& in = problem.in;
   const RailStrips& rail = problem.rail;
-  const std::int32_t strip = overlaps.strip[i];
+  const std::int32_t strip = on_rail(overlaps.strip[i]);
   const double half = 0.5 * rail.width[strip] * magnitude(rail.ty[strip]) + rounding;
   const OnWheel wheel = moves_with_wheel(in) ? on_wheel(problem, overlaps, i) : OnWheel{0.0, half, 0.0, true};
   FrictionAtRest at_rest = clean_at_rest(in, wheel, rail.y[strip], half);

@@ -13,10 +13,11 @@
 namespace wrc::surface {
 namespace {
 
-/// Flags a second place along the track where a strip would carry load: a strip has one. Looked at is the
-/// strip of the longest contact. Beyond its half length l the load presses the surfaces apart by at most
-/// w l / t at the distance t, w the overlap at the contact's edge. A larger overlap there is pressed.
-Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
+/// Flags a place along the track where a strip would carry load beside those it has. Looked at is the strip
+/// of the longest contact, up to a valley before its second place. Beyond its half length l the load presses
+/// the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's edge. A larger
+/// overlap there is pressed.
+Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   // a wheel that is not round has its own waves there, which are not looked at
   if (s.strips.count == 0 || model.out_of_round.rows > 0) return {};
@@ -24,7 +25,7 @@ Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
   std::int32_t k = 0;
   for (std::int32_t n = 1; n < s.strips.count; ++n)
     if (s.strips.half_length[n] > s.strips.half_length[k]) k = n;
-  const std::int32_t i = s.strips.candidate[k], strip = o.strip[i];
+  const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
   if (!changes_along(model, strip)) return {};
 
   // the overlap at places ahead and behind, from the edge of the contact on
@@ -41,13 +42,14 @@ Fault second_place(const WheelProblem& problem, const WheelSolution& s) {
     double least = o.depth[i];
     for (int n = 0; n < to_a_side; ++n) {
       const double t = nearest * l + n * apart, x = at + way * t;
-      if (x < rail.low[face] || x > rail.high[face]) break;
+      if (x < larger(rail.low[face], o.behind[i]) || x > smaller(rail.high[face], o.ahead[i])) break;
       const double depth = depth_at(over, x, end);
       least = smaller(least, depth);
       if (t > l && depth * t > edge * l && depth > least)
         return Fault::more_patches(
-            "overlap at a second place along the track", {depth, "m"},
-            "a strip has one place of contact along the track: this one carries nothing");
+            "overlap at another place along the track", {depth, "m"},
+            "a strip has two places of contact along the track, on either side of a valley: this one carries "
+            "nothing");
     }
   }
   return {};
@@ -69,9 +71,9 @@ void complete_results(const WheelProblem& problem, const WheelSolution& s, const
   const Overlaps& o = s.overlaps;
   const auto& R = s.motion.pose.rotation;
   for (std::int32_t k = 0; k < s.strips.count; ++k) {
-    const std::int32_t i = s.strips.candidate[k], j = o.strip[i];
+    const std::int32_t i = s.strips.candidate[k], j = on_rail(o.strip[i]);
     // place on the rail; peak as the wrench has it, beyond the deepest overlap with its factor
-    results.strip[k] = j;
+    results.strip[k] = o.strip[i];
     results.y[k] = rail.y[j];
     results.z[k] = rail.z[j];
     results.angle[k] = strip_angle(rail, j);
@@ -247,7 +249,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   *last.head = {start.from == StartFrom::overlaps ? 0.0 : 1.0, out.height, -out.force[2], start.stiffness,
                 1.0 * start.solution.count};
   complete_results(problem, solution, state.kept);
-  keep_worst(fault, second_place(problem, solution));
+  keep_worst(fault, another_place(problem, solution));
   if (problem.memory) {
     state.steps->pending = 1.0;
     state.steps->to[0] = in.wheel.position[1] - in.rail.y;

@@ -80,7 +80,7 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   const SurfaceModel& model = d.problem.model;
   const PlacedRail& rail = d.problem.rail;
   const Overlaps& overlaps = d.solved.overlaps;
-  const std::int32_t j = overlaps.strip[i], piece = overlaps.piece[i];
+  const std::int32_t j = on_rail(overlaps.strip[i]), piece = overlaps.piece[i];
   const double u = overlaps.u[i];
   const StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
   if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
@@ -94,8 +94,10 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   // the same corrections as of plain numbers, in the same order
   if (changes_along(model, j)) {
     FollowedStrips near{};
-    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, strip_of(overlaps, i), near);
+    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, strip_of(overlaps, i), near,
+                {overlaps.ahead[i], overlaps.behind[i]});
     OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
+    o.depth = overlaps.part[i] * o.depth;
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }
@@ -111,7 +113,7 @@ Fault take_pressed_strips(const Differentiation& d) {
   const StripPressure& p = d.solved.pressure;
   const RelativePose& solved = d.solved.motion.pose;
   PressedStrips& s = d.w.pressed;
-  s.count = 0;
+  s.count = s.behind = 0;
   const std::int32_t most = most_differentiated(d.problem.model.most_overlapping);
   // by track the wheel rests, and strips and outline move below it
   const RelativePoseOf<PlaceDual> pose =
@@ -125,8 +127,9 @@ Fault take_pressed_strips(const Differentiation& d) {
     }
 
     // the converged numbers, and the overlap again with its derivatives
-    const std::int32_t k = s.count++, j = o.strip[i];
-    s.place[k] = rail.s[j];
+    const std::int32_t k = s.count++, j = on_rail(o.strip[i]);
+    s.behind += o.strip[i] < second_places ? 1 : 0;
+    s.place[k] = place_on_rail(rail, o.strip[i]);
     s.width[k] = rail.width[j];
     s.line_load[k] = p.line_load[i];
     s.length_squared[k] = p.length_squared[i];
@@ -179,7 +182,8 @@ Number differentiate_loaded_strips(const Differentiation& d) {
 
     const std::int32_t i = loaded.count++;
     loaded.pressed[i] = k;
-    loaded.place[i] = s.place[k];
+    // neighbours are told by row_place()
+    loaded.place[i] = k < s.behind ? s.place[k] : s.place[k] + rows_apart;
     loaded.width[i] = s.width[k];
     loaded.normal[i] = N;
     loaded.centre[i] = frame_number(s.centre_dual[k]);

@@ -1,0 +1,151 @@
+/// Second places of contact along the track. Where a rail dips more sharply than the wheel is round, a
+/// strip's overlap has two tops one behind the other, and contact may be at both.
+///
+/// A second place is a strip of its own: of the same part of the rail, with a place, an overlap and a length
+/// of its own. Its number is second_places higher. Both rows displace each other as all strips do; means over
+/// neighbouring strips are taken in each row alone.
+#pragma once
+
+#include "surface/geometry/along_track.hpp"
+
+namespace wrc::surface {
+
+/// A strip's second top is looked for so far from the first one, in steps so long [m].
+inline constexpr double second_within = 40e-3, second_apart = 2.5e-3;
+
+/// Part of a wheel's curvature from which a valley of the rail counts: directions differ a little along it.
+inline constexpr double least_valley = 0.8;
+
+/// May the overlap of a strip have two tops? `own`: curvature of the wheel there [1/m].
+inline bool may_touch_twice(const PlacedRail& placed, std::int32_t face, double own) {
+  return placed.valley[face] > least_valley * own;
+}
+
+/// A strip at a top of its overlap, and the direction of its rays.
+struct StripTop {
+  LargestOverlap at;
+  double ny, nz;
+  double own;  ///< curvature of the wheel there [1/m]
+};
+
+/// The highest other top of a strip's overlap by the rail's fall along the normal: with f the fall from the
+/// first top, at x = 0,
+///     d(x) = d(0) + f'(0) x - own/2 x^2 - f(x).
+/// Depth -1 m: there is none.
+inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
+                                    const StripTop& first) {
+  const std::int32_t f = face_of(rail, strip);
+  const RailFace& face = rail.face[f];
+  const double x = first.at.x, here = placed.distance + x;
+  FirstLook found{x, -1.0};
+  if (!(x > placed.low[f] && x < placed.high[f])) return found;
+  const SectionBlend blend = blend_at(rail, face, here, 1);
+  const StripAlongTrack<double> at = strip_at(rail, blend, strip, here);
+  const double slope = first.ny * at.slope_y + first.nz * at.slope_z;
+  // to both sides, beyond the least overlap so far
+  for (const double way : {-1.0, 1.0}) {
+    const double end = here + way * second_within;
+    if (!(valley_between(rail, face, smaller(here, end), larger(here, end)) > least_valley * first.own))
+      continue;
+    // overlaps at places, by the wheel's curvature and the rail's fall
+    double least = first.at.end.depth;
+    constexpr int steps = static_cast<int>(second_within / second_apart);
+    for (int n = 1; n <= steps; ++n) {
+      const double off = way * n * second_apart;
+      if (x + off < placed.low[f] || x + off > placed.high[f]) break;
+      const PlaceWeights place = place_at(rail, face, placed.distance, x + off);
+      const double fall = first.ny * (place_of(rail, place, strip, 0) - at.y) +
+                          first.nz * (place_of(rail, place, strip, 1) - at.z);
+      const double depth = first.at.end.depth + off * (slope - 0.5 * first.own * off) - fall;
+      if (depth > least && depth > found.depth) found = {x + off, depth};
+      least = smaller(least, depth);
+    }
+  }
+  return found;
+}
+
+/// The other top by rays from the first one: from the place given uphill in steps down to 0.6 mm.
+inline LargestOverlap climb_second(StripOverX<double>& strip, double low, double high, double from,
+                                   const LargestOverlap& first) {
+  // rays from one end to the next, as far as the place given
+  LargestOverlap found = first;
+  for (const double way = from < first.x ? -1.0 : 1.0; found.x != from;) {
+    const double left = magnitude(from - found.x);
+    found.x = left > place_apart ? found.x + way * place_apart : from;
+    depth_at(strip, found.x, found.end);
+  }
+  for (const double apart : {0.5 * second_apart, 0.25 * second_apart}) {
+    const LargestOverlap middle = found;
+    for (const double x : {middle.x + apart, middle.x - apart}) {
+      if (x < low || x > high) continue;
+      RayEnd<double> end = middle.end;
+      if (depth_at(strip, x, end) > found.end.depth) found = {x, end};
+    }
+  }
+  return found;
+}
+
+/// Where the overlap is least between two tops.
+inline LargestOverlap find_valley(StripOverX<double>& strip, const LargestOverlap& first, double other) {
+  constexpr int parts = 12, newton_steps = 3;
+  // the least of some overlaps between both tops
+  const double apart = (other - first.x) / parts;
+  LargestOverlap least{first.x + apart, first.end}, at = least;
+  for (int n = 1; n < parts; ++n) {
+    at.x = first.x + apart * n;
+    if (depth_at(strip, at.x, at.end) < least.end.depth || n == 1) least = at;
+  }
+  // from the least of some on by Newton's method
+  for (int n = 0; n < newton_steps; ++n) {
+    const OverlapAlong<double> o =
+        overlap_along<double>(piece_at(strip.wheel, least.end.piece), strip.pose, strip.start(least.x),
+                              strip.ny, strip.nz, least.end.u, least.end.depth);
+    if (!(o.bend > 0.0)) break;
+    const double step = smaller(larger(-o.slope / o.bend, -magnitude(apart)), magnitude(apart));
+    least.x += step;
+    depth_at(strip, least.x, least.end);
+  }
+  return least;
+}
+
+/// A strip with two tops of its overlap: the part of either that counts [-], and the bounds of their
+/// contacts.
+struct TwoTops {
+  double part[2];
+  TopBounds<double> bounds[2];
+};
+
+/// The lower top counts as far as it rises out of the valley and the valley is deep. It begins with the part
+/// 0: where it rises from the other's slope, or where the other's contact leaves the valley free. `x`,
+/// `depth`: of both tops [m].
+inline TwoTops share_tops(const double (&x)[2], const double (&depth)[2], const LargestOverlap& valley) {
+  constexpr double whole = 5e-6;  // [m]: rise of a lower top that counts as a whole
+  // overlap of the valley over that of the higher top: up to the first, chords end before it
+  constexpr double left_free = 1.0 - 0.5 * contact_share, filled = 0.8;
+  constexpr double least = 1e-6;
+  // how far both rise out of the valley, and how deep that is
+  const double rise[2] = {larger(depth[0] - valley.end.depth, 0.0), larger(depth[1] - valley.end.depth, 0.0)};
+  const double highest = larger(larger(depth[0], depth[1]), 0.0);
+  const double by_rise = smaller(smaller(rise[0], rise[1]) * (1.0 / whole), 1.0);
+  const double free = larger(filled * highest - valley.end.depth, 0.0);
+  const double by_depth =
+      smaller(free, (filled - left_free) * highest + 1e-12) / ((filled - left_free) * highest + 1e-12);
+  const double counts = by_rise * by_depth, lost = 1.0 - counts;
+  // both lose where they are as high, so that neither leaps as the other becomes the lower one
+  const double squares = rise[0] * rise[0] + rise[1] * rise[1];
+  TwoTops two{{1.0, 1.0}, {unbounded, unbounded}};
+  if (squares > 0.0) {
+    const int low = depth[1] < depth[0] ? 1 : 0;
+    const double shared = smaller(2.0 * counts, 1.0) * rise[low] * rise[low] / squares;
+    two.part[low] = 1.0 - lost * (1.0 - shared);
+    two.part[1 - low] = 1.0 - lost * shared;
+  }
+  // bounds in the valley, farther off the less the other top counts
+  for (int k = 0; k < 2; ++k) {
+    const double bound = x[k] + (valley.x - x[k]) / larger(two.part[1 - k], least);
+    (x[k] < x[1 - k] ? two.bounds[k].ahead : two.bounds[k].behind) = bound;
+  }
+  return two;
+}
+
+}  // namespace wrc::surface
