@@ -1,7 +1,7 @@
 // Writes random patches with the forces of exact half-space theory:
-//     make_patches sdec|wheelrail|surface|memory SEED COUNT FILE.csv
+//     make_patches sdec|wheelrail|surface|memory|spin SEED COUNT FILE.csv
 // patches in a plane, whole contacts on the rail's surface (surface_case.hpp), or sequences of steps
-// (memory_case.hpp). One line per patch, written
+// (memory_case.hpp), of which `spin` are loops of spin at rest. One line per patch, written
 // as soon as it is solved. Started again with the same seed it goes on where the file ends; Ctrl-C stops it
 // after the patch at hand.
 
@@ -51,11 +51,11 @@ Kind surface() {
           }};
 }
 
-Kind memory() {
-  return {memory_heading,
-          [](std::uint64_t seed, std::uint64_t row) { return patch_text(random_memory_case(seed, row)); },
+template <MemoryCase draw(std::uint64_t, std::uint64_t)>
+Kind sequences() {
+  return {memory_heading, [](std::uint64_t seed, std::uint64_t row) { return patch_text(draw(seed, row)); },
           [](std::uint64_t seed, std::uint64_t row, bool& converged) {
-            MemoryCase c = random_memory_case(seed, row);
+            MemoryCase c = draw(seed, row);
             solve_exactly(c);
             converged = true;
             return text_of(c);
@@ -106,7 +106,8 @@ Kind (*kind_of(const std::string& name))() {
   if (name == "sdec") return planar<random_sdec>;
   if (name == "wheelrail") return planar<random_wheel_on_rail>;
   if (name == "surface") return surface;
-  return name == "memory" ? memory : nullptr;
+  if (name == "memory") return sequences<random_memory_case>;
+  return name == "spin" ? sequences<random_spin_at_rest> : nullptr;
 }
 
 }  // namespace
@@ -114,7 +115,7 @@ Kind (*kind_of(const std::string& name))() {
 int main(int argc, char** argv) {
   Kind (*const kind)() = kind_of(argc == 5 ? argv[1] : "");
   if (!kind) {
-    std::fprintf(stderr, "usage: make_patches sdec|wheelrail|surface|memory SEED COUNT FILE.csv\n");
+    std::fprintf(stderr, "usage: make_patches sdec|wheelrail|surface|memory|spin SEED COUNT FILE.csv\n");
     return 2;
   }
   std::signal(SIGINT, [](int) { interrupted = 1; });

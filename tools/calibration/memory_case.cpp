@@ -71,10 +71,9 @@ class Driver {
     if (kind < 0.25) to = {1.0, 0.0, 0.0};
     if (kind >= 0.25 && kind < 0.5) to = {0.0, 1.0, 0.0};
     if (kind >= 0.5 && kind < 0.75) to = {0.0, 0.0, 1.0};
-    const double amplitude = random_.logarithmic(0.25, 1.4);
-    case_.loop = 40;
-    for (int k = 1; k <= 90; ++k) shift_to(amplitude * std::sin(2.0 * pi * k / 40) * to, 1);
+    swing(random_.logarithmic(0.25, 1.4) * to);
   }
+  void spin() { swing({0.0, 0.0, random_.uniform(0.25, 1.4)}); }
   void circle() {
     const double x = random_.logarithmic(0.25, 1.4), y = x * random_.uniform(0.4, 1.0);
     shift_to({x, 0.0, 0.0}, 10);
@@ -130,6 +129,11 @@ class Driver {
   }
 
  private:
+  /// Two loops along a line, of which the second is closed.
+  void swing(const Motion& to) {
+    case_.loop = 40;
+    for (int k = 1; k <= 90; ++k) shift_to(std::sin(2.0 * pi * k / 40) * to, 1);
+  }
   void add(int direction, double rolled, const Motion& by) {
     case_.steps.push_back({direction, rolled, by.x, by.y, by.turn, load_, 0, 0, 0});
   }
@@ -196,7 +200,9 @@ std::vector<Motion> solve(const MemoryCase& c, int n) {
 
 }  // namespace
 
-MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row) {
+namespace {
+
+MemoryCase random_case(std::uint64_t seed, std::uint64_t row, void (Driver::*drive)()) {
   Random random(seed, row);
   MemoryCase c{};
   Patch& p = c.patch;
@@ -209,8 +215,18 @@ MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row) {
   p.p0 = random.uniform(0.5e9, 1.8e9);
   p.normal_force = 2.0 / 3.0 * pi * p.a * p.b * p.p0;
   Driver driver(c, random);
-  (driver.*kind_of(row).drive)();
+  (driver.*drive)();
   return c;
+}
+
+}  // namespace
+
+MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row) {
+  return random_case(seed, row, kind_of(row).drive);
+}
+
+MemoryCase random_spin_at_rest(std::uint64_t seed, std::uint64_t row) {
+  return random_case(seed, row, &Driver::spin);
 }
 
 const char* memory_kind(std::uint64_t row) { return kind_of(row).name; }

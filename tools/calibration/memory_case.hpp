@@ -38,6 +38,9 @@ struct MemoryCase {
 MemoryCase random_memory_case(std::uint64_t seed, std::uint64_t row);
 const char* memory_kind(std::uint64_t row);  ///< the name of its kind
 
+/// Loops of spin alone at rest, of 0.4 to 2.1 times the unit of spin, 9 pi / 128 mu N / (G a b).
+MemoryCase random_spin_at_rest(std::uint64_t seed, std::uint64_t row);
+
 /// A patch under another load (Hertz).
 Patch under_load(Patch patch, double load);
 

@@ -12,10 +12,10 @@
 ///    a patch that sticks at rest (Mindlin): S is the difference, no fitted number. U is a translation and a
 ///    rotation.
 ///  - The bound has the friction limit of the patch. It depends on the share r of the area where pressure is
-///    larger: 1 - x^2 - (2/3) q (1 - x^3), x = r / (1 - q + q r), q the share of U in the whole yield. So
-///    shifts at rest are Cattaneo's, 1 - (1 - d)^1.5, on ellipses. On other patches a part of the bound is a
-///    cone's, 1 - x - (1/2) q (1 - x^2), by the mean of r under the pressure (Jaeger, Ciavarella). Hysteresis
-///    is Mindlin's (Masing), as each cell sticks and slips by itself.
+///    larger: 1 - x^2 - (2/3) q (1 - x^3), x = r / (1 - q + q r), q the share of U in the whole yield, less that
+///    by which humps displace one another. So shifts at rest are Cattaneo's, 1 - (1 - d)^1.5, on ellipses. On
+///    other patches a part of the bound is a cone's, 1 - x - (1/2) q (1 - x^2), by the mean of r under the
+///    pressure (Jaeger, Ciavarella). Hysteresis is Mindlin's (Masing), as each cell sticks and slips by itself.
 ///  - Cells by themselves turn too slowly where the shift turns: round a circle their work is 12 to 18 % low.
 ///    So the displacement counts more for the direction of a cell that slides, the more the patch sticks, and
 ///    only as far as it rolls little. Work stays positive: bound times displacement along it.
@@ -123,7 +123,7 @@ struct MemoryFactors {
   double follows;  ///< length over which the difference to strip FASTSIM is added, of a
   double ahead;    ///< factor by which the displacement of cells over that of the patch is taken ahead
 };
-inline constexpr MemoryFactors fitted_memory{0.0105,  -0.1060, 0.2479, -0.2032, -0.0159,
+inline constexpr MemoryFactors fitted_memory{0.0105,  -0.1060, 0.2541, -0.1200, -0.0125,
                                              -0.0047, 0.1822,  0.9152, 2.3330};
 
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
