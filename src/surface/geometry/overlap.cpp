@@ -104,6 +104,11 @@ void find_more_overlaps(const Kernels& kernels, const RailStrips& rail, const Wh
   overlaps.count += kept;
 }
 
+void find_outline(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                  const RelativePose& pose, const OverlapScratch& scratch) noexcept {
+  kernels.surface.outline({&rail, &wheel, &pose, attitude_of(pose), &scratch});
+}
+
 Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                        const RelativePose& pose, double margin, const double* gain,
                        const OverlapScratch& scratch, const Overlaps& memory) noexcept {

@@ -109,6 +109,10 @@ struct OverlapScratch {
 /// Scratch for a wheel of so many pieces and a rail of so many strips.
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips);
 
+/// The outline of the wheel in a pose.
+void find_outline(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
+                  const RelativePose& pose, const OverlapScratch& scratch) noexcept;
+
 /// All strips with depth > -margin of a round wheel and a rail that is the same all along, in the arrays of
 /// `memory`, whose grade is left alone. `gain`: widens each strip's margin [m]; nullptr: by nothing.
 Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,

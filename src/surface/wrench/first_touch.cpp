@@ -99,7 +99,7 @@ double first_touch_along(const WheelProblem& problem, double height, WheelOverla
   constexpr double close = 1e-8, above = 0.3e-3;  // [m]
   constexpr double least_down = 0.1;
   RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, motion, 0.0, overlaps);
+  find_outline(*problem.model.kernels, problem.rail, problem.model.wheel, motion.pose, overlaps.outline);
   height += fall_along(problem, motion, overlaps.outline) - above - problem.model.out_of_round.largest;
   for (int n = 0; n < most_steps; ++n) {
     motion = motion_at_height(problem.model, problem.in, height);
