@@ -9,14 +9,16 @@ namespace wrc::surface {
 namespace {
 
 /// The distance that the wheel falls until it touches the nearest strip [m], by the strips' tangents; at most
-/// farthest_touch. Strips count whose mean normal points down by more than `least_down`.
+/// farthest_touch. Strips count whose mean normal points down by more than `least_down`. `soon`: it is
+/// expected to be a few hundredths of a millimetre.
 double fall_to_strips(const WheelProblem& problem, const RelativeMotion& motion, double least_down,
-                      WheelOverlaps& o) {
+                      WheelOverlaps& o, bool soon = false) {
   // The few strips near the wheel are enough if one touches soon: others' depths are at least a third of
   // their overlaps, as their normals are less than 80 degrees off the wheel's.
-  constexpr double near = 1.5e-3;  // [m]
+  constexpr double margins[] = {0.1e-3, 1.5e-3, farthest_touch};  // [m]
   double fall = farthest_touch;
-  for (const double margin : {near, farthest_touch}) {
+  for (int k = soon ? 0 : 1; k < 3; ++k) {
+    const double margin = margins[k];
     find_wheel_overlaps(problem, motion, margin, o);
     for (std::int32_t i = 0; i < o.count; ++i) {
       const double down = downwards(motion, o.ny[i], o.nz[i]);
@@ -103,7 +105,7 @@ double first_touch_along(const WheelProblem& problem, double height, WheelOverla
   height += fall_along(problem, motion, overlaps.outline) - above - problem.model.out_of_round.largest;
   for (int n = 0; n < most_steps; ++n) {
     motion = motion_at_height(problem.model, problem.in, height);
-    const double fall = fall_to_strips(problem, motion, least_down, overlaps);
+    const double fall = fall_to_strips(problem, motion, least_down, overlaps, n > 0);
     height += fall;
     if (std::abs(fall) < close) break;
   }
