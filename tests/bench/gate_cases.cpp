@@ -28,7 +28,9 @@ struct Case {
     wheel_line,
     track,
     round,
-    films
+    films,
+    forgets,
+    remembers
   } part;
 };
 
@@ -53,6 +55,8 @@ constexpr Case cases[] = {
     {"accumulate_60x32", defaults, Case::line},
     {"accumulate_wheel_on_rail", defaults, Case::wheel_line},
     {"wheel_on_rail_with_films", defaults, Case::films},
+    {"wheel_at_real_time", defaults, Case::forgets},
+    {"wheel_at_real_time_remembers", defaults, Case::remembers},
 };
 
 /// The same wheel on a rail of nine sections that rises and falls by 10 um, passed where it is as high as the
@@ -91,10 +95,53 @@ struct AlongTrack {
   AlongTrack& operator=(const AlongTrack&) = delete;
 };
 
+/// A wheel at "real time", without memory or with it.
+struct RealTime {
+  wrc_model* model = nullptr;
+  wrc_contact* contact = nullptr;
+
+  RealTime(const Methods& methods, bool remembers) {
+    wrc_config config = test_config();
+    config.wheel.kind = WRC_PROFILE_S1002;
+    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
+    config.instruction_set = methods.instruction_set;
+    config.surface.memory = remembers;
+    if (wrc_config_use(&config, "real time", nullptr, 0) < 0) std::exit(1);
+    wrc_model_create(&config, nullptr, &model, nullptr, 0);
+    wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0);
+  }
+  ~RealTime() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  RealTime(const RealTime&) = delete;
+  RealTime& operator=(const RealTime&) = delete;
+};
+
+/// Steps of 1 ms at 80 kN, from a mark, along a lateral place that moves by 12.5 um a step, there and back.
+void step_in_real_time(wrc_contact* contact, bool remembers, int i) {
+  wrc_wheel_input input = wrc_wheel_input_default();
+  wrc_wrench wrench = sized<wrc_wrench>();
+  input.start = WRC_START_MARK;
+  input.wheel.y = 4e-3 + 12.5e-6 * std::abs(8 - i % 16);
+  input.wheel.z = -0.03e-3;
+  input.wheel.velocity[0] = 20.0;
+  input.wheel.velocity[1] = 0.02;
+  input.wheel.angular_axes = WRC_AXES_TRACK;
+  input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  if (remembers) input.time_step = 1e-3;
+  if (wrc_contact_wrench(contact, &input, &wrench) < 0) std::exit(1);
+  if (remembers)
+    wrc_contact_commit(contact);
+  else
+    wrc_contact_mark(contact);
+}
+
 /// Does a part go on from wrc_contact_wrench()? The others do from wrc_planar_step().
 bool of_wheel_on_rail(int part) {
   return part == Case::wrench || part == Case::derivatives || part == Case::wheel_line ||
-         part == Case::track || part == Case::round || part == Case::films;
+         part == Case::track || part == Case::round || part == Case::films || part == Case::forgets ||
+         part == Case::remembers;
 }
 
 /// What wheel_on_rail() steps on instead of the wheel's own contact.
@@ -163,6 +210,8 @@ void wheel_on_rail(Wheel& wheel, bool derivatives, int i, int part = Case::wrenc
   input.wheel.velocity[0] = 20.0;
   input.wheel.angular_axes = WRC_AXES_TRACK;
   input.wheel.angular_velocity[1] = -20.0 / 0.46;
+  if (part == Case::forgets || part == Case::remembers)
+    return step_in_real_time(special, part == Case::remembers, i);
   if (part == Case::track) input.distance = 1.234 + 1e-3 * i;
   if (part == Case::round) input.angle = 0.1 - 0.0125 * (i % 16);
   if (part == Case::track || part == Case::round)
@@ -231,6 +280,8 @@ extern "C" void measured_steps(Wheel& wheel, int part, int count) {
       case Case::track:
       case Case::round:
       case Case::films:
+      case Case::forgets:
+      case Case::remembers:
         wheel_on_rail(wheel, false, i, part);
         break;
       case Case::line:
@@ -261,7 +312,9 @@ int main(int count, char** arguments) {
     wheel.pose.lateral = 4.6e-3;
     wheel.load.normal_force = 80e3;
     const AlongTrack along_track(methods, each.part == Case::track);
-    special = along_track.contact;
+    const RealTime real_time(methods, each.part == Case::remembers);
+    const bool in_real_time = each.part == Case::forgets || each.part == Case::remembers;
+    special = in_real_time ? real_time.contact : along_track.contact;
     Films of_case(wheel.contact);
     films = &of_case;
     // The last solution of the contact is the one that the case goes on from.

@@ -230,8 +230,9 @@ class Rememberer {
   void share_numbers(const Part& part) {
     const tangential::PatchStep patch(contact_, fill_strips(part, nullptr), fault_);
     const tangential::Creepage& c = part.means.creepage;
+    const double arm = patch.arm(), follows = patch.follows(in_.rolled);
     for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-      const double weight = part.share * scratch_.inside[k], arm = patch.arm();
+      const double weight = part.share * scratch_.inside[k];
       const tangential::RememberingStrip& from = scratch_.strips[k];
       tangential::RememberingStrip& to = scratch_.shared[j];
       for (std::int32_t i = 0; i < memory_cells; ++i) to.bound[i] += weight * from.bound[i];
@@ -246,7 +247,7 @@ class Rememberer {
       to.own_turn = strips_.spin[j];
       scratch_.lever_x[j] += weight * (arm - 1.0) * x;
       scratch_.lever_y[j] += weight * (arm - 1.0) * y;
-      scratch_.follows[j] += weight * patch.follows(in_.rolled);
+      scratch_.follows[j] += weight * follows;
     });
   }
 

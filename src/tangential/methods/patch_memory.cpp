@@ -11,7 +11,7 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells;
+constexpr std::int32_t cells = memory_cells, half = cells / 2;
 
 // Lengths of the longest strip: a step from which on steady rolling takes over, and one that is none; parts
 // of a step, from its end on.
@@ -20,7 +20,8 @@ constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
-constexpr std::int32_t solutions = 2;  // Newton's steps for U in each part
+constexpr std::int32_t solutions = 2;  // Newton's steps for U in the last part, one in those before
+constexpr double carried = 0.5;        // share of the rest of the equation that goes to the next part
 constexpr double least = 1e-290;       // keeps divisions finite
 constexpr double everywhere = 1e3;     // farther than any place [m]
 
@@ -60,13 +61,32 @@ Yield yield_at_rest(double a, double b, double shear_modulus, double poisson) {
 /// 0.3 % (a/b from 1/4 to 4).
 double torsion_at_rest(double u2) { return 0.375 * (1.0 - u2 * (1.81 - 0.92 * u2)); }
 
+/// Middles of the cells over the half length, and 1 - their square.
 struct Places {
-  double at[cells];
+  double at[cells], parabola[cells];
 };
 constexpr Places places = [] {
   Places p{};
-  for (std::int32_t i = 0; i < cells; ++i) p.at[i] = 1.0 - (2.0 * i + 1.0) / cells;
+  for (std::int32_t i = 0; i < cells; ++i) {
+    p.at[i] = 1.0 - (2.0 * i + 1.0) / cells;
+    p.parabola[i] = 1.0 - p.at[i] * p.at[i];
+  }
   return p;
+}();
+
+/// Bins of the cells' pressures, and the roots of their numbers.
+constexpr std::int32_t bins = 64;
+struct Roots {
+  double of[bins + 1];
+};
+constexpr Roots roots = [] {
+  Roots r{};
+  for (std::int32_t i = 1; i <= bins; ++i) {
+    double root = 1.0 + i / 4.0;
+    for (int step = 0; step < 8; ++step) root = 0.5 * (root + i / root);
+    r.of[i] = root;
+  }
+  return r;
 }();
 
 /// Parts of the step that come after the k-th, of those counted from its end on.
@@ -98,6 +118,53 @@ Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
   n.of_first = share_of(n.first);
   n.of_second = share_of(n.second);
   return n;
+}
+
+/// Cells of a patch by their pressure: the share of the area where it is larger.
+struct PressureRanks {
+  double per_load;          ///< bins over the largest peak times half length
+  double larger[bins + 1];  ///< at pressures whose square over the largest one's is bin / bins
+  double cone;              ///< part of a cone in the pressures' form
+
+  /// `square`: square of a cell's pressure [bins].
+  double at(double square) const {
+    const std::int32_t bin = static_cast<std::int32_t>(square);
+    return larger[bin] + (square - bin) * (larger[bin + 1] - larger[bin]);
+  }
+};
+
+PressureRanks rank_pressures(const patch::Strips& region, double largest_load) {
+  // Area of the cells by the square of their pressure: cells between two bins are of both.
+  PressureRanks ranks;
+  ranks.per_load = (bins - 1e-9) / std::max(largest_load, least);
+  double area[bins + 1] = {}, whole = 0.0;
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    const double load = ranks.per_load * (region.peak[j] * region.half_length[j]);
+    const double of_cell = region.width[j] * region.half_length[j];
+    for (std::int32_t i = 0; i < half; ++i) {
+      const double square = load * places.parabola[i];
+      const std::int32_t bin = static_cast<std::int32_t>(square);
+      const double next = (square - bin) * of_cell;
+      area[bin] += of_cell - next;
+      area[bin + 1] += next;
+    }
+    whole += half * of_cell;
+  }
+  // Mean share under the pressure: 0.4 under Hertz's, 1/3 under a cone's, as displacements d of cells that
+  // begin to slide are 1 - x^2 and 1 - x. Between them it is linear in the parts of both.
+  constexpr double more_by_cells = 0.0023;  // mean share of an ellipse on 8 to 60 strips, less 0.4
+  const double per_area = 1.0 / std::max(whole, least);
+  double sum = 0.0, pressed = 0.0, mean = 0.0;
+  for (std::int32_t bin = 0; bin <= bins; ++bin) {
+    sum += area[bin];
+    ranks.larger[bin] = std::max(0.0, 1.0 - (sum - 0.5 * area[bin]) * per_area);
+    const double own = area[bin] * roots.of[bin];
+    pressed += own;
+    mean += own * ranks.larger[bin];
+  }
+  mean = mean / std::max(pressed, least) - more_by_cells;
+  ranks.cone = std::clamp(4.0 * (0.4 - mean) / (0.6 - mean), -0.5, 1.0);
+  return ranks;
 }
 
 /// Solves (1 + diag(s) k) x = r; positive, as k is that of a stiffness.
@@ -213,9 +280,9 @@ void PatchStep::take_past_of_plane() {
   const double sign = memory.direction, centre = memory.y(centre_y_);
   double low = everywhere, high = -everywhere;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    const double half = 0.5 * region.width[j];
-    low = std::min(low, key(j) - half);
-    high = std::max(high, key(j) + half);
+    const double to_border = 0.5 * region.width[j];
+    low = std::min(low, key(j) - to_border);
+    high = std::max(high, key(j) + to_border);
   }
   // forces, energy and difference to strip FASTSIM of the remembered strips up to half way to other patches.
   // Strips beside the patch count less, as forces at a distance displace and turn a half-space less
@@ -291,60 +358,31 @@ void PatchStep::set_bounds(double share) {
   const double fx = before_[0] + left_[0], fy = before_[1] + left_[1];
   const double used2 = (fx * fx + fy * fy) / std::max(limit_ * limit_, least);
   const double turns = factors_.turns * std::max(0.0, 1.0 - used2 * used2 * used2);
-  // Area of the cells by their pressure's share in the largest, squared: cells between two bins are of both.
-  constexpr std::int32_t bins = 64;
-  constexpr double more_by_cells = 0.0023;  // mean share of an ellipse on 8 to 60 strips, less 0.4
-  double area[bins + 1] = {}, whole_area = 0.0;
-  const auto load = [&](std::int32_t j) {
-    return (bins - 1e-9) * r.peak[j] * r.half_length[j] / std::max(largest_load_, least);
-  };
-  for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    strip.turns = turns;
-    const std::int32_t half = cells / 2;
-    for (std::int32_t i = 0; i < half; ++i) {
-      const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
-      const std::int32_t bin = static_cast<std::int32_t>(at);
-      area[bin] += (1.0 - (at - bin)) * strip.area;
-      area[bin + 1] += (at - bin) * strip.area;
-    }
-    whole_area += half * strip.area;
-  }
-  // share of the area where pressure is larger than at a bin
-  double larger[bins + 1], sum = 0.0;
-  for (std::int32_t bin = 0; bin <= bins; ++bin) {
-    sum += area[bin];
-    larger[bin] = std::max(0.0, 1.0 - (sum - 0.5 * area[bin]) / std::max(whole_area, least));
-  }
-  // Mean share under the pressure: 0.4 under Hertz's, 1/3 under a cone's, as displacements d of cells that
-  // begin to slide are 1 - x^2 and 1 - x. Between them it is linear in the parts of both.
-  double pressed = 0.0, mean = 0.0;
-  for (std::int32_t bin = 0; bin <= bins; ++bin) {
-    const double own = area[bin] * std::sqrt(static_cast<double>(bin));
-    pressed += own;
-    mean += own * larger[bin];
-  }
-  mean = mean / std::max(pressed, least) - more_by_cells;
-  const double cone = std::clamp(4.0 * (0.4 - mean) / (0.6 - mean), -0.5, 1.0);
-  // Bounds over that of the middle, then [Pa]: the whole is the friction limit.
+  // Bounds over that of the middle: 1 - x^2 - (2/3) q (1 - x^3) of an ellipse, 1 - x - (1/2) q (1 - x^2) of a
+  // cone, both over 1 - x. Then [Pa]: the whole is the friction limit.
+  const PressureRanks ranks = rank_pressures(r, largest_load_);
+  const double curved = (2.0 / 3.0) * share, round = 1.0 - ranks.cone;
+  const double at_middle = round * (1.0 - curved) + ranks.cone * (1.0 - 0.5 * share);
+  const double by_x = round * (1.0 - curved) - ranks.cone * (0.5 * share), by_x2 = -(round * curved);
   double whole = 0.0;
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
-    for (std::int32_t i = 0, mirrored = cells - 1; i < mirrored; ++i, --mirrored) {
-      const double at = load(j) * (1.0 - places.at[i] * places.at[i]);
-      const std::int32_t bin = static_cast<std::int32_t>(at);
-      const double rank = larger[bin] + (at - bin) * (larger[bin + 1] - larger[bin]);
-      const double x = rank / (1.0 - share + share * rank);
-      const double of_ellipse = 1.0 - x * x - (2.0 / 3.0) * share * (1.0 - x * x * x);
-      const double of_cone = 1.0 - x - 0.5 * share * (1.0 - x * x);
-      const double form = of_ellipse + cone * (of_cone - of_ellipse);
-      strip.bound[i] = strip.bound[mirrored] = contact_.friction.share(j) * form;
-      whole += 2.0 * strip.bound[i] * strip.area;
+    strip.turns = turns;
+    const double load = ranks.per_load * (r.peak[j] * r.half_length[j]),
+                 friction = contact_.friction.share(j);
+    double of_strip = 0.0;
+    for (std::int32_t i = 0; i < half; ++i) {
+      const double rank = ranks.at(load * places.parabola[i]), x = rank / (1.0 - share + share * rank);
+      strip.bound[i] = friction * ((1.0 - x) * (at_middle + x * (by_x + x * by_x2)));
+      of_strip += strip.bound[i];
     }
+    whole += 2.0 * of_strip * strip.area;
   }
   const double per = limit_ / std::max(whole, least);
-  for (std::int32_t j = 0; j < r.count; ++j)
-    for (double& bound : strips_.scratch[j].bound) bound *= per;
+  for (std::int32_t j = 0; j < r.count; ++j) {
+    double* const bound = strips_.scratch[j].bound;
+    for (std::int32_t i = 0; i < half; ++i) bound[cells - 1 - i] = bound[i] *= per;
+  }
 }
 
 void PatchStep::place_strips(double done) {
@@ -353,22 +391,22 @@ void PatchStep::place_strips(double done) {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     const Neighbours before = past_of(j);
-    double centre = contact_.region.centre[j], half = contact_.region.half_length[j];
+    double centre = contact_.region.centre[j], l = contact_.region.half_length[j];
     double move = 0.0, growth = 0.0;
     const auto add = [&](const PastStrip* past, double share) {
       if (past == nullptr) return;
       move += share * (centre - sign * past->centre);
-      growth += share * (half - past->half_length);
+      growth += share * (l - past->half_length);
     };
     add(before.first, before.of_first);
     add(before.second, before.of_second);
     centre -= (1.0 - done) * move;
-    half -= (1.0 - done) * growth;
+    l -= (1.0 - done) * growth;
     strip.centre = centre;
-    strip.half_length = half;
-    strip.area = contact_.region.width[j] * half * (2.0 / cells);
+    strip.half_length = l;
+    strip.area = contact_.region.width[j] * l * (2.0 / cells);
     strip.x = arm_ * (centre - centre_x_);
-    strip.reach = arm_ * half;
+    strip.reach = arm_ * l;
   }
 }
 
@@ -405,8 +443,8 @@ void PatchStep::bring(double h, bool first) {
     for (const PastStrip* const one : {from.first, from.second}) {
       if (one == nullptr) continue;
       const double share = one == from.second ? from.of_second : from.of_first;
-      for (std::int32_t i = 0; first && i < cells; ++i)
-        to.had[i] += share * one->bound[std::min(i, cells - 1 - i)];
+      for (std::int32_t i = 0; first && i < half; ++i)
+        to.had[cells - 1 - i] = to.had[i] += share * one->bound[i];
       PastStrip mirrored;
       const bool as_it_is = !first || contact_.memory.direction > 0.0;
       if (!as_it_is) mirrored = turned(*one, -1.0);
@@ -423,13 +461,21 @@ void PatchStep::bring(double h, bool first) {
   }
 }
 
-void PatchStep::solve_part(const double shift[3], double h, const Part& part, double local[3]) {
+void PatchStep::solve_part(const double shift[3], double h, const Part& part, double local[3],
+                           double rest[3]) {
   // local = shift + S (F - F'), by Newton's method, from no yield; F' of strips that leave in proportion
   bring(h, part.first);
   const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{
-      count,          strips_.scratch, places.at,           {shift[0], shift[1], shift[2]},    h,
-      0.5 * arm_ * h, part.to_come,    strips_.written->px, sizeof(PastStrip) / sizeof(double)};
+  simd::MemoryPassTask task{count,
+                            strips_.scratch,
+                            places.at,
+                            {shift[0], shift[1], shift[2]},
+                            h,
+                            0.5 * arm_ * h,
+                            part.to_come,
+                            strips_.written->px,
+                            strips_.written->force,
+                            sizeof(PastStrip) / sizeof(double)};
   const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
   // cells at the end of a long part have seen less of the yield than those that have left
   const double yields =
@@ -439,11 +485,14 @@ void PatchStep::solve_part(const double shift[3], double h, const Part& part, do
     yield[i] = yields * yield_[i];
     before_[i] += part.share * left_[i];
   }
-  for (int solution = 0; solution < solutions; ++solution) {
+  const auto left_over = [&](const double force[3]) {
+    for (int i = 0; i < 3; ++i) rest[i] = shift[i] + yield[i] * (force[i] - before_[i]) - task.local[i];
+  };
+  for (int solution = part.to_come > 0.0 ? 1 : 0; solution < solutions; ++solution) {
     simd::MemoryPassSums sums;
     kernels.memory_pass_sums(task, sums);
-    double rest[3], change[3];
-    for (int i = 0; i < 3; ++i) rest[i] = shift[i] + yield[i] * (sums.force[i] - before_[i]) - task.local[i];
+    left_over(sums.force);
+    double change[3];
     solve(yield, sums.slope, rest, change);
     for (int i = 0; i < 3; ++i) task.local[i] += change[i];
   }
@@ -455,17 +504,11 @@ void PatchStep::solve_part(const double shift[3], double h, const Part& part, do
     strip.y = key(j);
     strip.centre = at.centre;
     strip.half_length = at.half_length;
-    double fx = 0.0, fy = 0.0, mz = 0.0;
-    for (std::int32_t i = 0; i < cells; ++i) {
-      fx += strip.px[i];
-      fy += strip.py[i];
-      mz += (at.x + at.reach * places.at[i]) * strip.py[i] - at.y * strip.px[i];
-    }
-    strip.force[0] = fx * at.area;
-    strip.force[1] = fy * at.area;
-    strip.force[2] = mz * at.area;
   }
-  forces(before_);
+  double force[3];
+  forces(force);
+  left_over(force);
+  std::copy_n(force, 3, before_);
   std::copy_n(task.local, 3, local);
 }
 
@@ -561,14 +604,19 @@ void PatchStep::go(const double per[3], double travel, double rolled, double loc
     left -= usual;
   }
   const double whole = std::max(rolled / std::max(length(), least), least);
+  double rest[3] = {};
   for (std::int32_t k = parts - 1; k >= 0; --k) {
     const double part_of_step = parts == 1 ? 1.0 : share[k] / whole;
     last = part_of_step * rolled;
     const double to_come = left_of_step(share, k) / whole;
     if (parts > 1) place_strips(1.0 - to_come);
     set_own(part_of_step * travel);
-    for (int i = 0; i < 3; ++i) of_part[i] = part_of_step * travel * per[i];
-    solve_part(of_part, last, {k == parts - 1, part_of_step, to_come}, local);
+    double shift[3];
+    for (int i = 0; i < 3; ++i) {
+      of_part[i] = part_of_step * travel * per[i];
+      shift[i] = of_part[i] + carried * rest[i];
+    }
+    solve_part(shift, last, {k == parts - 1, part_of_step, to_come}, local, rest);
   }
 }
 

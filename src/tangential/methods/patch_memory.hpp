@@ -182,7 +182,8 @@ class PatchStep {
     bool first;
     double share, to_come;
   };
-  void solve_part(const double shift[3], double h, const Part& part, double local[3]);
+  /// Leaves the displacement of the cells, and the amount by which the equation of U is not met.
+  void solve_part(const double shift[3], double h, const Part& part, double local[3], double rest[3]);
   void bring(double h, bool first);
   void place_strips(double done);
   void set_own(double travel);

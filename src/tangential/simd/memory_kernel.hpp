@@ -18,31 +18,27 @@ struct BetweenCells {
 };
 
 /// `at`: cells behind the middle of the first.
-inline BetweenCells between_cells(Pack at, Mask inside) {
-  const Pack last = memory_cells - 1.0, none = 0.0;
+inline BetweenCells between_cells(Pack at) {
+  const Pack none = 0.0, one = 1.0;
   BetweenCells b;
-  b.first = whole_part(smaller(larger(at, none), last - 1.0));
-  const Mask before = at<none, behind = at> last;
-  const Pack second = select(behind, Pack(1.0) - Pack(2.0) * (at - last), at - b.first);
-  const Pack one =
-      select(behind, none, select(before, Pack(1.0) + Pack(2.0) * at, Pack(1.0) - (at - b.first)));
-  b.weight = select(inside, one, none);
-  b.weight_behind = select(inside & !before, second, none);
+  b.first = whole_part(smaller(larger(at, none), memory_cells - 2.0));
+  // half a cell leads from the middle of the first, and of the last, to the edge
+  const Pack beyond = at - b.first, twice = beyond + beyond;
+  b.weight = larger(smaller(one - beyond, one + twice), none);
+  b.weight_behind = larger(smaller(beyond, Pack(3.0) - twice), none);
   return b;
 }
 
 inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) {
+  // A cell ahead of the old leading edge was in contact since it met the edge, which closes the distance at
+  // the rate `closing` over the part; where nothing closes, not at all.
   const double lead = to.centre + to.half_length, closing = t.h + lead - t.old_lead;
-  const double length = 2.0 * t.half_length, per_length = memory_cells / length;
+  const Pack per_closing = closing > 0.0 ? 1.0 / closing : 1e300, ahead = t.h - t.old_lead;
+  const Pack centre = to.centre, half = to.half_length, per_cell = memory_cells / (2.0 * t.half_length);
   const Pack weight = t.weight, none = 0.0, one = 1.0;
   for (std::int32_t i = 0; i < memory_cells; i += lanes) {
-    // Behind the old leading edge it was in contact all the time. Ahead of it since it met the edge, which
-    // closes the distance -behind at the rate `closing`.
-    const Pack at = Pack(to.centre) + Pack(to.half_length) * load_pack(t.place + i);
-    const Pack behind = Pack(t.old_lead) - (at + Pack(t.h));
-    const Mask was = behind > none;
-    const BetweenCells b =
-        between_cells(behind * Pack(per_length) - Pack(0.5), was & (behind < Pack(length)));
+    const Pack before = (centre + half * load_pack(t.place + i)) + ahead;
+    const BetweenCells b = between_cells(Pack(-0.5) - before * per_cell);
     const Indices cell = indices(b.first);
     const Neighbours px = pick(t.px, cell), py = pick(t.py, cell);
     const auto add = [&](double* cells, Pack brought) {
@@ -50,119 +46,163 @@ inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) 
     };
     add(to.px, b.weight * px.at + b.weight_behind * px.behind);
     add(to.py, b.weight * py.at + b.weight_behind * py.behind);
-    Pack share = one;
-    if (t.h > 0.0) {
-      const Pack met = closing > 0.0 ? one - smaller(larger(-behind / Pack(closing), none), one) : none;
-      share = select(was, one, met);
-    }
-    add(to.share, share);
+    const Pack met = smaller(larger(before * per_closing, none), one);
+    add(to.share, t.h > 0.0 ? one - met : one);
   }
 }
 
-/// A pack of cells: tractions, and the numbers that their slopes are made of.
-struct PassedCells {
-  Pack px, py;
-  Pack at, on_way;  ///< arms of the cell now, and of the middle of its way
-  Mask slides;
-  Pack size, bound;  ///< size of the traction before it slides, and bound [Pa]
-  Pack faster;       ///< turned_by()
-};
-
-/// Factor on the displacement for the direction in which a cell slides: 1 as it begins to slide, and where
-/// the patch rolls further in half lengths, times `rolling`, than the cell is displaced in times its bound.
-/// It grows as 2 c - c^2, c the part of the displacement that goes beyond the bound: a cell displaced across
-/// its traction needs more than one displaced nearly along it.
+/// By how much further a sliding cell is displaced for its direction, over its displacement v: 0 as it begins
+/// to slide, and where the patch rolls further in half lengths, times `turned_by_rolling`, than the cell is
+/// displaced in times its bound (`still`: both). It grows as 2 c - c^2, c the part of the displacement that
+/// goes beyond the bound: a cell displaced across its traction needs more than one displaced nearly along it.
 constexpr double turned_by_rolling = 5.0;
-inline Pack turned_by(Pack turns, Pack rolled, Pack sticks, Pack bound, Pack vx, Pack vy) {
-  const Pack v2 = vx * vx + vy * vy, v = root(v2), still = Pack(turned_by_rolling) * rolled * bound;
-  const Pack beyond = smaller(larger(sticks - bound, Pack(0.0)), v);
-  return Pack(1.0) + turns * beyond * (Pack(2.0) * v - beyond) / larger(v2 + still * still, Pack(1e-290));
+inline Native turns_further(Native turns, Native still, Native sticks, Native bound, Native vx, Native vy) {
+  const Native v2 = vx * vx + vy * vy, v = root_of(v2);
+  const Native beyond = smaller_of(larger_of(sticks, bound) - bound, v);
+  return turns * beyond * (v + (v - beyond)) / larger_of(v2 + still * still, broadcast(1e-290));
 }
 
-inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s, std::int32_t i) {
+/// Cells of a strip. They do not wait for one another, so one vector at a time leaves numbers in registers.
+constexpr std::int32_t vectors = memory_cells / native_lanes;
+struct StripCells {
+  Native of[vectors];
+};
+
+/// Sum over the cells of a strip: halves are added until one number is left, the same with any lanes.
+inline double sum_of_cells(StripCells& cells) {
+  for (std::int32_t half = vectors / 2; half > 0; half /= 2)
+    for (std::int32_t k = 0; k < half; ++k) cells.of[k] += cells.of[k + half];
+  double of[native_lanes];
+  store_lanes(of, cells.of[0]);
+  for (std::int32_t half = native_lanes / 2; half > 0; half /= 2)
+    for (std::int32_t k = 0; k < half; ++k) of[k] += of[k + half];
+  return of[0];
+}
+
+/// Numbers that cells of a strip share: displacements over the flexibility [Pa], their change along x over
+/// arms, and the length rolled in half lengths, times `turned_by_rolling`.
+struct PassedStrip {
+  Native vx, vy, turn, rolled, x, reach, turns, half_way, to_come;
+};
+inline PassedStrip pass_strip(const MemoryPassTask& t, const RememberingStrip& s) {
+  PassedStrip p;
+  p.vx = broadcast(s.growth_x * ((t.local[0] - t.local[2] * s.y) + s.own_x));
+  p.vy = broadcast(s.growth_y * ((t.local[1] + s.own_y) - s.own_turn * s.x));
+  p.turn = broadcast(s.growth_y * (t.local[2] + s.own_turn));
+  p.rolled = broadcast(turned_by_rolling * (t.h / s.half_length));
+  p.x = broadcast(s.x);
+  p.reach = broadcast(s.reach);
+  p.turns = broadcast(s.turns);
+  p.half_way = broadcast(t.half_way);
+  p.to_come = broadcast(t.to_come);
+  return p;
+}
+
+/// A vector of cells: tractions, and the numbers that their slopes are made of.
+struct PassedCells {
+  Native px, py;          ///< before they slide [Pa]
+  Native at, on_way;      ///< arms of the cell now, and of the middle of its way
+  Native inverse, ratio;  ///< one over the size of the traction [1/Pa], and the share that is left of it
+  Native further;         ///< turns_further()
+};
+
+inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s, const PassedStrip& p,
+                              std::int32_t i) {
   PassedCells c;
-  const Pack share = load_pack(s.share + i);
-  c.at = Pack(s.x) + Pack(s.reach) * load_pack(t.place + i);
-  c.on_way = c.at + Pack(t.half_way) * share;
+  const Native share = load_lanes(s.share + i), one = broadcast(1.0);
+  c.at = p.x + p.reach * load_lanes(t.place + i);
+  c.on_way = c.at + p.half_way * share;
   // traction if it sticks
-  const Pack by_x = (t.local[0] - t.local[2] * s.y) + s.own_x,
-             by_y = (t.local[1] + s.own_y) - s.own_turn * s.x, turn = t.local[2] + s.own_turn;
-  const Pack vx = Pack(s.growth_x) * share * by_x, vy = Pack(s.growth_y) * share * (by_y + turn * c.on_way);
-  c.px = load_pack(s.px + i) - vx;
-  c.py = load_pack(s.py + i) - vy;
+  const Native vx = share * p.vx, vy = share * (p.vy + p.turn * c.on_way);
+  c.px = load_lanes(s.px + i) - vx;
+  c.py = load_lanes(s.py + i) - vy;
   // onto the disk, whose bound goes from that of before to that of the end in proportion to the step
-  const Pack bound = load_pack(s.bound + i);
-  c.bound = bound + Pack(t.to_come) * (load_pack(s.had + i) - bound);
-  const Pack sticks = root(c.px * c.px + c.py * c.py);
-  c.slides = sticks > c.bound;
-  c.faster = turned_by(s.turns, t.h / s.half_length, sticks, c.bound, vx, vy);
-  c.px = c.px - (c.faster - Pack(1.0)) * vx;
-  c.py = c.py - (c.faster - Pack(1.0)) * vy;
-  c.size = root(c.px * c.px + c.py * c.py);
+  const Native end = load_lanes(s.bound + i), bound = end + p.to_come * (load_lanes(s.had + i) - end);
+  const Native sticks = root_of(c.px * c.px + c.py * c.py);
+  const NativeMask slides = less(bound, sticks);
+  c.further = turns_further(p.turns, p.rolled * bound, sticks, bound, vx, vy);
+  c.px = c.px - c.further * vx;
+  c.py = c.py - c.further * vy;
+  c.inverse = one / choose(slides, root_of(c.px * c.px + c.py * c.py), one);
+  c.ratio = choose(slides, bound * c.inverse, one);
   return c;
 }
 
 inline void memory_pass_kernel(const MemoryPassTask& t) {
-  for (std::int32_t j = 0; j < t.strips; ++j)
-    for (std::int32_t i = 0; i < memory_cells; i += lanes) {
-      const PassedCells c = pass_cells(t, t.from[j], i);
-      const Pack ratio = select(c.slides, c.bound / select(c.slides, c.size, 1.0), 1.0);
-      double* const to = t.px + j * t.stride + i;
-      store_pack(to, c.px * ratio);
-      store_pack(to + memory_cells, c.py * ratio);
+  for (std::int32_t j = 0; j < t.strips; ++j) {
+    const RememberingStrip& s = t.from[j];
+    double* const to = t.px + j * t.stride;
+    const PassedStrip strip = pass_strip(t, s);
+    const Native y = broadcast(s.y);
+    StripCells fx, fy, mz;
+    for (std::int32_t k = 0; k < vectors; ++k) {
+      const std::int32_t i = k * native_lanes;
+      const PassedCells c = pass_cells(t, s, strip, i);
+      const Native px = c.px * c.ratio, py = c.py * c.ratio;
+      store_lanes(to + i, px);
+      store_lanes(to + memory_cells + i, py);
+      fx.of[k] = px;
+      fy.of[k] = py;
+      mz.of[k] = c.at * py - y * px;
     }
+    double* const force = t.force + j * t.stride;
+    force[0] = sum_of_cells(fx) * s.area;
+    force[1] = sum_of_cells(fy) * s.area;
+    force[2] = sum_of_cells(mz) * s.area;
+  }
 }
 
-constexpr double turning = 0.1;  ///< part of a bound over which the slopes of a cell turn to sliding
+/// Part of a traction that slides, over which the slopes of a cell turn to sliding.
+constexpr double turning = 1.0 / 11.0;
 
-/// Sums over the cells of a place and all strips, then over places in their order: the same with any lanes.
+/// Sums over the cells of a place and all strips, then over places: the same with any lanes.
 inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sums) {
   constexpr std::int32_t numbers = 12;
-  double of[numbers][memory_cells];
-  for (std::int32_t i = 0; i < memory_cells; i += lanes) {
-    Pack sum[numbers];
-    for (Pack& one : sum) one = 0.0;
-    for (std::int32_t j = 0; j < t.strips; ++j) {
-      const RememberingStrip& s = t.from[j];
-      const PassedCells c = pass_cells(t, s, i);
-      const Pack none = 0.0, one = 1.0, area = s.area, y = s.y;
-      const Pack inverse = one / select(c.slides, c.size, one);
-      const Pack ratio = select(c.slides, c.bound * inverse, one);
-      const Pack ex = select(c.slides, c.px * inverse, none), ey = select(c.slides, c.py * inverse, none);
-      // Slopes turn from those of a cell that sticks to those of one that slides over a part of its bound:
-      // forces after a fixed number of Newton's steps jump wherever the slopes do.
-      const Pack beyond = larger(c.size - c.bound, none) / larger(Pack(turning) * c.bound, Pack(1e-290));
-      const Pack slid = select(c.slides, smaller(beyond, one), none);
-      const Pack px = c.px * ratio * area, py = c.py * ratio * area;
-      sum[0] += px;
-      sum[1] += py;
-      sum[2] += c.at * py - y * px;
-      // -d(force)/d(local): slopes of the point on the disk, ratio (1 - e e)
-      const Pack part = load_pack(s.share + i) * area * ratio * c.faster;
-      const Pack gx = Pack(s.growth_x) * part, gy = Pack(s.growth_y) * part;
-      const Pack xx = one - slid * (ex * ex), yy = one - slid * (ey * ey), xy = -(slid * (ex * ey));
-      const Pack x_x = gx * xx, x_y = gy * xy, y_x = gx * xy, y_y = gy * yy;
-      const Pack x_turn = x_y * c.on_way - x_x * y, y_turn = y_y * c.on_way - y_x * y;
-      sum[3] += x_x;
-      sum[4] += x_y;
-      sum[5] += x_turn;
-      sum[6] += y_x;
-      sum[7] += y_y;
-      sum[8] += y_turn;
-      sum[9] += c.at * y_x - y * x_x;
-      sum[10] += c.at * y_y - y * x_y;
-      sum[11] += c.at * y_turn - y * x_turn;
+  StripCells sum[numbers];
+  const Native none = broadcast(0.0), one = broadcast(1.0), whole = broadcast(1.0 / turning);
+  for (StripCells& number : sum)
+    for (Native& each : number.of) each = none;
+  for (std::int32_t j = 0; j < t.strips; ++j) {
+    const RememberingStrip& s = t.from[j];
+    const PassedStrip strip = pass_strip(t, s);
+    const Native y = broadcast(s.y), area = broadcast(s.area), growth_x = broadcast(s.growth_x),
+                 growth_y = broadcast(s.growth_y);
+    for (std::int32_t k = 0; k < vectors; ++k) {
+      const PassedCells c = pass_cells(t, s, strip, k * native_lanes);
+      const Native ex = c.px * c.inverse, ey = c.py * c.inverse;
+      const Native part = c.ratio * area, px = c.px * part, py = c.py * part;
+      sum[0].of[k] += px;
+      sum[1].of[k] += py;
+      sum[2].of[k] += c.at * py - y * px;
+      // -d(force)/d(local): slopes of the point on the disk, ratio (1 - e e). They turn from those of a cell
+      // that sticks to those of one that slides over a part of its bound: forces after a fixed number of
+      // Newton's steps jump wherever the slopes do.
+      const Native slid = smaller_of(larger_of(one - c.ratio, none) * whole, one);
+      const Native way = load_lanes(s.share + k * native_lanes), moves = (way + way * c.further) * part;
+      const Native slides = moves * slid, along_x = slides * ex, along_y = slides * ey;
+      const Native across = along_x * ey;
+      const Native x_x = growth_x * (moves - along_x * ex), y_y = growth_y * (moves - along_y * ey);
+      // x_y, y_x and x_turn without their minus sign
+      const Native x_y = growth_y * across, y_x = growth_x * across, of_x = x_x * y;
+      const Native x_turn = x_y * c.on_way + of_x, y_turn = y_y * c.on_way + y_x * y;
+      sum[3].of[k] += x_x;
+      sum[4].of[k] += x_y;
+      sum[5].of[k] += x_turn;
+      sum[6].of[k] += y_x;
+      sum[7].of[k] += y_y;
+      sum[8].of[k] += y_turn;
+      sum[9].of[k] += c.at * y_x + of_x;
+      sum[10].of[k] += c.at * y_y + y * x_y;
+      sum[11].of[k] += c.at * y_turn + y * x_turn;
     }
-    for (std::int32_t n = 0; n < numbers; ++n) store_pack(of[n] + i, sum[n]);
   }
-  double* const to[numbers] = {&sums.force[0],    &sums.force[1],    &sums.force[2],    &sums.slope[0][0],
-                               &sums.slope[0][1], &sums.slope[0][2], &sums.slope[1][0], &sums.slope[1][1],
-                               &sums.slope[1][2], &sums.slope[2][0], &sums.slope[2][1], &sums.slope[2][2]};
-  for (std::int32_t n = 0; n < numbers; ++n) {
-    double sum = 0.0;
-    for (const double one : of[n]) sum += one;
-    *to[n] = sum;
-  }
+  double total[numbers];
+  for (std::int32_t n = 0; n < numbers; ++n) total[n] = sum_of_cells(sum[n]);
+  for (int n = 0; n < 3; ++n) sums.force[n] = total[n];
+  const double slope[3][3] = {
+      {total[3], -total[4], -total[5]}, {-total[6], total[7], total[8]}, {-total[9], total[10], total[11]}};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) sums.slope[i][k] = slope[i][k];
 }
 
 /// A number of each lane's strip; lanes without a strip have that of the first.
@@ -188,6 +228,7 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
     const std::int32_t count = t.strips - first < lanes ? t.strips - first : lanes;
     const Pack half = of_strips(t, first, &RememberingStrip::half_length);
     const Pack cell = half * Pack(2.0 / memory_cells), path = larger(Pack(t.h), cell);
+    const Pack rolled = Pack(turned_by_rolling) * (path / half), per_cell = Pack(1.0) / cell;
     const Pack y = of_strips(t, first, &RememberingStrip::y), x = of_strips(t, first, &RememberingStrip::x);
     const Pack reach = of_strips(t, first, &RememberingStrip::reach);
     const Pack growth_x = of_strips(t, first, &RememberingStrip::growth_x),
@@ -206,7 +247,7 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
     Pack fx = 0.0, fy = 0.0, mz = 0.0;
     for (std::int32_t i = 0; i < memory_cells; ++i) {
       const Pack from_lead = cell * Pack(i + 0.5), behind = from_lead - path, way = smaller(path, from_lead);
-      const BetweenCells b = between_cells(behind / cell - Pack(0.5), behind > Pack(0.0));
+      const BetweenCells b = between_cells(behind * per_cell - Pack(0.5));
       const Indices at_cell = indices(row + b.first);
       const Neighbours was_x = pick(px, at_cell), was_y = pick(py, at_cell);
       const Pack at = x + reach * Pack(t.place[i]);
@@ -217,9 +258,11 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
       const Pack most = bounds_of_strips(t, first, i),
                  sticks = root(sticks_x * sticks_x + sticks_y * sticks_y);
       const Mask slides = sticks > most;
-      const Pack faster = turned_by(turns, path / half, sticks, most, vx, vy) - Pack(1.0);
-      sticks_x = sticks_x - faster * vx;
-      sticks_y = sticks_y - faster * vy;
+      const Pack still = rolled * most;
+      const Pack further{turns_further(turns.a, still.a, sticks.a, most.a, vx.a, vy.a),
+                         turns_further(turns.b, still.b, sticks.b, most.b, vx.b, vy.b)};
+      sticks_x = sticks_x - further * vx;
+      sticks_y = sticks_y - further * vy;
       const Pack size = root(sticks_x * sticks_x + sticks_y * sticks_y);
       const Pack ratio = select(slides, most / select(slides, size, 1.0), 1.0);
       const Pack now_x = sticks_x * ratio, now_y = sticks_y * ratio;

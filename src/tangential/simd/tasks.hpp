@@ -170,8 +170,8 @@ struct MemoryBringTask {
   bool adds;  ///< true: adds to the cells' tractions; false: replaces them
 };
 
-/// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, `stride` from strip to
-/// strip.
+/// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, forces of each strip to
+/// force[0..2], `stride` from strip to strip.
 struct MemoryPassTask {
   std::int32_t strips;
   const RememberingStrip* from;
@@ -180,7 +180,7 @@ struct MemoryPassTask {
   double h;         ///< rolled [m]
   double half_way;  ///< arm of half of it [m]
   double to_come;   ///< share of the step that comes after [-]
-  double* px;
+  double *px, *force;
   std::int64_t stride;
 };
 
@@ -189,8 +189,7 @@ struct MemoryPassSums {
   double force[3], slope[3][3];
 };
 
-/// Cells in steady rolling at displacements `per` length, brought over h; results as of MemoryPassTask, and
-/// forces of each strip at force[0..2], `stride` from strip to strip.
+/// Cells in steady rolling at displacements `per` length, brought over h; results as of MemoryPassTask.
 struct MemoryMarchTask {
   std::int32_t strips;
   const RememberingStrip* from;
