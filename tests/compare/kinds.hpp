@@ -99,4 +99,8 @@ Report compare_settings(const Csv& file, const Options& options);
 /// are flagged or fail, and has the largest jumps and real time beside the exact solver.
 Report compare_runs(const Csv& file, const Options& options);
 
+/// Calls along the rails of such files, cold and from a mark, and on their profiles held constant: one line
+/// of the output for each, so that tests/bench/crossing_cost.py counts their instructions.
+Report compare_cost(const Csv& file, const Options& options);
+
 }  // namespace compare

@@ -109,6 +109,11 @@ constexpr Kind kinds[] = {
        {"--from", &Options::from},
        {"--to", &Options::to}}},
      "those of track: each rail in small steps under the load of its first case, no reference needed"},
+    {"cost",
+     nullptr,
+     compare::compare_cost,
+     {{{"--step", &Options::step}, {"--from", &Options::from}, {"--to", &Options::to}}},
+     "those of track: calls that tests/bench/crossing_cost.py counts the instructions of"},
 };
 
 void usage(FILE* to) {
@@ -133,7 +138,7 @@ void usage(FILE* to) {
       "rollers to track have the columns of tests/data/README.md, geometry beside FILE, and --only "
       "wrc_contact_wrench (the\n"
       "        default), wrc_exact_wrench\n"
-      "run: within each rail's sections, at 13 lateral places 1 mm apart:\n"
+      "run, cost: within each rail's sections, at 13 lateral places 1 mm apart:\n"
       "--step MM: from place to place [1]\n"
       "--from MM, --to MM: another part of the track [-60, 460]\n"
       "--exact MM: the exact solver beside it every so many mm [never]\n"
@@ -174,6 +179,11 @@ const Length* length_of(const Kind& kind, const std::string& word) {
   return nullptr;
 }
 
+/// Does a kind go along the track at lateral places?
+bool along_track(const Kind& kind) {
+  return kind.cases == compare::compare_runs || kind.cases == compare::compare_cost;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -207,7 +217,7 @@ int main(int argc, char** argv) {
         if (!number(word, value)) return misused("'" + word + "' is no number of a case");
         options.cases.push_back(static_cast<long>(value));
       }
-    } else if (words[i] == "--y" && kind->cases == compare::compare_runs && has_value) {
+    } else if (words[i] == "--y" && along_track(*kind) && has_value) {
       for (const std::string& word : split(words[++i])) {
         if (!number(word, value) || std::fabs(value) > compare::most_beside || value != std::floor(value))
           return misused("'" + word + "' is no lateral place of -6 to 6 in whole mm");

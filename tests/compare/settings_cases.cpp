@@ -76,10 +76,11 @@ double place_of(double angle, const ProfilePoints& rail) {
 
 }  // namespace
 
-CaseBodies::CaseBodies(const Csv& file, std::string setting)
+CaseBodies::CaseBodies(const Csv& file, std::string setting, bool along_track)
     : file_(file),
       folder_(std::filesystem::path(file.path()).parent_path().string()),
-      setting_(std::move(setting)) {}
+      setting_(std::move(setting)),
+      along_track_(along_track) {}
 
 const CaseBodies::Made& CaseBodies::of(std::size_t row) {
   std::string key;
@@ -130,7 +131,7 @@ void CaseBodies::make(std::size_t row, Made& made) {
   std::vector<ProfilePoints> outlines;
   std::vector<std::vector<double>> marks;
   std::vector<wrc_rail_section> sections;
-  if (const std::string& name = file_.text(row, "sections"); !name.empty()) {
+  if (const std::string& name = file_.text(row, "sections"); along_track_ && !name.empty()) {
     sections = read_sections(folder / name, outlines, marks);
     config.rail = {};
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;

@@ -13,10 +13,11 @@
 namespace compare {
 
 /// The contacts of a file, each made once, and the profile of its rail. `setting`: a resolution of
-/// WRC_RESOLUTION_LIST.
+/// WRC_RESOLUTION_LIST; `along_track`: false for the rail's profile in place of its sections, without a
+/// distance along the track.
 class CaseBodies {
  public:
-  CaseBodies(const Csv& file, std::string setting);
+  CaseBodies(const Csv& file, std::string setting, bool along_track = true);
 
   struct Made {
     std::unique_ptr<Solver> solver;
@@ -30,6 +31,7 @@ class CaseBodies {
 
   const Csv& file_;
   std::string folder_, setting_;
+  bool along_track_;
   std::map<std::string, Made> made_;
 };
 
