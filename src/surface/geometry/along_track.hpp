@@ -279,6 +279,11 @@ struct TopBounds {
   Number ahead, behind;  ///< from the wheel's reference point [m]
 };
 inline constexpr TopBounds<double> unbounded{1e9, -1e9};
+/// By the one that is not far off, which lies ahead of the place given or behind it.
+inline TopBounds<double> bounds_of(double bound, double place) {
+  return bound > place ? TopBounds<double>{bound, unbounded.behind}
+                       : TopBounds<double>{unbounded.ahead, bound};
+}
 
 /// A strip at its largest overlap along x.
 template <class Number>

@@ -41,7 +41,10 @@ Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
   o.capacity = capacity;
   arena.each(capacity, o.depth, o.centre, o.curvature, o.ny, o.nz, o.wy, o.wz, o.u);
   arena.each(capacity, o.strip, o.piece);
-  if (graded) arena.each(capacity, o.grade, o.ahead, o.behind, o.part);
+  if (graded) {
+    o.grade = arena.take(capacity);
+    arena.each(capacity, o.bound, o.part);
+  }
   return o;
 }
 
@@ -60,8 +63,11 @@ Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
   Overlaps rest = o;
   rest.capacity = o.capacity - first;
   for (double** const a : {&rest.depth, &rest.centre, &rest.curvature, &rest.ny, &rest.nz, &rest.wy, &rest.wz,
-                           &rest.u, &rest.grade, &rest.ahead, &rest.behind, &rest.part})
+                           &rest.u, &rest.grade})
     if (*a) *a += first;
+  // there on rails that vary alone
+  if (rest.bound) rest.bound += first;
+  if (rest.part) rest.part += first;
   rest.strip += first;
   rest.piece += first;
   return rest;

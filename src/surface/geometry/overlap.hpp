@@ -64,9 +64,9 @@ struct Overlaps {
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
   double* grade = nullptr;  ///< nullptr: zero everywhere
-  /// With grades: of a strip with two tops, the bounds of its contact along the track (TopBounds) [m], and
-  /// the part of its overlap that counts [-].
-  double *ahead = nullptr, *behind = nullptr, *part = nullptr;
+  /// With grades: of a strip with two tops, where along the track its contact must end [m], far off for
+  /// others; and the part of its overlap that counts [-]. For derivatives and flags.
+  float *bound = nullptr, *part = nullptr;
   std::int32_t* piece = nullptr;  ///< piece of the wheel's curve where the ray ends
   double* u = nullptr;            ///< length on that piece [m]
 };

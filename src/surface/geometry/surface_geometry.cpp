@@ -83,15 +83,19 @@ void put_place(std::int32_t strip, const PlaceOfContact& place, std::int32_t i, 
   o.strip[i] = strip;
   o.piece[i] = place.end.piece;
   o.u[i] = place.end.u;
-  o.ahead[i] = place.bounds.ahead;
-  o.behind[i] = place.bounds.behind;
-  o.part[i] = place.part;
+  // a place has one bound, on the side of the strip's other top
+  const bool none_ahead = place.bounds.ahead == unbounded.ahead;
+  o.bound[i] = static_cast<float>(none_ahead ? place.bounds.behind : place.bounds.ahead);
+  o.part[i] = static_cast<float>(place.part);
   put_strip(place.overlap, i, o);
 }
 
 PlaceOfContact kept_place(std::int32_t i, const Overlaps& o) {
-  return {
-      o.centre[i], {o.piece[i], o.u[i], o.depth[i]}, strip_of(o, i), {o.ahead[i], o.behind[i]}, o.part[i]};
+  return {o.centre[i],
+          {o.piece[i], o.u[i], o.depth[i]},
+          strip_of(o, i),
+          bounds_of(o.bound[i], o.centre[i]),
+          o.part[i]};
 }
 
 /// Second places of contact along the track, until they are put behind the first ones.

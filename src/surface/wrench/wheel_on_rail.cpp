@@ -37,12 +37,14 @@ Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
                           rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
   const double l = s.strips.half_length[k], at = s.strips.x[k];
   const double edge = larger(o.depth[i] - 0.5 * o.curvature[i] * l * l, 0.0);
+  // beyond the bound lies the strip's other place, which carries its own load
+  const TopBounds<double> bounds = bounds_of(o.bound[i], o.centre[i]);
   for (const double way : {1.0, -1.0}) {
     RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
     double least = o.depth[i];
     for (int n = 0; n < to_a_side; ++n) {
       const double t = nearest * l + n * apart, x = at + way * t;
-      if (x < larger(rail.low[face], o.behind[i]) || x > smaller(rail.high[face], o.ahead[i])) break;
+      if (x < larger(rail.low[face], bounds.behind) || x > smaller(rail.high[face], bounds.ahead)) break;
       const double depth = depth_at(over, x, end);
       least = smaller(least, depth);
       if (t > l && depth * t > edge * l && depth > least)

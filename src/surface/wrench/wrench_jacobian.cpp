@@ -95,9 +95,9 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   if (changes_along(model, j)) {
     FollowedStrips near{};
     put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, strip_of(overlaps, i), near,
-                {overlaps.ahead[i], overlaps.behind[i]});
+                bounds_of(overlaps.bound[i], overlaps.centre[i]));
     OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
-    o.depth = overlaps.part[i] * o.depth;
+    o.depth = static_cast<double>(overlaps.part[i]) * o.depth;
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }
