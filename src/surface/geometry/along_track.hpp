@@ -305,11 +305,16 @@ struct AtMiddle {
 /// Rays that a contact is followed by: ahead, behind, and in its middle.
 enum AlongRay : std::int32_t { ray_ahead, ray_behind, ray_middle, along_rays };
 
-/// A number of one side, at `reach` from the middle; beyond the end of a face, `room` away, that of the other
-/// side, in part where the end lies within the reach.
+/// Share of a reach that lies on the face, which ends `room` away.
 template <class Number>
-Number on_face(const Number& own, const Number& other, const Number& room, const Number& reach) {
-  return other + smaller(larger(room / reach, Number(0.0)), Number(1.0)) * (own - other);
+Number share_on_face(const Number& room, const Number& reach) {
+  return smaller(larger(room / reach, Number(0.0)), Number(1.0));
+}
+
+/// A number of one side, by the share of it that is on the face; for the rest that of the other side.
+template <class Number>
+Number on_face(const Number& own, const Number& other, const Number& share) {
+  return other + share * (own - other);
 }
 
 /// A contact's length along a strip: middle and half of it, and the overlap at its ends ahead and behind [m].
@@ -332,10 +337,11 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   ContactChord<Number> chord{at.x, first, {at.depth, at.depth}};
   const Number room[2] = {at.ahead - at.x, at.x - at.behind};  // before another top's contact
   Number reach[2] = {smaller(first, room[0]), smaller(first, room[1])};
+  Number moves = 0.0;  // by how much the middle follows both ends: not where the face ends at the top
   auto goes = value_of(first) > 0.0;  // all
   for (int n = 0; n < most_rounds; ++n) {
     // overlaps in the middle, first that known, and on both sides, which fall outwards
-    Number top = at.depth, top_slope = at.end_slope;
+    Number top = at.depth, top_slope = 0.0;
     if (n > 0) {
       const OverlapAlong<Number> middle = rays.look(ray_middle, chord.middle, goes);
       top = middle.depth;
@@ -349,7 +355,7 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
                              smaller(-behind.slope, -least * reach[1])};
     // the depth wanted at both ends, as it is and once they and so the middle have moved
     const Number fallen = top - 0.5 * contact_share * (larger(top, Number(0.0)) + least_contact_depth);
-    const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * top_slope;
+    const Number by_middle = 0.5 * (1.0 - 0.5 * contact_share) * moves * top_slope;
     Number per[2] = {1.0 / slope[0], 1.0 / slope[1]};
     // an end in the valley before another top stays there
     for (int k = 0; k < 2; ++k) {
@@ -373,8 +379,11 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
       far = k == 0 ? is_far : far | is_far;
     }
     // the middle lies where both ends are on the face
-    const Number to_ahead = on_face(reach[0], reach[1], at.high - at.x, reach[0]),
-                 to_behind = on_face(reach[1], reach[0], at.x - at.low, reach[1]);
+    const Number share[2] = {share_on_face<Number>(at.high - at.x, reach[0]),
+                             share_on_face<Number>(at.x - at.low, reach[1])};
+    const Number to_ahead = on_face(reach[0], reach[1], share[0]),
+                 to_behind = on_face(reach[1], reach[0], share[1]);
+    moves = share[0] + share[1] - 1.0;
     chord.half = smaller(0.5 * (to_ahead + to_behind), Number(longest_half));
     chord.middle = at.x + 0.5 * (to_ahead - to_behind);
     goes = goes & far;
@@ -388,8 +397,12 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   if (any(cut)) {
     const Number ahead = rays.look(ray_ahead, chord.middle + chord.half, cut).depth,
                  behind = rays.look(ray_behind, chord.middle - chord.half, cut).depth;
-    chord.depth[0] = select(cut, on_face(ahead, behind, at.high - chord.middle, chord.half), chord.depth[0]);
-    chord.depth[1] = select(cut, on_face(behind, ahead, chord.middle - at.low, chord.half), chord.depth[1]);
+    chord.depth[0] =
+        select(cut, on_face(ahead, behind, share_on_face<Number>(at.high - chord.middle, chord.half)),
+               chord.depth[0]);
+    chord.depth[1] =
+        select(cut, on_face(behind, ahead, share_on_face<Number>(chord.middle - at.low, chord.half)),
+               chord.depth[1]);
   }
   return chord;
 }
