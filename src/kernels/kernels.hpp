@@ -14,6 +14,7 @@ struct Strips;
 namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
+struct PlaceDepths;
 }  // namespace wrc::surface
 
 namespace wrc::tangential {
@@ -53,6 +54,7 @@ struct BlendRowsTask;
 struct NearLinesTask;
 struct SectionStripsTask;
 struct FollowRailTask;
+struct LookAlongTask;
 struct OutlineTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
@@ -140,6 +142,10 @@ struct SurfaceKernels {
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
+  /// Overlaps at places along a rail that varies, by the parabolas below the axle.
+  void (*look_along)(const LookAlongTask& task, surface::PlaceDepths& depths);
+  /// Takes x, u, piece and depth from places far from the axle to larger overlaps near by, by rays.
+  void (*climb_along)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Finds the largest overlaps of strips along a rail that varies, and their parabolas.
   void (*follow_rail)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Fills scratch.y, z and seen at the wheel's knots.

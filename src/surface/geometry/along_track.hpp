@@ -439,16 +439,17 @@ struct FollowedStrips {
 
   std::int32_t count;
   std::int32_t strip[most];
-  /// A place near the largest overlap and the ray's end there (RayEnd), then those of the largest.
-  Each x;
+  /// A place near the largest overlap, the direction of the ray and its end there (RayEnd), then those of the
+  /// largest.
+  Each x, ny, nz;
   std::int32_t piece[most];
   Each u, depth;
   TopBounds<Each> bounds;
-  StripOverlap<Each> overlap;  ///< normals, then all
+  StripOverlap<Each> overlap;  ///< found
 };
 
-/// Adds a strip, with the normal of `o`.
-inline void put_largest(std::int32_t strip, const LargestOverlap& near, const StripOverlap<double>& o,
+/// Adds a strip, with this direction of its rays.
+inline void put_largest(std::int32_t strip, const LargestOverlap& near, double ny, double nz,
                         FollowedStrips& s, const TopBounds<double>& bounds = unbounded) {
   const std::int32_t i = s.count++;
   s.strip[i] = strip;
@@ -458,8 +459,8 @@ inline void put_largest(std::int32_t strip, const LargestOverlap& near, const St
   s.depth[i] = near.end.depth;
   s.bounds.ahead[i] = bounds.ahead;
   s.bounds.behind[i] = bounds.behind;
-  s.overlap.ny[i] = o.ny;
-  s.overlap.nz[i] = o.nz;
+  s.ny[i] = ny;
+  s.nz[i] = nz;
 }
 inline StripOverlap<double> overlap_of(const FollowedStrips& s, std::int32_t i) {
   const StripOverlap<FollowedStrips::Each>& o = s.overlap;
@@ -475,77 +476,47 @@ struct FirstLook {
 /// has risen by less than half a millimetre.
 inline constexpr double near_axle = 20e-3;
 
-/// The largest overlap at places along the track. Rays go from below the axle to `from` in steps of 10 mm,
-/// each from the end of the one before. From there they go on as long as the overlap grows, else back.
-/// Steps end at 2.5 mm about the best place, since an overlap may have two tops within 10 mm. `end`: end of
-/// the ray below the axle.
-inline LargestOverlap climb_along(StripOverX<double>& strip, double low, double high, double from,
-                                  RayEnd<double> end) {
-  const double way = from < 0.0 ? -1.0 : 1.0;
-  double before = near_axle;  // distance of a place on the way to `from`
-  while (before < magnitude(from)) {
-    depth_at(strip, way * before, end);
-    before += near_axle;
-  }
-  LargestOverlap found{from, end};
-  depth_at(strip, from, found.end);
-  for (const double step : {way * place_apart, -way * place_apart}) {
-    end = found.end;
-    for (double x = from + step; x >= low && x <= high; x += step) {
-      if (!(depth_at(strip, x, end) > found.end.depth)) break;
-      found = {x, end};
-    }
-    if (found.x != from) break;
-  }
-  for (const double apart : {0.5 * place_apart, 0.25 * place_apart}) {
-    const LargestOverlap middle = found;
-    for (const double x : {middle.x + apart, middle.x - apart}) {
-      if (x < low || x > high) continue;
-      end = middle.end;
-      if (depth_at(strip, x, end) > found.end.depth) found = {x, end};
-    }
-  }
-  return found;
+/// Overlaps at places along the track (PlacedRail), by the parabolas below the axle [m].
+struct PlaceDepths {
+  FollowedStrips::Each at[track_places], at_end[2];
+};
+
+/// Is the overlap of a strip so near its largest that Newton's method needs no better place?
+inline bool hardly_gains(const PlacedRail& placed, std::int32_t face, std::int32_t strip, double centre) {
+  constexpr double hardly = 50e-6;  // [m]
+  return placed.gain[strip] < hardly && centre >= placed.low[face] && centre <= placed.high[face];
 }
 
-/// The place where the overlap is largest of those along the track, or between these, by the strip's
-/// parabola.
-inline FirstLook look_along(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
-                            const StripOverlap<double>& o) {
-  constexpr double hardly = 50e-6;  // [m]: a gain for which Newton's method needs no better place
-  const std::int32_t face = face_of(rail, strip);
+/// The place where the overlap is largest of those along the track, or between these, by the overlaps of
+/// strip i there.
+inline FirstLook look_along(const PlacedRail& placed, std::int32_t face, const PlaceDepths& depths,
+                            std::int32_t i) {
   const double low = placed.low[face], high = placed.high[face];
-  const double middle = smaller(larger(o.centre, low), high), most = o.depth + placed.gain[strip];
-  if (placed.gain[strip] < hardly && middle == o.centre) return {middle, most};
-  const auto depth_at_place = [&](const PlaceWeights& place) {
-    const double off = place.x - o.centre;
-    return o.depth - 0.5 * o.curvature * off * off -
-           o.ny * (place_of(rail, place, strip, 0) - placed.y[strip]) -
-           o.nz * (place_of(rail, place, strip, 1) - placed.z[strip]);
-  };
   // the best of the places on the face, and those beside it
-  double depth[track_places];
   std::int32_t best = -1;
   for (std::int32_t k = 0; k < track_places; ++k) {
     const PlaceWeights& place = placed.place[face][k];
-    depth[k] = depth_at_place(place);
-    if (place.x >= low && place.x <= high && (best < 0 || depth[k] > depth[best])) best = k;
+    if (place.x >= low && place.x <= high && (best < 0 || depths.at[k][i] > depths.at[best][i])) best = k;
   }
   // the face may end between two of these places
-  for (const PlaceWeights& end : placed.end[face]) {
-    if (!(magnitude(end.x) < farthest_along)) continue;
-    const double here = depth_at_place(end);
-    if (best < 0 || here > depth[best]) return {end.x, here};
+  for (int k = 0; k < 2; ++k) {
+    const double x = placed.end[face][k].x, here = depths.at_end[k][i];
+    if (!(magnitude(x) < farthest_along)) continue;
+    if (best < 0 || here > depths.at[best][i]) return {x, here};
   }
-  if (best < 0) return {middle, depth_at_place(place_at(rail, rail.face[face], placed.distance, middle))};
-  const double at = placed.place[face][best].x;
-  if (best == 0 || best + 1 == track_places) return {at, depth[best]};
+  // or be there farther away alone
+  if (best < 0) {
+    const int nearer = magnitude(low) < magnitude(high) ? 0 : 1;
+    return {placed.end[face][nearer].x, depths.at_end[nearer][i]};
+  }
+  const double at = placed.place[face][best].x, here = depths.at[best][i];
+  if (best == 0 || best + 1 == track_places) return {at, here};
   // top of the parabola through the three
-  const double rise = 0.5 * (depth[best + 1] - depth[best - 1]),
-               bend = 2.0 * depth[best] - depth[best + 1] - depth[best - 1];
+  const double ahead = depths.at[best + 1][i], behind = depths.at[best - 1][i];
+  const double rise = 0.5 * (ahead - behind), bend = 2.0 * here - ahead - behind;
   const double top = bend > magnitude(rise) ? rise / bend : rise > 0.0 ? 1.0 : -1.0;
   const double x = smaller(larger(at + place_apart * top, low), high), share = (x - at) / place_apart;
-  return {x, depth[best] + share * (rise - 0.5 * bend * share)};
+  return {x, here + share * (rise - 0.5 * bend * share)};
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

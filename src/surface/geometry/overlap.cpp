@@ -56,9 +56,6 @@ OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std:
   return scratch;
 }
 
-namespace {
-
-/// The overlaps from this one on.
 Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
   Overlaps rest = o;
   rest.capacity = o.capacity - first;
@@ -72,8 +69,6 @@ Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
   rest.piece += first;
   return rest;
 }
-
-}  // namespace
 
 void find_more_overlaps(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                         const RelativePose& pose, double margin, const double* gain,

@@ -109,6 +109,9 @@ struct OverlapScratch {
 /// Scratch for a wheel of so many pieces and a rail of so many strips.
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips);
 
+/// The overlaps from this one on.
+Overlaps overlaps_from(const Overlaps& overlaps, std::int32_t first);
+
 /// The outline of the wheel in a pose.
 void find_outline(const Kernels& kernels, const RailStrips& rail, const WheelCurve& wheel,
                   const RelativePose& pose, const OverlapScratch& scratch) noexcept;

@@ -66,6 +66,15 @@ StripArrays cut_strips(Arena& arena, std::int32_t most) {
   return a;
 }
 
+StripArrays cut_varying_strips(Arena& arena, std::int32_t most) {
+  StripArrays a = cut_strips(arena, most);
+  CandidatesAlong& c = a.candidates;
+  arena.each(most, c.strip, c.piece, c.twice);
+  arena.each(most, c.x, c.u, c.ray, c.ny, c.nz, c.depth);
+  arena.each(most, c.own, c.doubt);
+  return a;
+}
+
 RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, const StripArrays& a) {
   const double begin = rail.s[0], end = rail.s[rail.pieces];
   const std::int32_t n = cut_length(

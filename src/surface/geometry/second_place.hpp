@@ -16,9 +16,17 @@ inline constexpr double second_within = 40e-3, second_apart = 2.5e-3;
 /// Part of a wheel's curvature from which a valley of the rail counts: directions differ a little along it.
 inline constexpr double least_valley = 0.8;
 
-/// May the overlap of a strip have two tops? `own`: curvature of the wheel there [1/m].
+/// May overlaps of a face's strips have two tops? `own`: curvature of the wheel there [1/m].
 inline bool may_touch_twice(const PlacedRail& placed, std::int32_t face, double own) {
   return placed.valley[face] > least_valley * own;
+}
+
+/// May the overlap of a strip have two tops?
+inline bool may_touch_twice(const PlacedRail& placed, const VaryingRail& rail, std::int32_t face,
+                            std::int32_t strip, double own) {
+  return may_touch_twice(placed, face, own) &&
+         valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
+                        placed.distance + farthest_along) > least_valley * own;
 }
 
 /// A strip at a top of its overlap, and the direction of its rays.
@@ -45,7 +53,8 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   // to both sides, beyond the least overlap so far
   for (const double way : {-1.0, 1.0}) {
     const double end = here + way * second_within;
-    if (!(valley_between(rail, face, smaller(here, end), larger(here, end)) > least_valley * first.own))
+    if (!(valley_between(rail, face, strip, strip, smaller(here, end), larger(here, end)) >
+          least_valley * first.own))
       continue;
     // overlaps at places, by the wheel's curvature and the rail's fall
     double least = first.at.end.depth;

@@ -55,13 +55,21 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
   return rail;
 }
 
+namespace {
+
+simd::FollowRailTask follow_task(const SurfaceGeometry& surfaces, const PlacedRail& rail,
+                                 const RelativePose& pose, std::int32_t face) {
+  const VaryingRail& varying = surfaces.varying;
+  return {&varying,      &varying.face[face], &surfaces.wheel.curve, &pose,
+          rail.distance, rail.low[face],      rail.high[face]};
+}
+
+}  // namespace
+
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                  FollowedStrips& s) {
-  const VaryingRail& varying = surfaces.varying;
-  const std::int32_t face = face_of(varying, s.strip[0]);
-  surfaces.kernels->surface.follow_rail({&varying, &varying.face[face], &surfaces.wheel.curve, &pose,
-                                         rail.distance, rail.low[face], rail.high[face]},
-                                        s);
+  const std::int32_t face = face_of(surfaces.varying, s.strip[0]);
+  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face), s);
 }
 
 namespace {
@@ -159,6 +167,74 @@ struct RowsAlong {
   }
 };
 
+/// A first look at the largest overlap along the track finds it to this; of strips that may touch twice to
+/// that and more, as it may find the lower top [m].
+constexpr double looks_within = 0.2e-3, second_looks_within = 1e-3;
+
+/// The ranges of faces that change along the track.
+RailStrips changing_ranges(const VaryingRail& rail, const RailStrips& strips) {
+  RailStrips some = strips;
+  some.ranges = 0;
+  for (std::int32_t r = 0; r < strips.ranges; ++r)
+    if (rail.face[face_of(rail, strips.range[r].first)].changes) some.range[some.ranges++] = strips.range[r];
+  return some;
+}
+
+/// Adds strips of one face, `count` from `first` on of the overlaps of a round wheel and a rail that is the
+/// same all along, to the candidates, if they may reach them anywhere along the track.
+void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                   const Overlaps& o, std::int32_t first, std::int32_t count) {
+  const Kernels& kernels = *surfaces.kernels;
+  const VaryingRail& varying = surfaces.varying;
+  const std::int32_t face = face_of(varying, o.strip[first]);
+  // a first look by the parabolas, at strips that gain along the track
+  const auto stays = [&](std::int32_t i) {
+    return hardly_gains(rail, face, o.strip[first + i], o.centre[first + i]);
+  };
+  std::int32_t still = 0;
+  while (still < count && stays(still)) ++still;
+  PlaceDepths depths;
+  if (still < count) kernels.surface.look_along({&varying, &rail, face, &o, first, count}, depths);
+  LargestOverlap found[FollowedStrips::most];
+  FollowedStrips far;
+  far.count = 0;
+  std::int32_t climbing[FollowedStrips::most];
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::int32_t k = first + i, strip = o.strip[k];
+    const FirstLook look =
+        stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]} : look_along(rail, face, depths, i);
+    found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
+    // far from the axle the parabola does not hold: rays look for the place
+    if (!(magnitude(look.x) > near_axle)) continue;
+    climbing[far.count] = i;
+    put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
+  }
+  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face), far);
+  for (std::int32_t i = 0; i < far.count; ++i)
+    found[climbing[i]] = {far.x[i], {far.piece[i], far.u[i], far.depth[i]}};
+
+  // those that may be deep enough, in the order of the strips
+  CandidatesAlong& c = rail.candidates;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const RayEnd<double>& end = found[i].end;
+    const double own = o.curvature[first + i];
+    const bool twice = may_touch_twice(rail, varying, face, o.strip[first + i], own);
+    const double doubt = looks_within + (twice ? second_looks_within : 0.0);
+    if (!(end.depth > -c.reach - doubt - surfaces.out_of_round.largest)) continue;
+    const std::int32_t k = c.count++;
+    c.strip[k] = o.strip[first + i];
+    c.piece[k] = end.piece;
+    c.x[k] = found[i].x;
+    c.u[k] = end.u;
+    c.ray[k] = c.depth[k] = end.depth;
+    c.ny[k] = o.ny[first + i];
+    c.nz[k] = o.nz[first + i];
+    c.own[k] = static_cast<float>(own);
+    c.twice[k] = twice ? 1 : 0;
+    c.doubt[k] = static_cast<float>(doubt);
+  }
+}
+
 /// Strips on their way to overlaps with all that varies. Those of a face that changes gather until there are
 /// as many as a kernel follows; all stay in their order.
 struct FollowedOverlaps {
@@ -166,19 +242,19 @@ struct FollowedOverlaps {
   const PlacedRail& rail;
   const RelativePose& pose;
   double angle, margin;
-  Overlaps& o;
+  const OverlapScratch& scratch;
+  Overlaps& o;  ///< those deeper than -margin
   SecondRow& second;
-  std::int32_t kept = 0;  ///< those deeper than -margin, at the beginning of `o`
   std::int32_t face = 0;  ///< that the strips gathered belong to
-  FollowedStrips gathered = {};
-  double own[FollowedStrips::most] = {};  ///< curvature of the wheel at those [1/m]
+  FollowedStrips gathered;
+  std::int32_t candidate[FollowedStrips::most];  ///< that each of those gathered is
   RowsAlong rows = {};
   std::int32_t first_kept = 0, first_second = 0;  ///< where the face begins in both rows
 
   /// Ends a face: places ahead are the second ones, so that a row's numbers do not depend on where it begins.
   void end_face() {
     // strips in both rows, which change places
-    const std::int32_t before = kept - first_kept, behind = second.count - first_second;
+    const std::int32_t before = o.count - first_kept, behind = second.count - first_second;
     if (rows.ahead < 0.0 && first_second + before <= SecondRow::most) {
       PlaceOfContact* const to = second.place + first_second;
       for (std::int32_t i = 0; i < std::max(before, behind); ++i) {
@@ -189,10 +265,10 @@ struct FollowedOverlaps {
         to[i] = place;
         second.strip[first_second + i] = strip;
       }
-      kept = first_kept + behind;
+      o.count = first_kept + behind;
       second.count = first_second + before;
     }
-    first_kept = kept;
+    first_kept = o.count;
     first_second = second.count;
     rows = {};
   }
@@ -204,67 +280,105 @@ struct FollowedOverlaps {
     follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, place.overlap);
     if (!(place.overlap.depth > -margin)) return;
     if (row > 0) return second.take(strip, place);
-    put_place(strip, place, kept, o);
-    ++kept;
+    o.full = o.full || o.count == o.capacity;
+    if (!o.full) put_place(strip, place, o.count++, o);
   }
 
-  /// Follows those that have gathered.
+  /// Takes the strips of faces that are the same all along.
+  void take_still(const RailStrips& strips) {
+    const Kernels& kernels = *surfaces.kernels;
+    const double wider = margin + surfaces.out_of_round.largest;
+    const std::int32_t before = o.count;
+    Overlaps found = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch,
+                                   overlaps_from(o, before));
+    // Those deeper than the margin stay once all that varies is added. They make room for others, which can
+    // be no more often than the rail has strips.
+    for (std::int32_t i = 0;;) {
+      for (; i < found.count; ++i) {
+        StripOverlap<double> s = strip_of(found, i);
+        s.grade = 0.0;
+        keep(found.strip[i], {s.centre, {found.piece[i], found.u[i], s.depth}, s, unbounded, 1.0}, 0);
+      }
+      i = found.count = o.count - before;
+      o.full = found.full;
+      if (!found.full || found.count == found.capacity) return;
+      find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch, found);
+    }
+  }
+
+  /// By how much the overlap along a direction has grown since the candidates were looked for.
+  double growth(double ny, double nz) const {
+    return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
+  }
+
+  /// Follows those that have gathered, and notes where the largest overlaps of those looked at alone are.
   void finish() {
     FollowedStrips& g = gathered;
     if (g.count == 0) return;
     follow_rail(surfaces, rail, pose, g);
+    note_places();
     // those with another top follow that, too
-    bool twice = false;
-    for (std::int32_t i = 0; i < g.count; ++i) twice = twice || may_touch_twice(rail, face, own[i]);
-    if (!twice) {
-      for (std::int32_t i = 0; i < g.count; ++i) keep(g.strip[i], place_of(g, i), 0);
-      g.count = 0;
-      return;
-    }
     FollowedStrips others;
     others.count = 0;
     std::int32_t number[FollowedStrips::most];
     for (std::int32_t i = 0; i < g.count; ++i)
-      if (may_touch_twice(rail, face, own[i]) && look_for_second(i, others)) number[others.count - 1] = i;
+      if (twice(i) && look_for_second(i, others)) number[others.count - 1] = i;
     if (others.count > 0) follow_rail(surfaces, rail, pose, others);
     // kept strip by strip, as rows go on from one to the next
     for (std::int32_t i = 0, k = 0; i < g.count; ++i) {
       if (k < others.count && number[k] == i)
         keep_both(g.strip[i], place_of(g, i), place_of(others, k++));
       else
-        keep(g.strip[i], place_of(g, i), may_touch_twice(rail, face, own[i]) ? rows.row_of(g.x[i]) : 0);
+        keep(g.strip[i], place_of(g, i),
+             may_touch_twice(rail, face, rail.candidates.own[candidate[i]]) ? rows.row_of(g.x[i]) : 0);
     }
     g.count = 0;
   }
 
-  /// Takes overlap i, of a round wheel and a rail that is the same all along.
-  void take(std::int32_t i) {
-    const std::int32_t strip = o.strip[i], of_face = face_of(surfaces.varying, strip);
-    StripOverlap<double> s = strip_of(o, i);
-    s.grade = 0.0;
-    // those gathered before come first
-    if (gathered.count == FollowedStrips::most || of_face != face) finish();
-    if (of_face != face) end_face();
-    face = of_face;
-    if (!changes_along(surfaces, strip))
-      return keep(strip, {s.centre, {o.piece[i], o.u[i], s.depth}, s, unbounded, 1.0}, 0);
-
-    // strips that stay clear of the margin by a first look are no candidates
-    const double looks_within = may_touch_twice(rail, face, s.curvature) ? second_looked : first_looked;
-    const FirstLook look = look_along(rail, surfaces.varying, strip, s);
-    LargestOverlap found{look.x, {o.piece[i], o.u[i], look.depth}};
-    // far from the axle the parabola does not hold: rays look for the place
-    if (magnitude(look.x) > near_axle) {
-      StripOverX<double> over = seen(strip, s);
-      found = climb_along(over, rail.low[face], rail.high[face], look.x, {o.piece[i], o.u[i], s.depth});
+  /// Takes the candidates of a range that may be deep enough.
+  void take_changing(const FaceStrips& range, double moved) {
+    // depths at another height are linear in the move but for the turn of normals
+    constexpr double least_doubt = 20e-6, turned = 0.1;  // [m], [-]
+    const double doubt = least_doubt + turned * moved + surfaces.out_of_round.largest;
+    const CandidatesAlong& c = rail.candidates;
+    face = face_of(surfaces.varying, range.first);
+    for (std::int32_t k = 0; k < c.count; ++k) {
+      if (c.strip[k] < range.first || c.strip[k] >= range.first + range.count) continue;
+      // strips whose overlap is surely less than the margin are left out before any ray
+      const double grown = growth(c.ny[k], c.nz[k]);
+      if (!(c.depth[k] + grown > -margin - doubt - c.doubt[k])) continue;
+      if (gathered.count == FollowedStrips::most) finish();
+      candidate[gathered.count] = k;
+      put_largest(c.strip[k], {c.x[k], {c.piece[k], c.u[k], c.ray[k] + grown}}, c.ny[k], c.nz[k], gathered);
     }
-    if (!(found.end.depth > -margin - looks_within - surfaces.out_of_round.largest)) return;
-    own[gathered.count] = s.curvature;
-    put_largest(strip, found, s, gathered);
+    finish();
+    end_face();
   }
 
  private:
-  static constexpr double first_looked = 0.2e-3, second_looked = 1e-3;  // [m]
+  /// May the strip that is number i of those gathered touch twice?
+  bool twice(std::int32_t i) const { return rail.candidates.twice[candidate[i]] > 0; }
+
+  /// Notes where the largest overlaps are of those gathered that have been looked at alone: once, as at the
+  /// height of the candidates.
+  void note_places() const {
+    const FollowedStrips& g = gathered;
+    const CandidatesAlong& c = rail.candidates;
+    for (std::int32_t i = 0; i < g.count; ++i) {
+      const std::int32_t k = candidate[i];
+      const double doubt = twice(i) ? second_looks_within : 0.0;
+      if (!(c.doubt[k] > static_cast<float>(doubt))) continue;
+      const double grown = growth(g.ny[i], g.nz[i]);
+      c.piece[k] = g.piece[i];
+      c.x[k] = g.x[i];
+      c.u[k] = g.u[i];
+      c.ray[k] = g.depth[i] - grown;
+      c.depth[k] = g.overlap.depth[i] - grown;
+      c.ny[k] = g.ny[i];
+      c.nz[k] = g.nz[i];
+      c.doubt[k] = static_cast<float>(doubt);
+    }
+  }
 
   StripOverX<double> seen(std::int32_t strip, const StripOverlap<double>& at) const {
     return {surfaces.varying, surfaces.wheel.curve, pose,  strip,
@@ -278,11 +392,12 @@ struct FollowedOverlaps {
     const std::int32_t strip = gathered.strip[i];
     const LargestOverlap top{first.x, first.end};
     const FirstLook look =
-        look_beyond_valley(rail, surfaces.varying, strip, {top, first.overlap.ny, first.overlap.nz, own[i]});
-    if (!(look.depth > -margin - second_looked)) return false;
+        look_beyond_valley(rail, surfaces.varying, strip,
+                           {top, first.overlap.ny, first.overlap.nz, rail.candidates.own[candidate[i]]});
+    if (!(look.depth > -margin - second_looks_within)) return false;
     StripOverX<double> over = seen(strip, first.overlap);
-    put_largest(strip, climb_second(over, rail.low[face], rail.high[face], look.x, top), first.overlap,
-                others);
+    put_largest(strip, climb_second(over, rail.low[face], rail.high[face], look.x, top), first.overlap.ny,
+                first.overlap.nz, others);
     return true;
   }
 
@@ -301,7 +416,8 @@ struct FollowedOverlaps {
       FollowedStrips again;
       again.count = 0;
       for (int k = 0; k < 2; ++k)
-        put_largest(strip, {both[k].x, both[k].end}, both[k].overlap, again, tops.bounds[k]);
+        put_largest(strip, {both[k].x, both[k].end}, both[k].overlap.ny, both[k].overlap.nz, again,
+                    tops.bounds[k]);
       follow_rail(surfaces, rail, pose, again);
       for (int k = 0; k < 2; ++k) both[k] = place_of(again, k);
     }
@@ -319,31 +435,78 @@ struct FollowedOverlaps {
 
 }  // namespace
 
+bool candidates_hold(const CandidatesAlong& c, const RelativePose& pose, double margin) {
+  constexpr double farthest = 0.6e-3;  // [m]
+  const double aside = magnitude(pose.y - c.at_y), lowered = pose.z - c.at_z;
+  return c.known && larger(aside, magnitude(lowered)) <= farthest &&
+         margin + aside + larger(lowered, 0.0) <= c.reach;
+}
+
+void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                         double reach, const OverlapScratch& scratch, const Overlaps& memory) noexcept {
+  CandidatesAlong& c = rail.candidates;
+  c.known = true;
+  c.at_y = pose.y;
+  c.at_z = pose.z;
+  c.reach = reach;
+  c.count = 0;
+  // The search, of a round wheel on a rail that is the same all along, is wider by the wheel's largest reach
+  // and the overlap that each strip may gain along the track.
+  const Kernels& kernels = *surfaces.kernels;
+  const RailStrips strips = changing_ranges(surfaces.varying, strips_before(surfaces, pose, rail));
+  const double wider = reach + surfaces.out_of_round.largest;
+  Overlaps o = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, memory);
+  for (;;) {
+    // as many strips of a face as the kernels take
+    for (std::int32_t first = 0; first < o.count;) {
+      const std::int32_t face = face_of(surfaces.varying, o.strip[first]);
+      std::int32_t end = first + 1;
+      while (end < o.count && end - first < FollowedStrips::most &&
+             face_of(surfaces.varying, o.strip[end]) == face)
+        ++end;
+      look_for_some(surfaces, rail, pose, o, first, end - first);
+      first = end;
+    }
+    if (!o.full) return;
+    o.count = 0;
+    find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, o);
+  }
+}
+
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept {
-  // The search, of a round wheel on a rail that is the same all along, is wider by the wheel's largest reach
-  // and the overlap that each strip may gain along the track.
-  const bool varying = varies(surfaces);
-  const double more = varying ? surfaces.out_of_round.largest : 0.0;
-  const Kernels& kernels = *surfaces.kernels;
+  const VaryingRail& varying = surfaces.varying;
   const RailStrips strips = strips_before(surfaces, pose, rail);
-  Overlaps o =
-      find_overlaps(kernels, strips, surfaces.wheel, pose, margin + more, rail.gain, scratch, memory);
-  if (!varying) return o;
-  // Those deeper than the margin stay once all that varies is added. They make room for others, which can be
-  // no more often than the rail has strips.
+  if (!varies(surfaces))
+    return find_overlaps(*surfaces.kernels, strips, surfaces.wheel, pose, margin, nullptr, scratch, memory);
+  Overlaps o = memory;
+  o.count = 0;
+  o.full = false;
   SecondRow second;
-  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, o, second};
-  for (;;) {
-    for (std::int32_t i = followed.kept; i < o.count; ++i) followed.take(i);
-    followed.finish();
-    o.count = followed.kept;
-    if (!o.full || o.count == o.capacity) break;
-    find_more_overlaps(kernels, strips, surfaces.wheel, pose, margin + more, rail.gain, scratch, o);
+  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, scratch, o, second, 0, {}, {}};
+  followed.gathered.count = 0;
+  if (!changes(varying)) {
+    followed.take_still(strips);
+    return o;
   }
-  followed.end_face();
-  o.count = followed.kept;
+  // candidates anew where those known are of another height
+  const CandidatesAlong& c = rail.candidates;
+  if (!candidates_hold(c, pose, margin))
+    look_for_candidates(surfaces, rail, pose, margin + c.below, scratch, memory);
+  const double moved = larger(magnitude(pose.y - c.at_y), magnitude(pose.z - c.at_z));
+  // face by face, in the order of the strips
+  for (std::int32_t r = 0; r < strips.ranges && !o.full; ++r) {
+    if (varying.face[face_of(varying, strips.range[r].first)].changes) {
+      followed.take_changing(strips.range[r], moved);
+    } else {
+      RailStrips still = strips;
+      still.range[0] = strips.range[r];
+      still.ranges = 1;
+      followed.take_still(still);
+      followed.end_face();
+    }
+  }
   second.append_to(o);
   return o;
 }

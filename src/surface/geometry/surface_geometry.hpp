@@ -34,7 +34,16 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
 /// The rail's strips without those of faces behind the flange that look away from the wheel.
 RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& pose, const RailStrips& strips);
 
+/// Looks for the candidates of a rail that changes along the track, in a pose: strips whose overlap is deeper
+/// than -reach anywhere along the track. `memory` is scratch.
+void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
+                         double reach, const OverlapScratch& scratch, const Overlaps& memory) noexcept;
+
+/// Are all strips with depth > -margin in a pose among the candidates known?
+bool candidates_hold(const CandidatesAlong& candidates, const RelativePose& pose, double margin);
+
 /// All overlaps with depth > -margin, in the arrays of `memory`. `angle`: of the wheel about its axle [rad].
+/// Candidates of a rail that changes are looked for where those known are not of a height near by.
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept;

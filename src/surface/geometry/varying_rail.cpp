@@ -194,8 +194,8 @@ void find_valleys(const VaryingRail& rail, const RailFace& face, double* valley)
   constexpr int places = 8;
   for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
     const double* const here = rail.outline + static_cast<std::int64_t>(k) * 8 * rail.stride;
-    // the largest of all strips at places between the sections
-    valley[k] = 0.0;
+    // the largest at places between the sections
+    double* const behind = valley + static_cast<std::int64_t>(k) * eights(rail.stride);
     for (int n = 1; n < places; ++n) {
       const double at = rail.distance[k] + (rail.distance[k + 1] - rail.distance[k]) * n / places;
       const SectionBlend blend = blend_at(rail, face, at, 2);
@@ -203,7 +203,8 @@ void find_valleys(const VaryingRail& rail, const RailFace& face, double* valley)
         // n.P'' of the normal (-dz/du, dy/du) at the section before
         const double dy = here[2 * rail.stride + j], dz = here[3 * rail.stride + j];
         const double bent = dy * blended(rail, blend, j, 1).f[2] - dz * blended(rail, blend, j, 0).f[2];
-        valley[k] = larger(valley[k], -bent / std::sqrt(dy * dy + dz * dz));
+        double& sharpest = behind[eight_of(j)];
+        sharpest = larger(sharpest, -bent / std::sqrt(dy * dy + dz * dz));
       }
     }
   }
@@ -285,7 +286,8 @@ Fault lay_outlines(SectionReader& reader, const VaryingRail& rail, const RailFac
 VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int32_t nodes,
                                    std::int32_t most_strips) {
   VaryingRailArrays a;
-  arena.each(sections, a.distance, a.valley);
+  a.distance = arena.take(sections);
+  a.valley = arena.take(static_cast<std::int64_t>(sections) * eights(most_strips));
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
   arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
@@ -304,7 +306,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
   rail.outline = a.outline;
   rail.step = a.step;
   rail.valley = a.valley;
-  std::fill_n(a.valley, count, 0.0);
+  std::fill_n(a.valley, static_cast<std::int64_t>(count) * eights(rail.stride), 0.0);
   take_sections(sections, count, a.distance, rail);
   const double cosine = 1.0 / std::sqrt(1.0 + inclination * inclination), sine = inclination * cosine;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
@@ -401,8 +403,8 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   const FaceExtent extent = extent_of(rail, face, placed.distance);
   placed.low[f] = larger(extent.begin, -farthest_along);
   placed.high[f] = smaller(extent.end, farthest_along);
-  placed.valley[f] =
-      valley_between(rail, face, placed.distance - farthest_along, placed.distance + farthest_along);
+  placed.valley[f] = valley_between(rail, face, face.first, face.first + face.strips - 1,
+                                    placed.distance - farthest_along, placed.distance + farthest_along);
   for (std::int32_t k = 0; k < track_places; ++k) {
     placed.place[f][k] = place_at(rail, face, placed.distance, place_apart * (k - places_to_a_side));
   }
@@ -480,6 +482,7 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
   static_cast<RailStrips&>(placed) = {rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}};
   placed.distance = distance;
   placed.gain = a.gain;
+  placed.candidates = a.candidates;
   std::fill_n(a.gain, rail.strips, 0.0);
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];

@@ -54,8 +54,8 @@ struct VaryingRail {
   const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
                                     ///< their slopes along the track
   const double* step = nullptr;     ///< range of u across each strip [m]
-  /// Behind each section, to the next of its face: the largest curvature by which a strip rises out of its
-  /// tangent along the track, against its normal [1/m].
+  /// Behind each section, to the next of its face, for each eight strips: the largest curvature by which one
+  /// rises out of its tangent along the track, against its normal [1/m].
   const double* valley = nullptr;
 };
 
@@ -154,6 +154,7 @@ struct PlacedRail : RailStrips {
   PlaceWeights end[most_rail_faces][2];  ///< at low and high
   double valley[most_rail_faces];        ///< sharpest valley of each face there (VaryingRail) [1/m]
   const double* gain = nullptr;          ///< largest growth of a strip's overlap along the track [m]
+  mutable CandidatesAlong candidates;    ///< the call's, once they have been looked for
 };
 
 /// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].
@@ -195,11 +196,20 @@ inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
   return f;
 }
 
-/// The sharpest valley of a face along the track between two distances, over all its strips [1/m].
-inline double valley_between(const VaryingRail& rail, const RailFace& face, double from, double to) {
+/// Strips by eights: how many there are of so many, and the one that holds a strip.
+inline std::int32_t eights(std::int32_t strips) { return (strips + 7) / 8; }
+inline std::int32_t eight_of(std::int32_t strip) { return strip / 8; }
+
+/// The sharpest valley along the track between two distances of the strips of a face from the one to the
+/// other, and those in their eights [1/m].
+inline double valley_between(const VaryingRail& rail, const RailFace& face, std::int32_t first,
+                             std::int32_t last, double from, double to) {
   double sharpest = 0.0;
-  for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k)
-    if (rail.distance[k + 1] > from && rail.distance[k] < to) sharpest = larger(sharpest, rail.valley[k]);
+  for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
+    if (!(rail.distance[k + 1] > from && rail.distance[k] < to)) continue;
+    const double* const valley = rail.valley + static_cast<std::int64_t>(k) * eights(rail.stride);
+    for (std::int32_t e = eight_of(first); e <= eight_of(last); ++e) sharpest = larger(sharpest, valley[e]);
+  }
   return sharpest;
 }
 

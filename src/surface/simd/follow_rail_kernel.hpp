@@ -29,13 +29,10 @@ struct BetweenSections {
   Pack curvature(Pack t) const { return t * (6.0 * cubed + t * (12.0 * fourth + t * (20.0 * fifth))); }
 };
 
-/// Strips of one face, seen along x: rays in the directions ny, nz.
-struct StripsOverX {
+/// The two sections of each lane about the distances of a ray's starts.
+struct SectionsAbout {
   static constexpr std::int32_t lists = 4;  ///< y, z, dy/du, dz/du
 
-  const FollowRailTask& task;
-  const std::int32_t* strip;
-  Pack ny, nz;
   /// Each lane's two sections hold for distances begin <= X < end [m]; `per`: 1 over their distance,
   /// beyond all sections 0.
   Pack begin = 1.0, end = 0.0, per = {};
@@ -43,7 +40,7 @@ struct StripsOverX {
   Pack t = {}, t2 = {};  ///< share of the way, at the place looked at last
 
   /// Looks up the sections for distances, where those at hand do not hold.
-  void go_to(Pack there) {
+  void go_to(const FollowRailTask& task, const std::int32_t* strip, Pack there) {
     if (!any(!((there >= begin) & (there < end)))) return;
     constexpr double far = 1e300;
     const surface::VaryingRail& rail = *task.rail;
@@ -93,13 +90,25 @@ struct StripsOverX {
       list[q] = BetweenSections::of(gather(0, q), gather(1, q), apart * gather(0, q + lists),
                                     apart * gather(1, q + lists));
   }
+};
 
-  surface::RayStart<Pack> start(Pack x) {
+/// Strips of one face, seen along x: rays in the directions ny, nz. Rays of different ends (AlongRay) start
+/// between sections of their own.
+struct StripsOverX {
+  const FollowRailTask& task;
+  const std::int32_t* strip;
+  Pack ny, nz;
+  SectionsAbout about[surface::along_rays] = {};
+  surface::AlongRay last = surface::ray_middle;  ///< the ray looked at last
+
+  surface::RayStart<Pack> start(Pack x, surface::AlongRay ray = surface::ray_middle) {
+    SectionsAbout& sections = about[ray];
+    last = ray;
     const Pack there = task.distance + x;
-    go_to(there);
-    t = (there - begin) * per;
-    t2 = t * t;
-    const BetweenSections &y = list[0], &z = list[1];
+    sections.go_to(task, strip, there);
+    const Pack per = sections.per;
+    const Pack t = sections.t = (there - sections.begin) * per, t2 = sections.t2 = t * t;
+    const BetweenSections &y = sections.list[0], &z = sections.list[1];
     const Pack per2 = per * per;
     return {{x, y.value(t, t2) - task.pose->y, z.value(t, t2) - task.pose->z},
             per * y.slope(t, t2),
@@ -109,7 +118,8 @@ struct StripsOverX {
   }
   /// Turns rays into the mean of both surfaces' normals at the place looked at last.
   void turn(const surface::OverlapAlong<Pack>& o, Pack& to_y, Pack& to_z) const {
-    const Pack dy = list[2].value(t, t2), dz = list[3].value(t, t2),
+    const SectionsAbout& at = about[last];
+    const Pack dy = at.list[2].value(at.t, at.t2), dz = at.list[3].value(at.t, at.t2),
                per_length = 1.0 / root(dy * dy + dz * dz);
     surface::turn_rays<Pack>(o, dy * per_length, dz * per_length, to_y, to_z);
   }
@@ -244,7 +254,7 @@ struct RaysAlong {
 
   surface::OverlapAlong<Pack> look(surface::AlongRay ray, Pack x, Mask goes) {
     RayEnds& at = end[ray];
-    const surface::RayStart<Pack> from = strips.start(x);
+    const surface::RayStart<Pack> from = strips.start(x, ray);
     if (first[ray]) step_ends(strips, from, goes, at);
     first[ray] = false;
     const surface::OverlapAlong<Pack> o = overlap_of(strips, from, at);
@@ -269,7 +279,7 @@ struct RaysAlong {
 /// The strips of so many lanes from `first` on.
 inline void follow_strips(const FollowRailTask& task, std::int32_t first, FollowedStrips& s) {
   // the rays from near the largest overlap, and their ends on the wheel
-  StripsOverX strips{task, s.strip + first, load_pack(s.overlap.ny + first), load_pack(s.overlap.nz + first)};
+  StripsOverX strips{task, s.strip + first, load_pack(s.ny + first), load_pack(s.nz + first)};
   RayEnds ends;
   for (std::int32_t i = 0; i < lanes; ++i) ends.piece[i] = s.piece[first + i];
   ends.on = pieces_of(*task.wheel, ends.piece);
@@ -283,6 +293,8 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.x + first, x);
   store_pack(s.u + first, ends.u);
   store_pack(s.depth + first, ends.depth);
+  store_pack(s.ny + first, strips.ny);
+  store_pack(s.nz + first, strips.nz);
 
   // the parabola of the contact about it
   const Mask inside = (x > task.low) & (x < task.high),
@@ -309,9 +321,8 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.overlap.grade + first, o.grade);
 }
 
-/// SurfaceKernels::follow_rail.
-inline void follow_rail_kernel(const FollowRailTask& task, FollowedStrips& s) {
-  // lanes behind the last repeat it
+/// Fills the lanes behind the last strip with it.
+inline void repeat_last(FollowedStrips& s) {
   for (std::int32_t i = s.count; i < FollowedStrips::most; ++i) {
     const std::int32_t last = s.count - 1;
     s.strip[i] = s.strip[last];
@@ -321,9 +332,14 @@ inline void follow_rail_kernel(const FollowRailTask& task, FollowedStrips& s) {
     s.depth[i] = s.depth[last];
     s.bounds.ahead[i] = s.bounds.ahead[last];
     s.bounds.behind[i] = s.bounds.behind[last];
-    s.overlap.ny[i] = s.overlap.ny[last];
-    s.overlap.nz[i] = s.overlap.nz[last];
+    s.ny[i] = s.ny[last];
+    s.nz[i] = s.nz[last];
   }
+}
+
+/// SurfaceKernels::follow_rail.
+inline void follow_rail_kernel(const FollowRailTask& task, FollowedStrips& s) {
+  repeat_last(s);
   for (std::int32_t first = 0; first < s.count; first += lanes) follow_strips(task, first, s);
 }
 

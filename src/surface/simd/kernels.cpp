@@ -5,6 +5,7 @@
 #include "surface/simd/follow_rail_kernel.hpp"
 #include "surface/simd/influence_kernel.hpp"
 #include "surface/simd/influence_slopes_kernel.hpp"
+#include "surface/simd/look_along_kernel.hpp"
 #include "surface/simd/near_lines_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
@@ -28,6 +29,8 @@ constexpr SurfaceKernels surface_kernels = {
     .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
     .section_strips = section_strips_kernel,
+    .look_along = look_along_kernel,
+    .climb_along = climb_along_kernel,
     .follow_rail = follow_rail_kernel,
     .outline = outline_kernel,
     .cross_rays = cross_rays_kernel,

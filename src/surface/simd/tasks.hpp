@@ -10,6 +10,7 @@
 
 namespace wrc::surface {
 
+struct PlacedRail;
 struct RailFace;
 struct VaryingRail;
 template <class Number>
@@ -124,6 +125,15 @@ struct FollowRailTask {
   const surface::Curve* wheel;
   const surface::RelativePose* pose;
   double distance, low, high;  ///< as PlacedRail [m]
+};
+
+/// Overlaps of strips of one face, of which places along the track are looked at.
+struct LookAlongTask {
+  const surface::VaryingRail* rail;
+  const surface::PlacedRail* placed;
+  std::int32_t face;
+  const surface::Overlaps* overlaps;
+  std::int32_t first, count;
 };
 
 /// A wheel's outline, and the strips whose rays it may cross.

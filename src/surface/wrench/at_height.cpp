@@ -29,8 +29,10 @@ constexpr Fault on_the_back =
                          "its rail (input.wheel.y, config.wheelset.tape_circle_distance)?");
 
 /// No overlap of faces that face each other: the bodies are apart, or the wheel is far inside the rail.
-Fault apart_or_inside(const WheelProblem& problem, const OverlapScratch& outline) {
+Fault apart_or_inside(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
+  const OverlapScratch& outline = s.overlaps.outline;
+  find_outline(*model.kernels, problem.rail, model.wheel, s.motion.pose, outline);
   constexpr double most = 4e-3;  // [m]: overlaps that rays are crossed for (outline_kernel.hpp)
   const RailStrips& rail = problem.rail;
 
@@ -265,7 +267,7 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   const LoadSums sums = take_loaded_strips(solver.problem, s);
   // converged or not: there is no force
   if (s.strips.count == 0) {
-    fault = apart_or_inside(solver.problem, s.overlaps.outline);
+    fault = apart_or_inside(solver.problem, s);
     keep_worst(fault, limits_along(solver.problem, s));
     return fault;
   }
@@ -324,10 +326,9 @@ Fault solve_given_height(const HeightSolver& solver) {
   Fault fault = solve_at_height(solver, border, tolerance);
   if (fault.status == WRC_FLAG_NO_CONTACT) {  // raised until faces that are far inside each other are apart
     s.motion = motion_at_height(problem.model, problem.in, asked);
-    find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);
     s.overlaps.count = 0;  // they have no pressures
     out.height = asked;
-    return apart_or_inside(problem, s.overlaps.outline);
+    return apart_or_inside(problem, s);
   }
 
   // N (1 + stiffness (asked - border) / N): all forces by the same factor

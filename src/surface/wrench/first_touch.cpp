@@ -8,22 +8,28 @@
 namespace wrc::surface {
 namespace {
 
+/// The distance that the wheel falls until it touches the nearest of these strips [m], by their tangents; at
+/// most farthest_touch.
+double fall_of(const Overlaps& o, const RelativeMotion& motion, double least_down) {
+  double fall = farthest_touch;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const double down = downwards(motion, o.ny[i], o.nz[i]);
+    if (down > least_down) fall = smaller(fall, -o.depth[i] / down);
+  }
+  return fall;
+}
+
 /// The distance that the wheel falls until it touches the nearest strip [m], by the strips' tangents; at most
-/// farthest_touch. Strips count whose mean normal points down by more than `least_down`. `soon`: it is
-/// expected to be a few hundredths of a millimetre.
+/// farthest_touch. Strips count whose mean normal points down by more than `least_down`.
 double fall_to_strips(const WheelProblem& problem, const RelativeMotion& motion, double least_down,
-                      WheelOverlaps& o, bool soon = false) {
+                      WheelOverlaps& o) {
   // The few strips near the wheel are enough if one touches soon: others' depths are at least a third of
   // their overlaps, as their normals are less than 80 degrees off the wheel's.
-  constexpr double margins[] = {0.1e-3, 1.5e-3, farthest_touch};  // [m]
+  constexpr double near = 1.5e-3;  // [m]
   double fall = farthest_touch;
-  for (int k = soon ? 0 : 1; k < 3; ++k) {
-    const double margin = margins[k];
+  for (const double margin : {near, farthest_touch}) {
     find_wheel_overlaps(problem, motion, margin, o);
-    for (std::int32_t i = 0; i < o.count; ++i) {
-      const double down = downwards(motion, o.ny[i], o.nz[i]);
-      if (down > least_down) fall = std::min(fall, -o.depth[i] / down);
-    }
+    fall = smaller(fall, fall_of(o, motion, least_down));
     if (fall < margin / 3.0) break;
   }
   return fall;
@@ -41,9 +47,10 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
 }
 
 /// Least vertical distance between the wheel's outline and a surface's strips at a place along the track [m].
-/// The outline is raised there by the wheel's circle. Each `every`-th strip counts.
+/// The outline is raised there by the wheel's circle. Each eighth strip counts.
 double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
-                     const PlaceWeights& place, std::int32_t every) {
+                     const PlaceWeights& place) {
+  constexpr std::int32_t every = 8;
   const SurfaceModel& model = problem.model;
   const double rise = 0.5 * place.x * place.x / model.wheel_radius;
   double nearest = 1e300;
@@ -67,7 +74,6 @@ double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline,
 /// `outline` is that of `motion`.
 double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
   constexpr double apart = 2.0 * place_apart, far = places_to_a_side * place_apart + apart;  // [m]
-  constexpr std::int32_t every = 4;                                                          // strips, there
   const VaryingRail& varying = problem.model.varying;
   const RailStrips strips = strips_before(problem.model, motion.pose, problem.rail);
   double nearest = 1e300;
@@ -78,15 +84,14 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
     const double low = problem.rail.low[face], high = problem.rail.high[face];
     for (const PlaceWeights& place : problem.rail.place[face])
       if (place.x >= low - place_apart && place.x <= high + place_apart)
-        nearest = smaller(nearest, fall_at_place(problem, outline, range, place, 1));
+        nearest = smaller(nearest, fall_at_place(problem, outline, range, place));
     for (const double way : {-1.0, 1.0}) {
       double x = far;
       while (x < farthest_along + place_apart) {
         if (way * x >= low - apart && way * x <= high + apart)
           nearest = smaller(
-              nearest,
-              fall_at_place(problem, outline, range,
-                            place_at(varying, varying.face[face], problem.rail.distance, way * x), every));
+              nearest, fall_at_place(problem, outline, range,
+                                     place_at(varying, varying.face[face], problem.rail.distance, way * x)));
         x += apart;
       }
     }
@@ -94,18 +99,42 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
   return nearest / motion.cosine;
 }
 
-/// First touch on a rail that varies along the track: from a little above the height at which the outline
-/// meets its places. `height`: any.
+/// The distance that the wheel falls to the nearest of the candidates along the track [m], as far as they are
+/// known; at most farthest_touch.
+double fall_to_candidates(const WheelProblem& problem, const RelativeMotion& motion, double least_down) {
+  const CandidatesAlong& c = problem.rail.candidates;
+  const double y = motion.pose.y - c.at_y, z = motion.pose.z - c.at_z;
+  double fall = farthest_touch;
+  for (std::int32_t k = 0; k < c.count; ++k) {
+    const double down = downwards(motion, c.ny[k], c.nz[k]);
+    if (down > least_down) fall = smaller(fall, -(c.depth[k] + c.ny[k] * y + c.nz[k] * z) / down);
+  }
+  return fall;
+}
+
+/// First touch on a rail that varies along the track: from the height at which the outline meets its places,
+/// by the nearest of the candidates there. `height`: any.
 double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
   constexpr int most_steps = 16;
-  constexpr double close = 1e-8, above = 0.3e-3;  // [m]
+  constexpr double close = 1e-8, reach = 0.8e-3, near = 20e-6;  // [m]
   constexpr double least_down = 0.1;
-  RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
-  find_outline(*problem.model.kernels, problem.rail, problem.model.wheel, motion.pose, overlaps.outline);
-  height += fall_along(problem, motion, overlaps.outline) - above - problem.model.out_of_round.largest;
+  // the outline goes down to the rail's places, and candidates are looked for there
+  const SurfaceModel& model = problem.model;
+  RelativeMotion motion = motion_at_height(model, problem.in, height);
+  find_outline(*model.kernels, problem.rail, model.wheel, motion.pose, overlaps.outline);
+  height += fall_along(problem, motion, overlaps.outline) - model.out_of_round.largest;
+  motion = motion_at_height(model, problem.in, height);
+  look_for_candidates(model, problem.rail, motion.pose, reach, overlaps.outline, overlaps);
+  // first to the nearest by first looks, then by Newton's method
+  if (const double fall = fall_to_candidates(problem, motion, least_down); fall < farthest_touch)
+    height += fall;
   for (int n = 0; n < most_steps; ++n) {
-    motion = motion_at_height(problem.model, problem.in, height);
-    const double fall = fall_to_strips(problem, motion, least_down, overlaps, n > 0);
+    motion = motion_at_height(model, problem.in, height);
+    find_wheel_overlaps(problem, motion, near, overlaps);
+    double fall = fall_of(overlaps, motion, least_down);
+    // strips that are further away: candidates, which have been followed by now, or any
+    if (!(fall < near)) fall = smaller(fall, fall_to_candidates(problem, motion, least_down));
+    if (!(fall < farthest_touch)) fall = fall_to_strips(problem, motion, least_down, overlaps);
     height += fall;
     if (std::abs(fall) < close) break;
   }

@@ -23,11 +23,12 @@ bool exhausted(const HeightSolver& solver) {
   return solver.out.work >= solver.problem.model.pressure.max_work;
 }
 
-/// Approach of the overlaps of the last solve: their largest depth, vertically [m].
-double approach_of(const WheelSolution& s) {
+/// Approach of the overlaps of the last solve: their largest depth, vertically [m]. Negative where the wheel
+/// is apart from strips that are near; `least` where there are none.
+double approach_of(const WheelSolution& s, double least = 0.0) {
   const Overlaps& o = s.overlaps;
   constexpr double least_down = 0.1;
-  double most = 0.0;
+  double most = least;
   for (std::int32_t i = 0; i < o.count; ++i) {
     const double down = downwards(s.motion, o.ny[i], o.nz[i]);
     if (down > least_down) most = larger(most, o.depth[i] / down);
@@ -118,11 +119,29 @@ Fault search_height(const HeightSolver& solver, HeightSearch search, bool found,
   return fault;
 }
 
+/// Is a face that changes along the track far from holding the wheel by friction, as its strips' rays know?
+/// `margin`: of the strips looked at [m].
+bool candidates_are_flat(const WheelProblem& problem, const RelativeMotion& motion, double margin) {
+  constexpr double far = 0.6;  // share of the balance: normals differ by less from those of the contact
+  const CandidatesAlong& c = problem.rail.candidates;
+  const VaryingRail& varying = problem.model.varying;
+  for (std::int32_t r = 0; r < problem.rail.ranges; ++r)
+    if (!varying.face[face_of(varying, problem.rail.range[r].first)].changes) return false;
+  if (problem.in.law || !candidates_hold(c, motion.pose, margin)) return false;
+  bool flat = true;
+  for (std::int32_t k = 0; k < c.count && flat; ++k) {
+    const double aside = motion.cosine * c.ny[k] - motion.sine * c.nz[k];
+    flat = problem.in.friction * magnitude(aside) < far * downwards(motion, c.ny[k], c.nz[k]);
+  }
+  return flat;
+}
+
 /// Can friction exceed the vertical share of the normal force on any strip that presses at that height, or
 /// would a fifth of a millimetre further?
 bool friction_outweighs_slope(const WheelProblem& problem, double height, Arena scratch) {
   constexpr double beyond = 0.2e-3, safe = 0.9;  // [m], share of the balance
   const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
+  if (changes(problem.model.varying) && candidates_are_flat(problem, motion, beyond)) return false;
   WheelOverlaps o = cut_wheel_overlaps(scratch, work_sizes(problem.model));
   find_wheel_overlaps(problem, motion, beyond, o);
   bool outweighs = false;
@@ -257,12 +276,14 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
 }  // namespace
 
 double predicted_height(const HeightSolver& solver, double height, double load) {
-  constexpr double farthest = 0.1e-3;  // [m]
+  // a rail that changes may have fallen away from the wheel, or risen into it
   const WheelProblem& problem = solver.problem;
+  const bool along = changes(problem.model.varying);
+  const double farthest = along ? 1e-3 : 0.1e-3, apart = along ? 0.3e-3 : 0.0;  // [m]
   const PressureStart& earlier = solver.start.solution;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);
+  find_wheel_overlaps(problem, s.motion, apart, s.overlaps);
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;
@@ -278,7 +299,12 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   const double asked = straightened(problem.in.vertical_load);
   const double slope = solver.start.stiffness * hertz_stiffness(s, load) / (1.5 * root(asked));
   if (slope > 0.0) change += (asked - straightened(load)) / slope;
-  return height + smaller(larger(change, -farthest), farthest);
+  change = smaller(larger(change, -farthest), farthest);
+  if (!along) return height + change;
+  // Where other strips touch now, the height is that of a usual approach to the nearest.
+  if (o.count == 0) return first_touch(problem, solver.scratch) + usual_approach(problem.in.vertical_load);
+  const double touch = -approach_of(s, -farthest), usual = usual_approach(problem.in.vertical_load);
+  return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);
 }
 
 double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }

@@ -211,7 +211,7 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
   StripArrays sections{};
-  if (sizes.varying) sections = cut_strips(arena, sizes.rail_strips);
+  if (sizes.varying) sections = cut_varying_strips(arena, sizes.rail_strips);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
   WheelProblem problem{model, in, {}};
   problem.memory = state.memory;
@@ -220,6 +220,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   const std::int64_t remembered = problem.memory ? problem.memory->count : 0;
   if (jump.status != WRC_OK) problem.memory->count = 0;
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
+  // heights of a search lie near each other
+  if (in.load_prescribed) problem.rail.candidates.below = 0.35e-3;
 
   // from an earlier solution where there is one: a load is searched from its height, else below first touch
   const KeptStart& last = state.last;

@@ -51,7 +51,7 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   const std::int32_t most = sizes.strips;
   // behind the results of a solve ...
   Arena results;
-  if (sizes.varying) cut_strips(results, sizes.rail_strips);
+  if (sizes.varying) cut_varying_strips(results, sizes.rail_strips);
   cut_solution(results, sizes, {});
 
   // ... the stages' scratch, all from the same mark on

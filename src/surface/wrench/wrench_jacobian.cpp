@@ -94,7 +94,7 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   // the same corrections as of plain numbers, in the same order
   if (changes_along(model, j)) {
     FollowedStrips near{};
-    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, strip_of(overlaps, i), near,
+    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, overlaps.ny[i], overlaps.nz[i], near,
                 bounds_of(overlaps.bound[i], overlaps.centre[i]));
     OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
     o.depth = static_cast<double>(overlaps.part[i]) * o.depth;

@@ -1,0 +1,158 @@
+/// Places along the track where strips of a rail that varies overlap a wheel most, one strip per lane: a
+/// first look by parabolas, and rays far from the axle (surface/geometry/along_track.hpp).
+#pragma once
+
+#include "surface/simd/follow_rail_kernel.hpp"
+
+namespace wrc::simd {
+namespace {
+
+/// Are the strips of all lanes neighbours?
+inline bool in_a_row(const std::int32_t* strip) {
+  bool row = true;
+  for (std::int32_t i = 1; i < lanes; ++i) row = row && strip[i] == strip[0] + i;
+  return row;
+}
+
+/// SurfaceKernels::look_along.
+inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& depths) {
+  const surface::VaryingRail& rail = *task.rail;
+  const surface::PlacedRail& placed = *task.placed;
+  const surface::Overlaps& o = *task.overlaps;
+  for (std::int32_t base = 0; base < task.count; base += lanes) {
+    const std::int32_t count = task.count - base < lanes ? task.count - base : lanes,
+                       first = task.first + base;
+    std::int32_t strip[lanes];
+    for (std::int32_t i = 0; i < lanes; ++i) strip[i] = o.strip[first + (i < count ? i : count - 1)];
+    // neighbours are read in a row, others one by one
+    const bool row = in_a_row(strip);
+    const auto list = [&](const double* of) {
+      if (row) return load_pack(of + strip[0]);
+      double each[lanes];
+      for (std::int32_t i = 0; i < lanes; ++i) each[i] = of[strip[i]];
+      return load_pack(each);
+    };
+    // the strips below the axle, and their overlaps there
+    const Pack y = list(placed.y), z = list(placed.z);
+    const Pack depth = load(o.depth, first, count, 0.0), centre = load(o.centre, first, count, 0.0),
+               curvature = load(o.curvature, first, count, 0.0), ny = load(o.ny, first, count, 0.0),
+               nz = load(o.nz, first, count, 0.0);
+    // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X))
+    const auto depth_at = [&](const surface::PlaceWeights& place) {
+      const auto value = [&](std::int32_t q) {
+        const auto at = [&](std::int32_t section, std::int32_t of) {
+          return list(rail.outline + (static_cast<std::int64_t>(section) * 8 + of) * rail.stride);
+        };
+        return place.weight[0] * at(place.left, q) + place.weight[1] * at(place.right, q) +
+               place.weight[2] * at(place.left, q + 4) + place.weight[3] * at(place.right, q + 4);
+      };
+      const Pack off = place.x - centre;
+      return depth - 0.5 * curvature * off * off - ny * (value(0) - y) - nz * (value(1) - z);
+    };
+    // at the places, and where the face ends
+    for (std::int32_t k = 0; k < surface::track_places; ++k)
+      store(depth_at(placed.place[task.face][k]), depths.at[k] + base, count);
+    for (std::int32_t k = 0; k < 2; ++k)
+      store(depth_at(placed.end[task.face][k]), depths.at_end[k] + base, count);
+  }
+}
+
+/// The overlap at x by rays from the ends of those nearby, which become the ends of these.
+inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes) {
+  const FollowRailTask& task = strips.task;
+  const surface::RayStart<Pack> from = strips.start(x);
+  // Newton's method for the ray's end, from that nearby
+  for (int n = 0; n < surface::ray_steps; ++n)
+    ends.take(surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
+              goes, *task.wheel);
+  return ends.depth;
+}
+
+/// Places of the largest overlap found so far, and the rays' ends there.
+struct FoundAlong {
+  Pack x;
+  RayEnds ends;
+
+  void take(Mask larger, Pack at, const RayEnds& there) {
+    // place, end and overlap in lanes of larger ones; pieces of the wheel's curve with their coefficients
+    x = select(larger, at, x);
+    ends.u = select(larger, there.u, ends.u);
+    ends.depth = select(larger, there.depth, ends.depth);
+    double taken[lanes];
+    store_pack(taken, select(larger, 1.0, 0.0));
+    for (std::int32_t i = 0; i < lanes; ++i)
+      if (taken[i] > 0.0) ends.piece[i] = there.piece[i];
+    for (int d = 0; d < 4; ++d) {
+      ends.on.y[d] = select(larger, there.on.y[d], ends.on.y[d]);
+      ends.on.z[d] = select(larger, there.on.z[d], ends.on.z[d]);
+    }
+    ends.on.length = select(larger, there.on.length, ends.on.length);
+  }
+};
+
+/// The strips of so many lanes from `first` on.
+inline void climb_strips(const FollowRailTask& task, std::int32_t first, FollowedStrips& s) {
+  constexpr int most_places = static_cast<int>(2.0 * surface::farthest_along / surface::place_apart) + 1;
+  StripsOverX strips{task, s.strip + first, load_pack(s.ny + first), load_pack(s.nz + first)};
+  // the rays below the axle, whose ends are known
+  FoundAlong found;
+  RayEnds ends;
+  for (std::int32_t i = 0; i < lanes; ++i) ends.piece[i] = s.piece[first + i];
+  ends.on = pieces_of(*task.wheel, ends.piece);
+  ends.u = load_pack(s.u + first);
+  ends.depth = load_pack(s.depth + first);
+  const Pack from = load_pack(s.x + first), way = select(from < 0.0, -1.0, 1.0), distance = magnitude(from);
+  const auto on_face = [&](Pack x) { return (x >= task.low) & (x <= task.high); };
+
+  // from below the axle to there
+  Pack before = surface::near_axle;
+  for (Mask goes = before < distance; any(goes); goes = before < distance) {
+    depth_along(strips, way * before, ends, goes);
+    before = before + surface::near_axle;
+  }
+  found.x = from;
+  found.ends = ends;
+  depth_along(strips, from, found.ends, Pack(0.0) < 1.0);
+
+  // on, as long as the overlap grows, else back
+  Mask moves = Pack(0.0) < 1.0;
+  for (const double direction : {1.0, -1.0}) {
+    const Pack step = direction * way * surface::place_apart;
+    Pack x = from + step;
+    ends = found.ends;
+    Mask goes = moves & on_face(x);
+    for (int n = 0; n < most_places && any(goes); ++n) {
+      const Mask grows = goes & (depth_along(strips, x, ends, goes) > found.ends.depth);
+      found.take(grows, x, ends);
+      x = x + step;
+      goes = grows & on_face(x);
+    }
+    moves = moves & !((found.x > from) | (found.x < from));
+    if (!any(moves)) break;
+  }
+  // then between the places
+  for (const double part : {0.5, 0.25}) {
+    const FoundAlong middle = found;
+    for (const double apart : {part * surface::place_apart, -part * surface::place_apart}) {
+      const Pack x = middle.x + apart;
+      const Mask goes = on_face(x);
+      if (!any(goes)) continue;
+      ends = middle.ends;
+      found.take(goes & (depth_along(strips, x, ends, goes) > found.ends.depth), x, ends);
+    }
+  }
+  // the largest
+  for (std::int32_t i = 0; i < lanes; ++i) s.piece[first + i] = found.ends.piece[i];
+  store_pack(s.x + first, found.x);
+  store_pack(s.u + first, found.ends.u);
+  store_pack(s.depth + first, found.ends.depth);
+}
+
+/// SurfaceKernels::climb_along.
+inline void climb_along_kernel(const FollowRailTask& task, FollowedStrips& s) {
+  repeat_last(s);
+  for (std::int32_t first = 0; first < s.count; first += lanes) climb_strips(task, first, s);
+}
+
+}  // namespace
+}  // namespace wrc::simd
