@@ -111,7 +111,8 @@ inline LargestOverlap find_valley(StripOverX<double>& strip, const LargestOverla
                               strip.ny, strip.nz, least.end.u, least.end.depth);
     if (!(o.bend > 0.0)) break;
     const double step = smaller(larger(-o.slope / o.bend, -magnitude(apart)), magnitude(apart));
-    least.x += step;
+    // the overlap may fall from one to the other and on
+    least.x = smaller(larger(least.x + step, smaller(first.x, other)), larger(first.x, other));
     depth_at(strip, least.x, least.end);
   }
   return least;

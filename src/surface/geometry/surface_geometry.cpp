@@ -409,6 +409,10 @@ struct FollowedOverlaps {
     StripOverX<double> over = seen(strip, first.overlap);
     const LargestOverlap valley = find_valley(over, {first.x, first.end}, other.x);
     const TwoTops tops = share_tops({first.x, other.x}, {first.end.depth, other.end.depth}, valley);
+    // a top that does not count leaves the other as if it were alone
+    for (int k = 0; k < 2; ++k)
+      if (!(tops.part[k] > 0.0))
+        return keep(strip, PlaceOfContact(k == 0 ? other : first), rows.row_of(k == 0 ? other.x : first.x));
     // bounds are within the contacts' chords where the valley is not deep
     constexpr double reached = 0.5;
     PlaceOfContact both[2] = {first, other};
