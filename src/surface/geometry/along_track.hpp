@@ -272,14 +272,14 @@ void cut_at_end(Yes near, const Number& way, const Number& room, const Number& s
   put(o.grade + way * (at_end.slope + curvature * t), o.grade);
 }
 
-/// Up to where the contact about a top of an overlap may reach ahead and behind: valleys before another top.
-/// unbounded: there is none.
+/// How far the contact about a top of an overlap may reach ahead and behind: to the valley before another
+/// top. Without another top it is `unbounded`.
 template <class Number>
 struct TopBounds {
   Number ahead, behind;  ///< from the wheel's reference point [m]
 };
 inline constexpr TopBounds<double> unbounded{1e9, -1e9};
-/// By the one that is not far off, which lies ahead of the place given or behind it.
+/// The bounds of a place of contact that has one at most: `bound` lies ahead of the place or behind it [m].
 inline TopBounds<double> bounds_of(double bound, double place) {
   return bound > place ? TopBounds<double>{bound, unbounded.behind}
                        : TopBounds<double>{unbounded.ahead, bound};
@@ -324,7 +324,7 @@ struct ContactChord {
 };
 
 /// The chord between the places ahead and behind where the overlap has fallen, from that in the middle, as a
-/// parabola's falls over half a contact: by Newton's method from the largest overlap. It does not leap where
+/// parabola's falls over half a contact: by Newton's method from the largest overlap. It does not jump where
 /// one of two tops within the contact becomes the larger one, as rays are turned with the middle. `rays`:
 /// overlap and slope at a place by one of AlongRay, each from its own end, in lanes that still go.
 template <class Number, class Rays>

@@ -39,14 +39,14 @@ struct RailStrips {
   FaceStrips range[most_rail_faces];
 };
 
-/// Arc length at a strip of the number given, by which it displaces others. A second place is as far from the
-/// first one of its strip as tells them apart [m].
+/// Arc length of a strip, by which it displaces others [m]. A second place is put 0.1 um beside the first
+/// one, so that places differ.
 inline double place_on_rail(const RailStrips& rail, std::int32_t strip) {
   constexpr double apart = 1e-7;
   return strip < second_places ? rail.s[strip] : rail.s[on_rail(strip)] + apart;
 }
 
-/// The same by which its neighbours are told: second places are far from the first ones [m].
+/// Arc length of a strip, by which neighbours are found [m]. The second row is put far from the first one.
 inline constexpr double rows_apart = 16.0;
 inline double row_place(const RailStrips& rail, std::int32_t strip) {
   return strip < second_places ? rail.s[strip] : rail.s[on_rail(strip)] + rows_apart;

@@ -2,8 +2,8 @@
 /// strip's overlap has two tops one behind the other, and contact may be at both.
 ///
 /// A second place is a strip of its own: of the same part of the rail, with a place, an overlap and a length
-/// of its own. Its number is second_places higher. Both rows displace each other as all strips do; means over
-/// neighbouring strips are taken in each row alone.
+/// of its own. Its number is second_places higher. First and second places are two rows. Both displace each
+/// other as all strips do; means over neighbouring strips are taken in each row alone.
 #pragma once
 
 #include "surface/geometry/along_track.hpp"
@@ -13,7 +13,8 @@ namespace wrc::surface {
 /// A strip's second top is looked for so far from the first one, in steps so long [m].
 inline constexpr double second_within = 40e-3, second_apart = 2.5e-3;
 
-/// Part of a wheel's curvature from which a valley of the rail counts: directions differ a little along it.
+/// Share of the wheel's curvature from which a valley of the rail counts [-]. Less than 1, as directions
+/// differ a little along the valley.
 inline constexpr double least_valley = 0.8;
 
 /// May overlaps of a face's strips have two tops? `own`: curvature of the wheel there [1/m].
@@ -36,10 +37,10 @@ struct StripTop {
   double own;  ///< curvature of the wheel there [1/m]
 };
 
-/// The highest other top of a strip's overlap by the rail's fall along the normal: with f the fall from the
-/// first top, at x = 0,
+/// The highest other top of a strip's overlap, by the rail's fall f along the normal. From the first top,
+/// here at x = 0, the overlap is
 ///     d(x) = d(0) + f'(0) x - own/2 x^2 - f(x).
-/// Depth -1 m: there is none.
+/// A depth of -1 m says that there is none.
 inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail& rail, std::int32_t strip,
                                     const StripTop& first) {
   const std::int32_t f = face_of(rail, strip);
@@ -73,7 +74,7 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   return found;
 }
 
-/// The other top by rays from the first one: from the place given uphill in steps down to 0.6 mm.
+/// The other top by rays from the first one: from the place `from` uphill, in steps down to 0.6 mm.
 inline LargestOverlap climb_second(StripOverX<double>& strip, double low, double high, double from,
                                    const LargestOverlap& first) {
   // rays from one end to the next, as far as the place given
@@ -94,7 +95,7 @@ inline LargestOverlap climb_second(StripOverX<double>& strip, double low, double
   return found;
 }
 
-/// Where the overlap is least between two tops.
+/// Where the overlap is least between two tops. `other`: place of the second one [m].
 inline LargestOverlap find_valley(StripOverX<double>& strip, const LargestOverlap& first, double other) {
   constexpr int parts = 12, newton_steps = 3;
   // the least of some overlaps between both tops
@@ -111,7 +112,7 @@ inline LargestOverlap find_valley(StripOverX<double>& strip, const LargestOverla
                               strip.ny, strip.nz, least.end.u, least.end.depth);
     if (!(o.bend > 0.0)) break;
     const double step = smaller(larger(-o.slope / o.bend, -magnitude(apart)), magnitude(apart));
-    // the overlap may fall from one to the other and on
+    // not beyond a top, where the overlap falls from one top to the other and on
     least.x = smaller(larger(least.x + step, smaller(first.x, other)), larger(first.x, other));
     depth_at(strip, least.x, least.end);
   }
@@ -125,14 +126,14 @@ struct TwoTops {
   TopBounds<double> bounds[2];
 };
 
-/// The lower top counts as far as it rises out of the valley and the valley is deep. It begins with the part
-/// 0: where it rises from the other's slope, or where the other's contact leaves the valley free. `x`,
-/// `depth`: of both tops [m].
+/// The lower top counts by how far it rises out of the valley, and by how deep the valley is. Its part is 0
+/// where it arises on the other's slope, and where the other's contact reaches over the valley. `x`, `depth`:
+/// of both tops [m].
 inline TwoTops share_tops(const double (&x)[2], const double (&depth)[2], const LargestOverlap& valley) {
   constexpr double whole = 5e-6;  // [m]: rise of a lower top that counts as a whole
-  // overlap of the valley over that of the higher top: up to the first, chords end before it
+  // valley's overlap over the higher top's [-]: up to left_free chords end before the valley
   constexpr double left_free = 1.0 - 0.5 * contact_share, filled = 0.8;
-  constexpr double least = 1e-6;
+  constexpr double least = 1e-6;  // [-]: keeps divisions finite
   // how far both rise out of the valley, and how deep that is
   const double rise[2] = {larger(depth[0] - valley.end.depth, 0.0), larger(depth[1] - valley.end.depth, 0.0)};
   const double highest = larger(larger(depth[0], depth[1]), 0.0);
@@ -141,7 +142,7 @@ inline TwoTops share_tops(const double (&x)[2], const double (&depth)[2], const 
   const double by_depth =
       smaller(free, (filled - left_free) * highest + 1e-12) / ((filled - left_free) * highest + 1e-12);
   const double counts = by_rise * by_depth, lost = 1.0 - counts;
-  // both lose where they are as high, so that neither leaps as the other becomes the lower one
+  // both lose where they are as high, so that neither jumps as the other becomes the lower one
   const double squares = rise[0] * rise[0] + rise[1] * rise[1];
   TwoTops two{{1.0, 1.0}, {unbounded, unbounded}};
   if (squares > 0.0) {

@@ -106,7 +106,7 @@ PlaceOfContact kept_place(std::int32_t i, const Overlaps& o) {
           o.part[i]};
 }
 
-/// Second places of contact along the track, until they are put behind the first ones.
+/// The row of second places of contact along the track, until it is put behind the first ones.
 struct SecondRow {
   static constexpr std::int32_t most = 64;
 
@@ -135,8 +135,8 @@ struct SecondRow {
   }
 };
 
-/// The two rows of places of contact along the track: a place is in that row in which the strip before has
-/// its own nearer to it.
+/// The two rows of places of contact along the track. A strip's place is put into the row whose last place is
+/// nearer to it.
 struct RowsAlong {
   bool known[2] = {false, false};
   double x[2] = {0.0, 0.0};  ///< place of the strip that was last in each row [m]
@@ -167,8 +167,8 @@ struct RowsAlong {
   }
 };
 
-/// A first look at the largest overlap along the track finds it to this; of strips that may touch twice to
-/// that and more, as it may find the lower top [m].
+/// Error of a first look at the largest overlap along the track [m]. The second number is added for strips
+/// that may touch twice, as the look may find their lower top.
 constexpr double looks_within = 0.2e-3, second_looks_within = 1e-3;
 
 /// The ranges of faces that change along the track.
@@ -180,8 +180,8 @@ RailStrips changing_ranges(const VaryingRail& rail, const RailStrips& strips) {
   return some;
 }
 
-/// Adds strips of one face, `count` from `first` on of the overlaps of a round wheel and a rail that is the
-/// same all along, to the candidates, if they may reach them anywhere along the track.
+/// Adds strips of one face to the candidates, if they may be deep enough anywhere along the track. They are
+/// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along.
 void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                    const Overlaps& o, std::int32_t first, std::int32_t count) {
   const Kernels& kernels = *surfaces.kernels;
@@ -251,9 +251,9 @@ struct FollowedOverlaps {
   RowsAlong rows = {};
   std::int32_t first_kept = 0, first_second = 0;  ///< where the face begins in both rows
 
-  /// Ends a face: places ahead are the second ones, so that a row's numbers do not depend on where it begins.
+  /// Ends a face. The row that lies ahead becomes the second one, whichever the search found first.
   void end_face() {
-    // strips in both rows, which change places
+    // numbers of strips in both rows, which change places
     const std::int32_t before = o.count - first_kept, behind = second.count - first_second;
     if (rows.ahead < 0.0 && first_second + before <= SecondRow::most) {
       PlaceOfContact* const to = second.place + first_second;
@@ -311,7 +311,7 @@ struct FollowedOverlaps {
     return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
   }
 
-  /// Follows those that have gathered, and notes where the largest overlaps of those looked at alone are.
+  /// Follows the strips that have gathered, their second tops too, and keeps their places.
   void finish() {
     FollowedStrips& g = gathered;
     if (g.count == 0) return;
@@ -359,8 +359,8 @@ struct FollowedOverlaps {
   /// May the strip that is number i of those gathered touch twice?
   bool twice(std::int32_t i) const { return rail.candidates.twice[candidate[i]] > 0; }
 
-  /// Notes where the largest overlaps are of those gathered that have been looked at alone: once, as at the
-  /// height of the candidates.
+  /// Notes the largest overlaps of those gathered in the list of candidates, once for each strip: its first
+  /// look is replaced. Depths are those at the height of the list.
   void note_places() const {
     const FollowedStrips& g = gathered;
     const CandidatesAlong& c = rail.candidates;

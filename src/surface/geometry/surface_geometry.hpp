@@ -43,7 +43,7 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
 bool candidates_hold(const CandidatesAlong& candidates, const RelativePose& pose, double margin);
 
 /// All overlaps with depth > -margin, in the arrays of `memory`. `angle`: of the wheel about its axle [rad].
-/// Candidates of a rail that changes are looked for where those known are not of a height near by.
+/// On a rail that changes along the track candidates are looked for again, unless those known hold.
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                           double angle, double margin, const OverlapScratch& scratch,
                           const Overlaps& memory) noexcept;

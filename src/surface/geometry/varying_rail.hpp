@@ -54,8 +54,8 @@ struct VaryingRail {
   const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
                                     ///< their slopes along the track
   const double* step = nullptr;     ///< range of u across each strip [m]
-  /// Behind each section, to the next of its face, for each eight strips: the largest curvature by which one
-  /// rises out of its tangent along the track, against its normal [1/m].
+  /// Sharpest valley between each section and the next one of its face, of each eight strips: the largest
+  /// curvature along the track by which a strip rises out of its tangent, against its normal [1/m].
   const double* valley = nullptr;
 };
 
@@ -200,8 +200,8 @@ inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
 inline std::int32_t eights(std::int32_t strips) { return (strips + 7) / 8; }
 inline std::int32_t eight_of(std::int32_t strip) { return strip / 8; }
 
-/// The sharpest valley along the track between two distances of the strips of a face from the one to the
-/// other, and those in their eights [1/m].
+/// The sharpest valley between two distances along the track [1/m]. It is that of a face's strips from
+/// `first` to `last`, and of those in the same eights.
 inline double valley_between(const VaryingRail& rail, const RailFace& face, std::int32_t first,
                              std::int32_t last, double from, double to) {
   double sharpest = 0.0;

@@ -176,7 +176,6 @@ struct SeenStrip {
   }
 };
 
-/// Sources and tables that rows are filled from.
 /// Widths of the sources as a strip's points see them: beyond the ends of lines, from the other row of
 /// places, there is no width.
 void see_from(const PressedStrips& s, std::int32_t a, const Scratch& w) {
@@ -185,6 +184,7 @@ void see_from(const PressedStrips& s, std::int32_t a, const Scratch& w) {
     w.half_width[b] = (a < s.behind) == (b < s.behind) ? 0.5 * s.width[b] * w.inverse_length[b] : 0.0;
 }
 
+/// Sources and tables that rows are filled from.
 struct Seeing {
   const Kernels& kernels;
   simd::SurfaceTables tables;

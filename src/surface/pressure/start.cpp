@@ -14,7 +14,8 @@ constexpr double farthest_followed = 0.5;
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
 constexpr double farthest_extrapolated = 2.0;  ///< most times an earlier change in an extrapolation
-/// Part of the earlier change, squared, that its rest beside the later one must exceed to count.
+/// Share of the earlier change, squared, that is added to its rest beside the later one in the division: a
+/// rest below this share hardly counts [-].
 constexpr double hardly_across = 3e-3;
 
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
@@ -126,7 +127,8 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   const SolutionChange first = start.change, second = start.earlier;
   start.change = start.earlier = {};
   if (!first.depth) return;
-  // Products of the overlaps' growth in the later change (1), in the earlier one (2) and since, by areas.
+  // Products of the overlaps' growth by areas: in the later change (1), in the earlier one (2), and since
+  // (no number).
   double a11 = 0.0, a12 = 0.0, a22 = 0.0, a1 = 0.0, a2 = 0.0;
   for_shared_strips(o.count, o.strip, start.count, start.strip, [&](std::int32_t i, std::int32_t b) {
     const double weight = rail.width[on_rail(o.strip[i])] * larger(start.length_squared[b], 0.0);

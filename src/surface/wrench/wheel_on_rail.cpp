@@ -14,9 +14,9 @@ namespace wrc::surface {
 namespace {
 
 /// Flags a place along the track where a strip would carry load beside those it has. Looked at is the strip
-/// of the longest contact, up to a valley before its second place. Beyond its half length l the load presses
-/// the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's edge. A larger
-/// overlap there is pressed.
+/// of the longest contact, up to the valley before its second place, if it has one. Beyond its half length l
+/// the load presses the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's
+/// edge. A larger overlap there is pressed.
 Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   // a wheel that is not round has its own waves there, which are not looked at
@@ -48,10 +48,9 @@ Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
       const double depth = depth_at(over, x, end);
       least = smaller(least, depth);
       if (t > l && depth * t > edge * l && depth > least)
-        return Fault::more_patches(
-            "overlap at another place along the track", {depth, "m"},
-            "a strip has two places of contact along the track, on either side of a valley: this one carries "
-            "nothing");
+        return Fault::more_patches("overlap at another place along the track", {depth, "m"},
+                                   "a strip has another place of contact along the track, beyond a valley: "
+                                   "this one carries nothing");
     }
   }
   return {};

@@ -29,6 +29,8 @@ inline BetweenCells between_cells(Pack at) {
   return b;
 }
 
+/// TangentialKernels::memory_bring: brings the tractions of a past strip to the cells of a strip that rolls
+/// on by h. The share of the part for which a cell is in contact is added, too.
 inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) {
   // A cell ahead of the old leading edge was in contact since it met the edge, which closes the distance at
   // the rate `closing` over the part; where nothing closes, not at all.
@@ -51,10 +53,11 @@ inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) 
   }
 }
 
-/// By how much further a sliding cell is displaced for its direction, over its displacement v: 0 as it begins
-/// to slide, and where the patch rolls further in half lengths, times `turned_by_rolling`, than the cell is
-/// displaced in times its bound (`still`: both). It grows as 2 c - c^2, c the part of the displacement that
-/// goes beyond the bound: a cell displaced across its traction needs more than one displaced nearly along it.
+/// By how much further a sliding cell is displaced for its direction, over its displacement v [-]. It is 0 as
+/// the cell begins to slide, and grows as 2 c - c^2, c the part of the displacement that goes beyond the
+/// bound. So a cell displaced across its traction has more than one displaced nearly along it. It vanishes
+/// where v is far below `still`: the bound times the length rolled in half lengths, times `turned_by_rolling`
+/// [Pa].
 constexpr double turned_by_rolling = 5.0;
 inline Native turns_further(Native turns, Native still, Native sticks, Native bound, Native vx, Native vy) {
   const Native v2 = vx * vx + vy * vy, v = root_of(v2);
@@ -128,6 +131,8 @@ inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s
   return c;
 }
 
+/// TangentialKernels::memory_pass: the tractions of the cells in a part of a step, and the forces of the
+/// strips.
 inline void memory_pass_kernel(const MemoryPassTask& t) {
   for (std::int32_t j = 0; j < t.strips; ++j) {
     const RememberingStrip& s = t.from[j];
@@ -220,9 +225,10 @@ inline Pack bounds_of_strips(const MemoryMarchTask& t, std::int32_t first, std::
   return load_pack(of);
 }
 
-/// From the leading edge on, brought as in a part of a step. Over less than a cell a cell's own share w is
-/// solved for: p nearest to q + w p in the disk is p nearest to q / (1 - w), that of a whole cell with the
-/// part's arms.
+/// Steady rolling, cell by cell from the leading edge on: each cell's traction begins with that of the cells
+/// ahead, a length h before. Where h is less than a cell, a cell's traction p depends on itself with a weight
+/// w. The p in the disk nearest to q + w p is that nearest to q / (1 - w): that of a length of a whole cell,
+/// with the arms of h.
 inline void memory_march_kernel(const MemoryMarchTask& t) {
   for (std::int32_t first = 0; first < t.strips; first += lanes) {
     const std::int32_t count = t.strips - first < lanes ? t.strips - first : lanes;
