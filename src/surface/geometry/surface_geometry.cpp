@@ -118,8 +118,8 @@ struct SecondRow {
   SecondRow() {}  // NOLINT: its arrays are not filled, as most rails have no second places
 
   void take(std::int32_t of, const PlaceOfContact& at) {
-    full = count == most;
-    if (full) return;
+    full = full || count == most;
+    if (count == most) return;
     strip[count] = of + second_places;
     place[count++] = at;
   }
@@ -255,7 +255,7 @@ struct FollowedOverlaps {
   void end_face() {
     // numbers of strips in both rows, which change places
     const std::int32_t before = o.count - first_kept, behind = second.count - first_second;
-    if (rows.ahead < 0.0 && first_second + before <= SecondRow::most) {
+    if (rows.ahead < 0.0 && first_second + before <= SecondRow::most && first_kept + behind <= o.capacity) {
       PlaceOfContact* const to = second.place + first_second;
       for (std::int32_t i = 0; i < std::max(before, behind); ++i) {
         const std::int32_t k = first_kept + i;

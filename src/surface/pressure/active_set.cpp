@@ -41,7 +41,8 @@ void list_active(const PressureProblem& problem, const StripSet& s, PressureScra
   for (double* const each : {active.place, active.centre, active.inverse_length, active.half_width,
                              active.factor, active.q, active.width, active.ny, active.nz})
     std::fill(each + active.count, each + end, 0.0);
-  if (active.behind == active.count) return;
+  // second places that are not in contact are asked with these widths, too
+  if (s.behind == s.count) return;
   // a line's ends are no nearer to points beyond them for its strip's width
   std::fill_n(active.width_behind, end, 0.0);
   for (std::int32_t a = active.behind; a < active.count; ++a)
