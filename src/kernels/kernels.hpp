@@ -15,6 +15,7 @@ namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
 struct PlaceDepths;
+struct StripGains;
 }  // namespace wrc::surface
 
 namespace wrc::tangential {
@@ -55,6 +56,7 @@ struct NearLinesTask;
 struct SectionStripsTask;
 struct FollowRailTask;
 struct LookAlongTask;
+struct StripGainsTask;
 struct OutlineTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
@@ -142,6 +144,8 @@ struct SurfaceKernels {
   void (*near_lines)(const NearLinesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
+  /// Fills the most that overlaps of strips grow at places along a rail that varies, and where.
+  void (*strip_gains)(const StripGainsTask& task, surface::StripGains& gains);
   /// Overlaps at places along a rail that varies, by the parabolas below the axle.
   void (*look_along)(const LookAlongTask& task, surface::PlaceDepths& depths);
   /// Takes x, u, piece and depth from places far from the axle to larger overlaps near by, by rays.

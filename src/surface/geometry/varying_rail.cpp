@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "surface/geometry/strip_gain.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::surface {
@@ -412,65 +413,45 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   placed.end[f][1] = place_at(rail, face, placed.distance, placed.high[f]);
 }
 
-/// The most that overlaps of a face's strips grow along the track, of a wheel that may be nearest up to
-/// `askew` ahead or behind: at every sixteenth strip, and the larger of two for those between.
-void find_gains(const VaryingRail& rail, std::int32_t f, double wheel_radius, PlacedRail& placed,
-                double* gain) {
+/// The most that a strip's overlap grows along the track, from the place `at` of its largest growth so far,
+/// `most`: beyond the last place, as long as the overlap grows.
+double gain_beyond(const VaryingRail& rail, std::int32_t f, double wheel_radius, const PlacedRail& placed,
+                   std::int32_t j, double most, double at) {
+  if (magnitude(at) < last_place || placed.ty[j] < steepest_far) return most;
+  constexpr double apart = 2.0 * place_apart;  // [m]
+  const double step = at < 0.0 ? -apart : apart;
+  const StripBelowAxle<double> below{placed.y[j], placed.z[j], placed.ty[j], placed.tz[j]};
+  for (double x = at + step; x > placed.low[f] && x < placed.high[f]; x += step) {
+    const PlaceWeights place = place_at(rail, rail.face[f], placed.distance, x);
+    const double here =
+        gain_at<double>(below, x, place_of(rail, place, j, 0), place_of(rail, place, j, 1), wheel_radius);
+    if (!(here > most)) break;
+    most = here;
+  }
+  return most;
+}
+
+/// The most that overlaps of a face's strips grow along the track: at every sixteenth strip, and the larger
+/// of two for those between.
+void find_gains(const Kernels& kernels, const VaryingRail& rail, std::int32_t f, double wheel_radius,
+                const PlacedRail& placed, double* gain) {
   constexpr std::int32_t every = 16;
-  constexpr double askew = 15e-3, apart = 2.0 * place_apart;  // [m]
-  // vertical part of normals [-]: steeper strips meet no wheel that far ahead, as the flange's tip has risen
-  constexpr double steepest_far = 0.2;
   const RailFace& face = rail.face[f];
-  const std::int32_t end = face.first + face.strips;
-  constexpr double last = (places_to_a_side - 0.5) * place_apart;  // [m]
-  // far from the axle a gauge corner slides along the flange's hollow root, where overlaps grow
-  constexpr double hollow = 13e-3, corner = 0.9,
-                   most_hollow = 2e-3;  // radius [m]; vertical part of normals; [m]
-  // a strip that moves along its tangent meets a wheel whose normal differs by up to this angle [rad] where a
-  // contact ends
-  constexpr double tilt = 0.15;
-  const auto gain_at = [&](std::int32_t j, const PlaceWeights& place) {
-    // rise of the strip along its normal, less that of the wheel; its move along its tangent
-    const double off = larger(magnitude(place.x) - askew, 0.0), raised = 0.5 * off * off / wheel_radius;
-    const double y = place_of(rail, place, j, 0) - placed.y[j], z = place_of(rail, place, j, 1) - placed.z[j];
-    const double ty = placed.ty[j], tz = placed.tz[j];
-    const double along = ty * y + tz * (z + raised);
-    const double deeper = ty > steepest_far && ty < corner && magnitude(place.x) > last
-                              ? smaller(0.5 * along * along / hollow, most_hollow)
-                              : 0.0;
-    return tz * y - ty * z - larger(ty, 0.0) * raised + deeper + tilt * magnitude(along);
-  };
-  // growth is counted from below the axle, or from the nearer end of a face that is not there
-  const double low = placed.low[f], high = placed.high[f];
-  const double nearest = smaller(larger(0.0, low), high);
-  const auto gain_of = [&](std::int32_t j) {
-    double most = nearest == 0.0 ? 0.0 : -1e300, at = nearest;
-    const auto count = [&](const PlaceWeights& place) {
-      const double here = gain_at(j, place);
-      if (!(here > most)) return;
-      most = here;
-      at = place.x;
-    };
-    for (const PlaceWeights& place : placed.place[f])
-      if (place.x >= low && place.x <= high) count(place);
-    for (const PlaceWeights& place : placed.end[f])
-      if (magnitude(place.x) < farthest_along) count(place);
-    // beyond the last place, as long as the overlap grows
-    const double step = at < 0.0 ? -apart : apart;
-    if (magnitude(at) < last || placed.ty[j] < steepest_far) return most;
-    for (double x = at + step; x > low && x < high; x += step) {
-      const double here = gain_at(j, place_at(rail, face, placed.distance, x));
-      if (!(here > most)) break;
-      most = here;
+  const std::int32_t end = face.first + face.strips, looks = (face.strips + every - 1) / every + 1;
+  StripGains some;
+  double before = 0.0;
+  for (std::int32_t i = 0; i < looks; ++i) {
+    const std::int32_t k = i % StripGains::most;
+    if (k == 0) {
+      some.count = std::min(looks - i, StripGains::most);
+      for (std::int32_t n = 0; n < some.count; ++n)
+        some.strip[n] = std::min(face.first + (i + n) * every, end - 1);
+      kernels.surface.strip_gains({&rail, &placed, f, wheel_radius}, some);
     }
-    return most;
-  };
-  double before = gain_of(face.first);
-  for (std::int32_t j = face.first; j < end; j += every) {
-    const std::int32_t next = std::min(j + every, end - 1);
-    const double behind = gain_of(next);
-    std::fill(gain + j, gain + std::min(j + every, end), larger(before, behind));
-    before = behind;
+    const double here = gain_beyond(rail, f, wheel_radius, placed, some.strip[k], some.gain[k], some.at[k]);
+    const std::int32_t j = face.first + (i - 1) * every;
+    if (i > 0) std::fill(gain + j, gain + std::min(j + every, end), larger(before, here));
+    before = here;
   }
 }
 
@@ -499,7 +480,7 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
                                     rail.step + first, a.y + first, a.z + first, a.ty + first, a.tz + first,
                                     a.width + first});
     look_along_face(rail, f, placed);
-    if (face.changes) find_gains(rail, f, wheel_radius, placed, a.gain);
+    if (face.changes) find_gains(kernels, rail, f, wheel_radius, placed, a.gain);
     // arc length by the widths there, each face from a place of its own
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {

@@ -10,6 +10,7 @@
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
+#include "surface/simd/strip_gains_kernel.hpp"
 #include "surface/simd/strip_numbers_kernel.hpp"
 
 namespace wrc::simd::WRC_SET {
@@ -29,6 +30,7 @@ constexpr SurfaceKernels surface_kernels = {
     .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
     .section_strips = section_strips_kernel,
+    .strip_gains = strip_gains_kernel,
     .look_along = look_along_kernel,
     .climb_along = climb_along_kernel,
     .follow_rail = follow_rail_kernel,

@@ -116,7 +116,8 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
 
   // on, as long as the overlap grows, else back
   Mask moves = Pack(0.0) < 1.0;
-  for (const double direction : {1.0, -1.0}) {
+  constexpr double both_ways[] = {1.0, -1.0}, parts[] = {0.5, 0.25};
+  for (const double direction : both_ways) {
     const Pack step = direction * way * surface::place_apart;
     Pack x = from + step;
     ends = found.ends;
@@ -131,10 +132,10 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
     if (!any(moves)) break;
   }
   // then between the places
-  for (const double part : {0.5, 0.25}) {
+  for (const double part : parts) {
     const FoundAlong middle = found;
-    for (const double apart : {part * surface::place_apart, -part * surface::place_apart}) {
-      const Pack x = middle.x + apart;
+    for (const double direction : both_ways) {
+      const Pack x = middle.x + direction * part * surface::place_apart;
       const Mask goes = on_face(x);
       if (!any(goes)) continue;
       ends = middle.ends;

@@ -117,6 +117,15 @@ struct SectionStripsTask {
   double *y, *z, *ty, *tz, *width;  ///< as RailStrips
 };
 
+/// A rail that varies, of one face of which strips may gain overlap along the track
+/// (surface/geometry/strip_gain.hpp).
+struct StripGainsTask {
+  const surface::VaryingRail* rail;
+  const surface::PlacedRail* placed;
+  std::int32_t face;
+  double wheel_radius;  ///< [m]
+};
+
 /// Strips of one face of a rail that varies, whose overlaps a wheel's rays follow along the track
 /// (surface/geometry/along_track.hpp).
 struct FollowRailTask {
