@@ -335,7 +335,10 @@ ContactChord<Number> find_chord(const AtLargest<Number>& at, Rays& rays) {
   const Number least = least_curvature_left * at.own,
                first = half_contact(at.depth, larger(-at.bend, at.own));
   ContactChord<Number> chord{at.x, first, {at.depth, at.depth}};
-  const Number room[2] = {at.ahead - at.x, at.x - at.behind};  // before another top's contact
+  // before another top's contact; tops on the valley itself do not count, but must not divide by 0
+  constexpr double least_room = 1e-6;  // [m]
+  const Number room[2] = {larger(at.ahead - at.x, Number(least_room)),
+                          larger(at.x - at.behind, Number(least_room))};
   Number reach[2] = {smaller(first, room[0]), smaller(first, room[1])};
   Number moves = 0.0;  // by how much the middle follows both ends: not where the face ends at the top
   auto goes = value_of(first) > 0.0;  // all
