@@ -1,7 +1,6 @@
 #include "surface/geometry/surface_geometry.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/number.hpp"
 #include "surface/geometry/second_place.hpp"
@@ -274,7 +273,7 @@ struct FollowedOverlaps {
   }
 
   /// Adds the other variations of the overlap, and keeps the strip if it is deeper than the margin then.
-  void keep(std::int32_t strip, PlaceOfContact&& place, std::int32_t row) {
+  void keep(std::int32_t strip, PlaceOfContact place, std::int32_t row) {
     const double y =
         surfaces.out_of_round.rows > 0 ? evaluate(surfaces.wheel.curve, place.end.piece, place.end.u).y : 0.0;
     follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, place.overlap);
@@ -404,15 +403,14 @@ struct FollowedOverlaps {
   /// Keeps both places of a strip, each of the part and within the bounds that the other leaves it.
   void keep_both(std::int32_t strip, const PlaceOfContact& first, const PlaceOfContact& other) {
     constexpr double same = 0.1e-3;  // [m]: both are one top
-    if (!(magnitude(other.x - first.x) > same))
-      return keep(strip, PlaceOfContact(first), rows.row_of(first.x));
+    if (!(magnitude(other.x - first.x) > same)) return keep(strip, first, rows.row_of(first.x));
     StripOverX<double> over = seen(strip, first.overlap);
     const LargestOverlap valley = find_valley(over, {first.x, first.end}, other.x);
     const TwoTops tops = share_tops({first.x, other.x}, {first.end.depth, other.end.depth}, valley);
     // a top that does not count leaves the other as if it were alone
     for (int k = 0; k < 2; ++k)
       if (!(tops.part[k] > 0.0))
-        return keep(strip, PlaceOfContact(k == 0 ? other : first), rows.row_of(k == 0 ? other.x : first.x));
+        return keep(strip, k == 0 ? other : first, rows.row_of(k == 0 ? other.x : first.x));
     // bounds are within the contacts' chords where the valley is not deep
     constexpr double reached = 0.5;
     PlaceOfContact both[2] = {first, other};
@@ -432,7 +430,7 @@ struct FollowedOverlaps {
       both[k].part = tops.part[k];
       double& depth = both[k].overlap.depth;
       if (depth > 0.0) depth *= tops.part[k];
-      keep(strip, std::move(both[k]), k == 0 ? row : 1 - row);
+      keep(strip, both[k], k == 0 ? row : 1 - row);
     }
   }
 };

@@ -257,7 +257,7 @@ struct RaysAlong {
     const surface::RayStart<Pack> from = strips.start(x, ray);
     if (first[ray]) step_ends(strips, from, goes, at);
     first[ray] = false;
-    const surface::OverlapAlong<Pack> o = overlap_of(strips, from, at);
+    surface::OverlapAlong<Pack> o = overlap_of(strips, from, at);
     at.take(o, goes, *strips.task.wheel);
     return o;
   }
