@@ -149,9 +149,10 @@ struct RowsAlong {
     known[row] = true;
     x[row] = at;
   }
-  /// The row of a strip's only place.
+  /// The row of a strip's only place. Two places of one strip begin the second row, not a place far from the
+  /// strip before: neighbours along a nose may be 5 mm apart.
   std::int32_t row_of(double at) {
-    const std::int32_t row = known[0] && off(1, at) < off(0, at) ? 1 : 0;
+    const std::int32_t row = known[1] && off(1, at) < off(0, at) ? 1 : 0;
     put(row, at);
     return row;
   }
