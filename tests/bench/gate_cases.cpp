@@ -59,20 +59,40 @@ constexpr Case cases[] = {
     {"wheel_at_real_time_remembers", defaults, Case::remembers},
 };
 
-/// The same wheel on a rail of nine sections that rises and falls by 10 um, passed where it is as high as the
-/// constant one, so that as many strips are in contact: what is counted beside that is the cost of following
-/// it. And a wheel with a flat of 20 um.
-struct AlongTrack {
-  AlongTrackBodies bodies;
-  wrc_rail_section section[9];
+/// A model of S1002 on UIC 60, a contact of it, and their end.
+struct OnRail {
   wrc_model* model = nullptr;
   wrc_contact* contact = nullptr;
 
-  AlongTrack(const Methods& methods, bool rail) {
+  static wrc_config config_of(const Methods& methods) {
     wrc_config config = test_config();
     config.wheel.kind = WRC_PROFILE_S1002;
     config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
     config.instruction_set = methods.instruction_set;
+    return config;
+  }
+  void create(const Methods& methods, const wrc_config& config) {
+    wrc_model_create(&config, nullptr, &model, nullptr, 0);
+    wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0);
+  }
+  OnRail() = default;
+  ~OnRail() {
+    wrc_contact_destroy(contact);
+    wrc_model_destroy(model);
+  }
+  OnRail(const OnRail&) = delete;
+  OnRail& operator=(const OnRail&) = delete;
+};
+
+/// The same wheel on a rail of nine sections that rises and falls by 10 um, passed where it is as high as the
+/// constant one, so that as many strips are in contact: what is counted beside that is the cost of following
+/// it. And a wheel with a flat of 20 um.
+struct AlongTrack : OnRail {
+  AlongTrackBodies bodies;
+  wrc_rail_section section[9];
+
+  AlongTrack(const Methods& methods, bool rail) {
+    wrc_config config = config_of(methods);
     bodies.give(config);
     for (double& each : bodies.deviation) each *= 0.05;
     for (int k = 0; k < 9; ++k) {
@@ -84,38 +104,18 @@ struct AlongTrack {
     config.rail_sections = section;
     config.rail_section_count = rail ? 9 : 0;
     if (rail) config.roundness = {};
-    wrc_model_create(&config, nullptr, &model, nullptr, 0);
-    wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0);
+    create(methods, config);
   }
-  ~AlongTrack() {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-  AlongTrack(const AlongTrack&) = delete;
-  AlongTrack& operator=(const AlongTrack&) = delete;
 };
 
 /// A wheel at "real time", without memory or with it.
-struct RealTime {
-  wrc_model* model = nullptr;
-  wrc_contact* contact = nullptr;
-
+struct RealTime : OnRail {
   RealTime(const Methods& methods, bool remembers) {
-    wrc_config config = test_config();
-    config.wheel.kind = WRC_PROFILE_S1002;
-    config.rail.kind = WRC_PROFILE_UIC60_BENCHMARK;
-    config.instruction_set = methods.instruction_set;
+    wrc_config config = config_of(methods);
     config.surface.memory = remembers;
     if (wrc_config_use(&config, "real time", nullptr, 0) < 0) std::exit(1);
-    wrc_model_create(&config, nullptr, &model, nullptr, 0);
-    wrc_contact_create(model, methods.side, nullptr, &contact, nullptr, 0);
+    create(methods, config);
   }
-  ~RealTime() {
-    wrc_contact_destroy(contact);
-    wrc_model_destroy(model);
-  }
-  RealTime(const RealTime&) = delete;
-  RealTime& operator=(const RealTime&) = delete;
 };
 
 /// Steps of 1 ms at 80 kN, from a mark, along a lateral place that moves by 12.5 um a step, there and back.

@@ -81,7 +81,7 @@ struct PlaceOfContact {
   TopBounds<double> bounds;
   double part;  ///< part of the overlap that counts [-]
 };
-PlaceOfContact place_of(const FollowedStrips& s, std::int32_t i) {
+PlaceOfContact followed_place(const FollowedStrips& s, std::int32_t i) {
   return {s.x[i], {s.piece[i], s.u[i], s.depth[i]}, overlap_of(s, i), unbounded, 1.0};
 }
 
@@ -327,9 +327,9 @@ struct FollowedOverlaps {
     // kept strip by strip, as rows go on from one to the next
     for (std::int32_t i = 0, k = 0; i < g.count; ++i) {
       if (k < others.count && number[k] == i)
-        keep_both(g.strip[i], place_of(g, i), place_of(others, k++));
+        keep_both(g.strip[i], followed_place(g, i), followed_place(others, k++));
       else
-        keep(g.strip[i], place_of(g, i),
+        keep(g.strip[i], followed_place(g, i),
              may_touch_twice(rail, face, rail.candidates.own[candidate[i]]) ? rows.row_of(g.x[i]) : 0);
     }
     g.count = 0;
@@ -388,7 +388,7 @@ struct FollowedOverlaps {
   /// Adds the other top of strip i of those gathered, if it has one.
   bool look_for_second(std::int32_t i, FollowedStrips& others) const {
     // by the rail's fall first, then by rays
-    const PlaceOfContact first = place_of(gathered, i);
+    const PlaceOfContact first = followed_place(gathered, i);
     const std::int32_t strip = gathered.strip[i];
     const LargestOverlap top{first.x, first.end};
     const FirstLook look =
@@ -422,7 +422,7 @@ struct FollowedOverlaps {
         put_largest(strip, {both[k].x, both[k].end}, both[k].overlap.ny, both[k].overlap.nz, again,
                     tops.bounds[k]);
       follow_rail(surfaces, rail, pose, again);
-      for (int k = 0; k < 2; ++k) both[k] = place_of(again, k);
+      for (int k = 0; k < 2; ++k) both[k] = followed_place(again, k);
     }
     // both in their rows, each with its part of the overlap
     const std::int32_t row = rows.row_of(first.x, other.x);

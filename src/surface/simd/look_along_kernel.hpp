@@ -3,20 +3,13 @@
 #pragma once
 
 #include "surface/simd/follow_rail_kernel.hpp"
+#include "surface/simd/strips_in_sections.hpp"
 
 namespace wrc::simd {
 namespace {
 
-/// Are the strips of all lanes neighbours?
-inline bool in_a_row(const std::int32_t* strip) {
-  bool row = true;
-  for (std::int32_t i = 1; i < lanes; ++i) row = row && strip[i] == strip[0] + i;
-  return row;
-}
-
 /// SurfaceKernels::look_along.
 inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& depths) {
-  const surface::VaryingRail& rail = *task.rail;
   const surface::PlacedRail& placed = *task.placed;
   const surface::Overlaps& o = *task.overlaps;
   for (std::int32_t base = 0; base < task.count; base += lanes) {
@@ -24,30 +17,18 @@ inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& d
                        first = task.first + base;
     std::int32_t strip[lanes];
     for (std::int32_t i = 0; i < lanes; ++i) strip[i] = o.strip[first + (i < count ? i : count - 1)];
-    // neighbours are read in a row, others one by one
-    const bool row = in_a_row(strip);
-    const auto list = [&](const double* of) {
-      if (row) return load_pack(of + strip[0]);
-      double each[lanes];
-      for (std::int32_t i = 0; i < lanes; ++i) each[i] = of[strip[i]];
-      return load_pack(each);
-    };
     // the strips below the axle, and their overlaps there
-    const Pack y = list(placed.y), z = list(placed.z);
+    StripsInSections sections{*task.rail, strip};
+    const Pack y = sections.read(placed.y), z = sections.read(placed.z);
     const Pack depth = load(o.depth, first, count, 0.0), centre = load(o.centre, first, count, 0.0),
                curvature = load(o.curvature, first, count, 0.0), ny = load(o.ny, first, count, 0.0),
                nz = load(o.nz, first, count, 0.0);
     // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X))
     const auto depth_at = [&](const surface::PlaceWeights& place) {
-      const auto value = [&](std::int32_t q) {
-        const auto at = [&](std::int32_t section, std::int32_t of) {
-          return list(rail.outline + (static_cast<std::int64_t>(section) * 8 + of) * rail.stride);
-        };
-        return place.weight[0] * at(place.left, q) + place.weight[1] * at(place.right, q) +
-               place.weight[2] * at(place.left, q + 4) + place.weight[3] * at(place.right, q + 4);
-      };
+      sections.go_to(place);
       const Pack off = place.x - centre;
-      return depth - 0.5 * curvature * off * off - ny * (value(0) - y) - nz * (value(1) - z);
+      return depth - 0.5 * curvature * off * off - ny * (sections.at(place, 0) - y) -
+             nz * (sections.at(place, 1) - z);
     };
     // at the places, and where the face ends
     for (std::int32_t k = 0; k < surface::track_places; ++k)
@@ -59,12 +40,8 @@ inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& d
 
 /// The overlap at x by rays from the ends of those nearby, which become the ends of these.
 inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes) {
-  const FollowRailTask& task = strips.task;
   const surface::RayStart<Pack> from = strips.start(x);
-  // Newton's method for the ray's end, from that nearby
-  for (int n = 0; n < surface::ray_steps; ++n)
-    ends.take(surface::step_along<Pack>(ends.on, *task.pose, from, strips.ny, strips.nz, ends.u, ends.depth),
-              goes, *task.wheel);
+  for (int n = 0; n < surface::ray_steps; ++n) step_ends(strips, from, goes, ends);
   return ends.depth;
 }
 

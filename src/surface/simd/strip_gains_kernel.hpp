@@ -2,41 +2,12 @@
 /// (surface/geometry/strip_gain.hpp).
 #pragma once
 
-#include "base/pack.hpp"
 #include "surface/geometry/strip_gain.hpp"
+#include "surface/simd/strips_in_sections.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
-
-/// Middles of the strips of all lanes in two sections, and their slopes along the track: read anew where a
-/// place lies between others.
-struct StripsInSections {
-  const surface::VaryingRail& rail;
-  const std::int32_t* strip;
-  std::int32_t left = -1, right = -1;
-  Pack list[2][4] = {};  ///< y and z, each in the order of PlaceWeights::weight
-
-  Pack read(const double* of) const {
-    double each[lanes];
-    for (std::int32_t i = 0; i < lanes; ++i) each[i] = of[strip[i]];
-    return load_pack(each);
-  }
-  void go_to(const surface::PlaceWeights& place) {
-    if (place.left == left && place.right == right) return;
-    left = place.left;
-    right = place.right;
-    for (std::int32_t k = 0; k < 4; ++k) {
-      const std::int64_t section = k % 2 == 0 ? left : right, slope = k < 2 ? 0 : 4;
-      for (std::int32_t q = 0; q < 2; ++q)
-        list[q][k] = read(rail.outline + (section * 8 + slope + q) * rail.stride);
-    }
-  }
-  Pack at(const surface::PlaceWeights& place, std::int32_t q) const {
-    return place.weight[0] * list[q][0] + place.weight[1] * list[q][1] + place.weight[2] * list[q][2] +
-           place.weight[3] * list[q][3];
-  }
-};
 
 /// SurfaceKernels::strip_gains.
 inline void strip_gains_kernel(const StripGainsTask& task, surface::StripGains& gains) {
