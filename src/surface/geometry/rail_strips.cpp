@@ -68,10 +68,8 @@ StripArrays cut_strips(Arena& arena, std::int32_t most) {
 
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most) {
   StripArrays a = cut_strips(arena, most);
-  CandidatesAlong& c = a.candidates;
-  arena.each(most, c.strip, c.piece, c.twice);
-  arena.each(most, c.x, c.u, c.ray, c.ny, c.nz, c.depth);
-  arena.each(most, c.own, c.doubt);
+  a.candidates.capacity = most;
+  a.candidates.top = arena.take<CandidateAlong>(most);
   return a;
 }
 

@@ -22,13 +22,28 @@ inline bool may_touch_twice(const PlacedRail& placed, std::int32_t face, double 
   return placed.valley[face] > least_valley * own;
 }
 
-/// May the overlap of a strip have two tops?
-inline bool may_touch_twice(const PlacedRail& placed, const VaryingRail& rail, std::int32_t face,
-                            std::int32_t strip, double own) {
-  return may_touch_twice(placed, face, own) &&
-         valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
-                        placed.distance + farthest_along) > least_valley * own;
-}
+/// Sharpest valleys of a face's strips about a place, of each eight in turn.
+struct ValleysOfFace {
+  const PlacedRail& placed;
+  const VaryingRail& rail;
+  std::int32_t face;
+  std::int32_t eight = -1;  ///< that was looked at last
+  double sharpest = 0.0;    ///< its valley [1/m]
+
+  ValleysOfFace(const PlacedRail& where, const VaryingRail& of, std::int32_t number)
+      : placed(where), rail(of), face(number) {}
+
+  /// May the overlap of a strip have two tops?
+  bool may_touch_twice(std::int32_t strip, double own) {
+    if (!surface::may_touch_twice(placed, face, own)) return false;
+    if (eight_of(strip) != eight) {
+      eight = eight_of(strip);
+      sharpest = valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
+                                placed.distance + farthest_along);
+    }
+    return sharpest > least_valley * own;
+  }
+};
 
 /// A strip at a top of its overlap, and the direction of its rays.
 struct StripTop {

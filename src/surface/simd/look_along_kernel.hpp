@@ -8,8 +8,64 @@
 namespace wrc::simd {
 namespace {
 
+/// The best of the places on a face, and overlaps there and at the places beside it.
+struct BestPlace {
+  bool any_on_face;
+  Pack x, depth, ahead, behind;  ///< [m]
+  Pack inner;                    ///< 1: there are places to both sides, else 0
+
+  BestPlace(const surface::PlaceWeights* place, const Pack* depths, double low, double high)
+      : any_on_face(false), x(0.0), depth(0.0), ahead(0.0), behind(0.0), inner(0.0) {
+    constexpr std::int32_t last = surface::track_places - 1;
+    for (std::int32_t k = 0; k <= last; ++k) {
+      if (!(place[k].x >= low && place[k].x <= high)) continue;
+      const bool between = k > 0 && k < last;
+      const Mask more = any_on_face ? depths[k] > depth : Pack(0.0) < 1.0;
+      any_on_face = true;
+      x = select(more, place[k].x, x);
+      depth = select(more, depths[k], depth);
+      behind = select(more, depths[between ? k - 1 : k], behind);
+      ahead = select(more, depths[between ? k + 1 : k], ahead);
+      inner = select(more, between ? 1.0 : 0.0, inner);
+    }
+  }
+};
+
+/// The place where the overlap is largest of those along a face, or between these.
+inline void find_first_look(const surface::PlacedRail& placed, std::int32_t face, const Pack* depths,
+                            const Pack* at_end, Pack& x, Pack& depth) {
+  const double low = placed.low[face], high = placed.high[face];
+  const BestPlace best(placed.place[face], depths, low, high);
+  const double end[2] = {placed.end[face][0].x, placed.end[face][1].x};
+  const bool ends[2] = {wrc::magnitude(end[0]) < surface::farthest_along,
+                        wrc::magnitude(end[1]) < surface::farthest_along};
+  if (!best.any_on_face) {
+    // the face is there farther away alone
+    const bool behind = ends[0] || (!ends[1] && wrc::magnitude(low) < wrc::magnitude(high));
+    x = end[behind ? 0 : 1];
+    depth = at_end[behind ? 0 : 1];
+    return;
+  }
+  // top of the parabola through the best place and those beside it
+  const Pack rise = 0.5 * (best.ahead - best.behind), bend = 2.0 * best.depth - best.ahead - best.behind;
+  const Mask round = bend > magnitude(rise);
+  const Pack top = select(round, rise / select(round, bend, 1.0), select(rise > 0.0, 1.0, -1.0));
+  const Pack between = smaller(larger(best.x + surface::place_apart * top, low), high),
+             share = (between - best.x) / surface::place_apart;
+  const Mask inner = best.inner > 0.0;
+  x = select(inner, between, best.x);
+  depth = select(inner, best.depth + share * (rise - 0.5 * bend * share), best.depth);
+  // the face may end between two of these places
+  for (int k = 1; k >= 0; --k) {
+    if (!ends[k]) continue;
+    const Mask more = at_end[k] > best.depth;
+    x = select(more, end[k], x);
+    depth = select(more, at_end[k], depth);
+  }
+}
+
 /// SurfaceKernels::look_along.
-inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& depths) {
+inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& looks) {
   const surface::PlacedRail& placed = *task.placed;
   const surface::Overlaps& o = *task.overlaps;
   for (std::int32_t base = 0; base < task.count; base += lanes) {
@@ -31,10 +87,12 @@ inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& d
              nz * (sections.at(place, 1) - z);
     };
     // at the places, and where the face ends
-    for (std::int32_t k = 0; k < surface::track_places; ++k)
-      store(depth_at(placed.place[task.face][k]), depths.at[k] + base, count);
-    for (std::int32_t k = 0; k < 2; ++k)
-      store(depth_at(placed.end[task.face][k]), depths.at_end[k] + base, count);
+    Pack depths[surface::track_places], at_end[2], x, most;
+    for (std::int32_t k = 0; k < surface::track_places; ++k) depths[k] = depth_at(placed.place[task.face][k]);
+    for (std::int32_t k = 0; k < 2; ++k) at_end[k] = depth_at(placed.end[task.face][k]);
+    find_first_look(placed, task.face, depths, at_end, x, most);
+    store(x, looks.x + base, count);
+    store(most, looks.depth + base, count);
   }
 }
 

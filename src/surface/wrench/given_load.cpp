@@ -130,8 +130,8 @@ bool candidates_are_flat(const WheelProblem& problem, const RelativeMotion& moti
   if (problem.in.law || !candidates_hold(c, motion.pose, margin)) return false;
   bool flat = true;
   for (std::int32_t k = 0; k < c.count && flat; ++k) {
-    const double aside = motion.cosine * c.ny[k] - motion.sine * c.nz[k];
-    flat = problem.in.friction * magnitude(aside) < far * downwards(motion, c.ny[k], c.nz[k]);
+    const double ny = c.top[k].ny, nz = c.top[k].nz, aside = motion.cosine * ny - motion.sine * nz;
+    flat = problem.in.friction * magnitude(aside) < far * downwards(motion, ny, nz);
   }
   return flat;
 }
