@@ -10,24 +10,7 @@ namespace {
 
 using surface::FollowedStrips;
 
-/// A number of strips between two sections, by powers of the share t of the way: value_weights() and its
-/// derivatives, multiplied out.
-struct BetweenSections {
-  Pack whole, once, cubed, fourth, fifth;
-
-  /// From the values in both sections, and their slopes by t.
-  static BetweenSections of(Pack left, Pack right, Pack leaving, Pack reaching) {
-    const Pack rise = right - left;
-    return {left, leaving, 10.0 * rise - 6.0 * leaving - 4.0 * reaching,
-            8.0 * leaving + 7.0 * reaching - 15.0 * rise, 6.0 * rise - 3.0 * (leaving + reaching)};
-  }
-  Pack value(Pack t, Pack t2) const { return whole + t * (once + t2 * (cubed + t * (fourth + t * fifth))); }
-  /// The first two derivatives by t.
-  Pack slope(Pack t, Pack t2) const {
-    return once + t2 * (3.0 * cubed + t * (4.0 * fourth + t * (5.0 * fifth)));
-  }
-  Pack curvature(Pack t) const { return t * (6.0 * cubed + t * (12.0 * fourth + t * (20.0 * fifth))); }
-};
+using BetweenSections = surface::BetweenSections<Pack>;
 
 /// The two sections of each lane about the distances of a ray's starts.
 struct SectionsAbout {

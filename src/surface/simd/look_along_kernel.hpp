@@ -79,12 +79,17 @@ inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& lo
     const Pack depth = load(o.depth, first, count, 0.0), centre = load(o.centre, first, count, 0.0),
                curvature = load(o.curvature, first, count, 0.0), ny = load(o.ny, first, count, 0.0),
                nz = load(o.nz, first, count, 0.0);
-    // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X))
+    // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X)), n.P as PlaceWeights::weight has it
+    const Pack below_axle = depth + ny * y + nz * z;
+    Pack fall[4] = {};
     const auto depth_at = [&](const surface::PlaceWeights& place) {
-      sections.go_to(place);
+      if (sections.go_to(place))
+        for (std::int32_t k = 0; k < 4; ++k)
+          fall[k] = ny * sections.list[0][k] + nz * sections.list[1][k];
       const Pack off = place.x - centre;
-      return depth - 0.5 * curvature * off * off - ny * (sections.at(place, 0) - y) -
-             nz * (sections.at(place, 1) - z);
+      const Pack there = place.weight[0] * fall[0] + place.weight[1] * fall[1] + place.weight[2] * fall[2] +
+                         place.weight[3] * fall[3];
+      return below_axle - 0.5 * curvature * off * off - there;
     };
     // at the places, and where the face ends
     Pack depths[surface::track_places], at_end[2], x, most;
@@ -96,10 +101,11 @@ inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& lo
   }
 }
 
-/// The overlap at x by rays from the ends of those nearby, which become the ends of these.
-inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes) {
+/// The overlap at x by rays from the ends of those nearby, which become the ends of these: by so many steps of
+/// Newton's method.
+inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes, int steps) {
   const surface::RayStart<Pack> from = strips.start(x);
-  for (int n = 0; n < surface::ray_steps; ++n) step_ends(strips, from, goes, ends);
+  for (int n = 0; n < steps; ++n) step_ends(strips, from, goes, ends);
   return ends.depth;
 }
 
@@ -142,14 +148,14 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
   // from below the axle to there
   Pack before = surface::near_axle;
   for (Mask goes = before < distance; any(goes); goes = before < distance) {
-    depth_along(strips, way * before, ends, goes);
+    depth_along(strips, way * before, ends, goes, surface::ray_steps);
     before = before + surface::near_axle;
   }
   found.x = from;
   found.ends = ends;
-  depth_along(strips, from, found.ends, Pack(0.0) < 1.0);
+  depth_along(strips, from, found.ends, Pack(0.0) < 1.0, surface::ray_steps);
 
-  // on, as long as the overlap grows, else back
+  // on, as long as the overlap grows, else back: one step finds ends of rays a centimetre on to micrometres
   Mask moves = Pack(0.0) < 1.0;
   constexpr double both_ways[] = {1.0, -1.0}, parts[] = {0.5, 0.25};
   for (const double direction : both_ways) {
@@ -158,7 +164,7 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
     ends = found.ends;
     Mask goes = moves & on_face(x);
     for (int n = 0; n < most_places && any(goes); ++n) {
-      const Mask grows = goes & (depth_along(strips, x, ends, goes) > found.ends.depth);
+      const Mask grows = goes & (depth_along(strips, x, ends, goes, 1) > found.ends.depth);
       found.take(grows, x, ends);
       x = x + step;
       goes = grows & on_face(x);
@@ -174,7 +180,7 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
       const Mask goes = on_face(x);
       if (!any(goes)) continue;
       ends = middle.ends;
-      found.take(goes & (depth_along(strips, x, ends, goes) > found.ends.depth), x, ends);
+      found.take(goes & (depth_along(strips, x, ends, goes, 1) > found.ends.depth), x, ends);
     }
   }
   // the largest
