@@ -56,7 +56,7 @@ struct StripTop {
 struct StripAlong {
   const VaryingRail& rail;
   std::int32_t face, strip;
-  double ny, nz;  ///< the direction
+  double ny, nz;                             ///< the direction
   double begin = 1.0, end = 0.0, per = 0.0;  ///< distances of the sections, and 1 over that between them [m]
   BetweenSections<double> n = {};            ///< n.P [m]
 

@@ -57,18 +57,18 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 namespace {
 
 simd::FollowRailTask follow_task(const SurfaceGeometry& surfaces, const PlacedRail& rail,
-                                 const RelativePose& pose, std::int32_t face) {
+                                 const RelativePose& pose, std::int32_t face, bool tops_alone) {
   const VaryingRail& varying = surfaces.varying;
   return {&varying,      &varying.face[face], &surfaces.wheel.curve, &pose,
-          rail.distance, rail.low[face],      rail.high[face]};
+          rail.distance, rail.low[face],      rail.high[face],       tops_alone};
 }
 
 }  // namespace
 
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& s) {
+                 FollowedStrips& s, bool tops_alone) {
   const std::int32_t face = face_of(surfaces.varying, s.strip[0]);
-  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face), s);
+  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, tops_alone), s);
 }
 
 namespace {
@@ -227,7 +227,7 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
     climbing[far.count] = i;
     put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
-  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face), far);
+  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, true), far);
   for (std::int32_t i = 0; i < far.count; ++i)
     found[climbing[i]] = {far.x[i], {far.piece[i], far.u[i], far.depth[i]}};
 
@@ -260,6 +260,7 @@ struct FollowedOverlaps {
   const OverlapScratch& scratch;
   Overlaps& o;  ///< those deeper than -margin
   SecondRow& second;
+  bool tops_alone;
   std::int32_t face = 0;  ///< that the strips gathered belong to
   FollowedStrips gathered;
   std::int32_t candidate[FollowedStrips::most];  ///< that each of those gathered is
@@ -332,7 +333,7 @@ struct FollowedOverlaps {
   void finish() {
     FollowedStrips& g = gathered;
     if (g.count == 0) return;
-    follow_rail(surfaces, rail, pose, g);
+    follow_rail(surfaces, rail, pose, g, tops_alone);
     for (std::int32_t i = 0; i < g.count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
     // those with another top follow that, too
     FollowedStrips others;
@@ -347,7 +348,7 @@ struct FollowedOverlaps {
       else
         put_other(i, top[others.count], others);
     }
-    if (others.count > 0) follow_rail(surfaces, rail, pose, others);
+    if (others.count > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
     for (std::int32_t i = 0; i < others.count; ++i)
       if (top[i] >= 0) note_place(others, i, rail.candidates.top[top[i]]);
     // kept strip by strip, as rows go on from one to the next
@@ -424,8 +425,9 @@ struct FollowedOverlaps {
       o.full = o.full || (look.depth > -1.0 && c.tops == c.capacity);
       if (look.depth > -1.0 && c.tops < c.capacity) {
         top.other = static_cast<std::int16_t>(c.tops);
-        c.top[c.tops++] = candidate_at(gathered.strip[i], {look.x, {first.end.piece, first.end.u, look.depth}},
-                                       at.ny, at.nz, look.depth - growth(at.ny, at.nz), second_looks_within);
+        c.top[c.tops++] =
+            candidate_at(gathered.strip[i], {look.x, {first.end.piece, first.end.u, look.depth}}, at.ny,
+                         at.nz, look.depth - growth(at.ny, at.nz), second_looks_within);
       }
     }
     const bool near = top.other >= 0 && depth_now(c.top[top.other]) > -margin - second_looks_within;
@@ -457,7 +459,7 @@ struct FollowedOverlaps {
     // bounds are within the contacts' chords where the valley is not deep
     constexpr double reached = 0.5;
     PlaceOfContact both[2] = {first, other};
-    if (valley.end.depth > reached * smaller(first.end.depth, other.end.depth)) {
+    if (!tops_alone && valley.end.depth > reached * smaller(first.end.depth, other.end.depth)) {
       FollowedStrips again;
       again.count = 0;
       for (int k = 0; k < 2; ++k)
@@ -520,8 +522,8 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
 }
 
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                          double angle, double margin, const OverlapScratch& scratch,
-                          const Overlaps& memory) noexcept {
+                          double angle, double margin, const OverlapScratch& scratch, const Overlaps& memory,
+                          bool tops_alone) noexcept {
   const VaryingRail& varying = surfaces.varying;
   const RailStrips strips = strips_before(surfaces, pose, rail);
   if (!varies(surfaces))
@@ -530,7 +532,7 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   o.count = 0;
   o.full = false;
   SecondRow second;
-  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, scratch, o, second, 0, {}, {}};
+  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, scratch, o, second, tops_alone, 0, {}, {}};
   followed.gathered.count = 0;
   if (!changes(varying)) {
     followed.take_still(strips);

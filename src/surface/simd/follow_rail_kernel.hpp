@@ -237,6 +237,8 @@ struct RaysAlong {
 
   surface::OverlapAlong<Pack> look(surface::AlongRay ray, Pack x, Mask goes) {
     RayEnds& at = end[ray];
+    // most contacts lie between the sections of their middle
+    if (first[ray] && ray != surface::ray_middle) strips.about[ray] = strips.about[surface::ray_middle];
     const surface::RayStart<Pack> from = strips.start(x, ray);
     if (first[ray]) step_ends(strips, from, goes, at);
     first[ray] = false;
@@ -278,6 +280,19 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.depth + first, ends.depth);
   store_pack(s.ny + first, strips.ny);
   store_pack(s.nz + first, strips.nz);
+
+  if (task.tops_alone) {
+    const surface::RayStart<Pack> from = strips.start(x);
+    store_pack(s.overlap.depth + first, ends.depth);
+    store_pack(s.overlap.centre + first, x);
+    store_pack(s.overlap.curvature + first, larger(-beside.bend, surface::least_curvature_left * beside.own));
+    store_pack(s.overlap.ny + first, strips.ny);
+    store_pack(s.overlap.nz + first, strips.nz);
+    store_pack(s.overlap.wy + first, from.y + ends.depth * strips.ny);
+    store_pack(s.overlap.wz + first, from.z + ends.depth * strips.nz);
+    store_pack(s.overlap.grade + first, 0.0);
+    return;
+  }
 
   // the parabola of the contact about it
   const Mask inside = (x > task.low) & (x < task.high),

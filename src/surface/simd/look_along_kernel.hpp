@@ -84,8 +84,7 @@ inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& lo
     Pack fall[4] = {};
     const auto depth_at = [&](const surface::PlaceWeights& place) {
       if (sections.go_to(place))
-        for (std::int32_t k = 0; k < 4; ++k)
-          fall[k] = ny * sections.list[0][k] + nz * sections.list[1][k];
+        for (std::int32_t k = 0; k < 4; ++k) fall[k] = ny * sections.list[0][k] + nz * sections.list[1][k];
       const Pack off = place.x - centre;
       const Pack there = place.weight[0] * fall[0] + place.weight[1] * fall[1] + place.weight[2] * fall[2] +
                          place.weight[3] * fall[3];
@@ -101,8 +100,8 @@ inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& lo
   }
 }
 
-/// The overlap at x by rays from the ends of those nearby, which become the ends of these: by so many steps of
-/// Newton's method.
+/// The overlap at x by rays from the ends of those nearby, which become the ends of these: by so many steps
+/// of Newton's method.
 inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes, int steps) {
   const surface::RayStart<Pack> from = strips.start(x);
   for (int n = 0; n < steps; ++n) step_ends(strips, from, goes, ends);

@@ -283,7 +283,7 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   const PressureStart& earlier = solver.start.solution;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, s.motion, apart, s.overlaps);
+  find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;

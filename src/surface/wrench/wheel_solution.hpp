@@ -87,9 +87,9 @@ inline double candidate_margin(const SurfaceModel& model) {
 
 /// Finds all strips with depth > -margin [m].
 inline void find_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& motion, double margin,
-                                WheelOverlaps& o) {
-  static_cast<Overlaps&>(o) =
-      overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle, margin, o.outline, o);
+                                WheelOverlaps& o, bool tops_alone = false) {
+  static_cast<Overlaps&>(o) = overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle,
+                                               margin, o.outline, o, tops_alone);
 }
 
 }  // namespace wrc::surface
