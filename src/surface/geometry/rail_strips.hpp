@@ -139,9 +139,11 @@ struct CandidatesAlong {
 
 /// Arrays of the strips of a rail.
 struct StripArrays {
-  double *s, *width, *y, *z, *ty, *tz, *angle;
-  double* gain;                ///< for rails that vary (PlacedRail)
-  CandidatesAlong candidates;  ///< the same: cut_varying_strips()
+  double *s, *width, *y, *z, *ty, *tz;
+  double* angle;  ///< of a rail that is the same everywhere
+  // of rails that vary: cut_varying_strips()
+  double* gain;  ///< as PlacedRail
+  CandidatesAlong candidates;
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most);

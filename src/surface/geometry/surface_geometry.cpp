@@ -100,32 +100,30 @@ PlaceOfContact kept_place(std::int32_t i, const Overlaps& o) {
   return {o.top[i], {o.piece[i], o.u[i], o.depth[i]}, strip_of(o, i), bounds_of(o.bound[i], o.top[i])};
 }
 
-/// The row of second places of contact along the track, until it is put behind the first ones.
+/// Lets two places change places in the arrays; numbers of strips grow by `number` from the first to the
+/// second.
+void swap_places(std::int32_t i, std::int32_t k, std::int32_t number, const Overlaps& o) {
+  const PlaceOfContact first = kept_place(i, o);
+  const std::int32_t strip = o.strip[i];
+  put_place(o.strip[k] - number, kept_place(k, o), i, o);
+  put_place(strip + number, first, k, o);
+}
+
+/// The row of second places of contact along the track, until it is put behind the first ones: in the same
+/// arrays, from their end backwards.
 struct SecondRow {
-  static constexpr std::int32_t most = 64;
-
   std::int32_t count = 0;
-  bool full = false;
-  std::int32_t strip[most];
-  PlaceOfContact place[most];
 
-  SecondRow() {}  // NOLINT: its arrays are not filled, as most rails have no second places
-
-  void take(std::int32_t of, const PlaceOfContact& at) {
-    full = full || count == most;
-    if (count == most) return;
-    strip[count] = of + second_places;
-    place[count++] = at;
+  static std::int32_t index(std::int32_t i, const Overlaps& o) { return o.capacity - 1 - i; }
+  bool is_full(const Overlaps& o) const { return o.count + count == o.capacity; }
+  void take(std::int32_t strip, const PlaceOfContact& place, const Overlaps& o) {
+    put_place(strip + second_places, place, index(count++, o), o);
   }
   void append_to(Overlaps& o) const {
-    o.full = o.full || full;
-    for (std::int32_t i = 0; i < count; ++i) {
-      if (o.count == o.capacity) {
-        o.full = true;
-        return;
-      }
-      put_place(strip[i], place[i], o.count++, o);
-    }
+    // turned round, then moved
+    for (std::int32_t i = 0; i < count / 2; ++i) swap_places(index(i, o), index(count - 1 - i, o), 0, o);
+    for (std::int32_t i = o.capacity - count; i < o.capacity; ++i)
+      put_place(o.strip[i], kept_place(i, o), o.count++, o);
   }
 };
 
@@ -265,18 +263,18 @@ struct FollowedOverlaps {
   /// Ends a face. The row that lies ahead becomes the second one, whichever the search found first.
   void end_face() {
     // numbers of strips in both rows, which change places
-    const std::int32_t before = o.count - first_kept, behind = second.count - first_second;
-    if (rows.ahead < 0.0 && first_second + before <= SecondRow::most && first_kept + behind <= o.capacity) {
-      PlaceOfContact* const to = second.place + first_second;
-      for (std::int32_t i = 0; i < std::max(before, behind); ++i) {
-        const std::int32_t k = first_kept + i;
-        const PlaceOfContact place = i < before ? kept_place(k, o) : PlaceOfContact{};
-        const std::int32_t strip = i < before ? o.strip[k] + second_places : 0;
-        if (i < behind) put_place(second.strip[first_second + i] - second_places, to[i], k, o);
-        to[i] = place;
-        second.strip[first_second + i] = strip;
+    const std::int32_t before = o.count - first_kept, behind = second.count - first_second,
+                       both = std::min(before, behind), room = o.capacity - o.count - second.count;
+    if (rows.ahead < 0.0 && std::max(before, behind) - both <= room) {
+      for (std::int32_t i = 0; i < both; ++i)
+        swap_places(first_kept + i, SecondRow::index(first_second + i, o), second_places, o);
+      for (std::int32_t k = first_kept + both; k < first_kept + before; ++k)
+        second.take(o.strip[k], kept_place(k, o), o);
+      o.count = first_kept + both;
+      for (std::int32_t i = first_second + both; i < first_second + behind; ++i) {
+        const std::int32_t k = SecondRow::index(i, o);
+        put_place(o.strip[k] - second_places, kept_place(k, o), o.count++, o);
       }
-      o.count = first_kept + behind;
       second.count = first_second + before;
     }
     first_kept = o.count;
@@ -290,9 +288,10 @@ struct FollowedOverlaps {
         surfaces.out_of_round.rows > 0 ? evaluate(surfaces.wheel.curve, place.end.piece, place.end.u).y : 0.0;
     follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, place.overlap);
     if (!(place.overlap.depth > -margin)) return;
-    if (row > 0) return second.take(strip, place);
-    o.full = o.full || o.count == o.capacity;
-    if (!o.full) put_place(strip, place, o.count++, o);
+    o.full = o.full || second.is_full(o);
+    if (o.full) return;
+    if (row > 0) return second.take(strip, place, o);
+    put_place(strip, place, o.count++, o);
   }
 
   /// Takes the strips of faces that are the same all along.
@@ -300,8 +299,9 @@ struct FollowedOverlaps {
     const Kernels& kernels = *surfaces.kernels;
     const double wider = margin + surfaces.out_of_round.largest;
     const std::int32_t before = o.count;
-    Overlaps found = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch,
-                                   overlaps_from(o, before));
+    Overlaps room = overlaps_from(o, before);
+    room.capacity -= second.count;
+    Overlaps found = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch, room);
     // Those deeper than the margin stay once all that varies is added. They make room for others, which can
     // be no more often than the rail has strips.
     for (std::int32_t i = 0;;) {
