@@ -115,7 +115,7 @@ struct CandidateAlong {
 
   std::int16_t strip;
   std::int16_t other;  ///< the strip's other top, by its number on the list
-  std::int32_t piece;  ///< of the wheel's curve where the ray ends
+  std::int32_t piece;  ///< piece of the wheel's curve where the ray ends
   float x, u, ray;     ///< place, the ray's end and the overlap along it [m]
   float ny, nz;        ///< direction of the ray
   float depth;         ///< that of the strip's overlap (overlap.hpp) [m]
@@ -140,8 +140,8 @@ struct CandidatesAlong {
 /// Arrays of the strips of a rail.
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz;
-  double* angle;  ///< of a rail that is the same everywhere
-  // of rails that vary: cut_varying_strips()
+  double* angle;  ///< as RailStrips; nullptr: of rails that vary
+  // further arrays of rails that vary: cut_varying_strips()
   double* gain;  ///< as PlacedRail
   CandidatesAlong candidates;
 };

@@ -82,6 +82,7 @@ struct StripAlong {
       per = 0.0;
       return;
     }
+    // by powers of the share of the way between both sections
     const double apart = end - begin;
     per = 1.0 / apart;
     n = BetweenSections<double>::of(number(b.left, 0), number(b.right, 0), apart * number(b.left, 4),
@@ -100,6 +101,7 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   const double x = first.at.x, here = placed.distance + x;
   FirstLook found{x, -1.0};
   if (!(x > placed.low[f] && x < placed.high[f])) return found;
+  // the rail's fall is counted from the first top on
   StripAlong along{rail, f, strip, first.ny, first.nz};
   const double top = along.at(here), t = (here - along.begin) * along.per;
   const double slope = along.per * along.n.slope(t, t * t);

@@ -266,6 +266,7 @@ struct FollowedOverlaps {
     const std::int32_t before = o.count - first_kept, behind = second.count - first_second,
                        both = std::min(before, behind), room = o.capacity - o.count - second.count;
     if (rows.ahead < 0.0 && std::max(before, behind) - both <= room) {
+      // as many as both rows have change places, the rest of the longer one is moved
       for (std::int32_t i = 0; i < both; ++i)
         swap_places(first_kept + i, SecondRow::index(first_second + i, o), second_places, o);
       for (std::int32_t k = first_kept + both; k < first_kept + before; ++k)
@@ -330,11 +331,11 @@ struct FollowedOverlaps {
     if (g.count == 0) return;
     follow_rail(surfaces, rail, pose, g, tops_alone);
     for (std::int32_t i = 0; i < g.count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
-    // those with another top follow that, too
+    // tops beside those that were followed, from a first look or from where they were last
     FollowedStrips others;
     others.count = 0;
     std::int32_t number[FollowedStrips::most];  // among the others; -1: the strip has no other top
-    std::int32_t top[FollowedStrips::most];     // of the others, on the list
+    std::int32_t top[FollowedStrips::most];     // numbers of the others on the list
     for (std::int32_t i = 0; i < g.count; ++i) {
       number[i] = others.count;
       top[others.count] = other_top(i);
@@ -389,6 +390,7 @@ struct FollowedOverlaps {
   /// Notes a largest overlap in the list of candidates, once for each: its first look is replaced. Depths are
   /// those at the height of the list. Of a strip's first top the doubt stays until another is known of.
   void note_place(const FollowedStrips& s, std::int32_t i, CandidateAlong& top) const {
+    // depths are those at the height of the list, to nothing but the move
     const bool twice = top.other == CandidateAlong::unknown;
     const double doubt = twice ? second_looks_within : 0.0;
     if (!(top.doubt > static_cast<float>(doubt))) return;
@@ -411,6 +413,7 @@ struct FollowedOverlaps {
     CandidatesAlong& c = rail.candidates;
     CandidateAlong& top = c.top[candidate[i]];
     if (top.other == CandidateAlong::unknown) {
+      // the look begins at the top that was followed, and both are known from then on
       const PlaceOfContact first = followed_place(gathered, i);
       const StripOverlap<double>& at = first.overlap;
       const FirstLook look = look_beyond_valley(rail, surfaces.varying, gathered.strip[i],

@@ -281,6 +281,7 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.ny + first, strips.ny);
   store_pack(s.nz + first, strips.nz);
 
+  // the circle at the top, without the contact's chord
   if (task.tops_alone) {
     const surface::RayStart<Pack> from = strips.start(x);
     store_pack(s.overlap.depth + first, ends.depth);

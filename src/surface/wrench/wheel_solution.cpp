@@ -26,6 +26,7 @@ bool move_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& moti
   const RelativePose& pose = motion.pose;
   const double far = larger(magnitude(pose.y - o.found_y), magnitude(pose.z - o.found_z));
   if (o.margin != margin || !(far <= near * problem.model.pressure.tolerance)) return false;
+  // depths grow by the move along the normals; places of the wheel stay on the rail [m]
   const double y = pose.y - o.moved_y, z = pose.z - o.moved_z;
   for (std::int32_t i = 0; i < o.count; ++i) {
     const double deeper = o.ny[i] * y + o.nz[i] * z;

@@ -37,7 +37,7 @@ struct WheelProblem {
 /// Overlaps at a height, and scratch for the outline of the wheel that they are found by.
 struct WheelOverlaps : Overlaps {
   OverlapScratch outline;
-  /// Of whole contacts along the track: the margin that they were found with [m]; else negative.
+  /// Margin that whole contacts along the track were found with; negative: others, or none [m].
   double margin = -1.0;
   double found_y = 0.0, found_z = 0.0;  ///< the wheel's reference point then [m]
   double moved_y = 0.0, moved_z = 0.0;  ///< where they have been moved to since [m]
