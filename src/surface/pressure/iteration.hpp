@@ -22,7 +22,7 @@ inline double budgeted_in_contact(double strips) {
   return smaller(larger(strips, smaller(1.3 * strips, fewest_budgeted)), larger(0.92 * strips, many));
 }
 
-inline constexpr std::int32_t usual_iterations = 40;  ///< that nearly every solve ends in
+inline constexpr std::int32_t usual_iterations = 40;  ///< in which nearly every solve ends
 
 /// Where iterations end.
 struct IterationLimits {
@@ -45,6 +45,9 @@ void evaluate(const PressureProblem& problem, const StripSet& s, Asked asked, Pr
 /// Preconditioner: turns the fixed-point residual in `step`, L and then shifts, into a step near that of
 /// Newton's method.
 void precondition(const StripSet& s, double* step, PressureScratch& w);
+
+/// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
+double product(std::int32_t n, const double* a, const double* b);
 
 /// Makes `s` and `w` ready for evaluate(), as iterate() does.
 void begin_iterations(StripSet& s, PressureScratch& w);
