@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "../check_rail_points.hpp"
+#include "field_values.hpp"
 #include "not_finite.hpp"
 #include "test_config.hpp"
 #include "wheel_on_rail.hpp"
+#include "wrc/wrc_damage.h"
 #include "wrc/wrc_offline.h"
 
 namespace {
@@ -84,10 +87,10 @@ class AlongTrack : public testing::Test, protected PlacedWheel {
     for (int k = 0; k < 8; ++k) add(1.0 * k, z[k]);
     give();
   }
-  /// Derivatives at the height that carries 60 kN against differences.
-  void expect_differences() {
+  /// Derivatives at the height that carries a load against differences [N].
+  void expect_differences(double load = 60e3) {
     input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-    input.vertical_load = 60e3;
+    input.vertical_load = load;
     ASSERT_EQ(step(), WRC_OK);
     input.prescribed = WRC_PRESCRIBE_HEIGHT;
     input.vertical_load = 0.0;
@@ -392,9 +395,24 @@ TEST_F(AlongTrack, AWheelRollsThroughADipShorterThanItself) {
 /// A ramp that ends: the wheel touches it and its upper end at once, and goes over from one to the other.
 class TwoPlaces : public AlongTrack {
  protected:
-  void SetUp() override {
-    for (int k = -10; k <= 20; ++k) add(0.01 * k, 0.1 * std::max(0.0, 0.1 - 0.01 * k) - 0.01);
+  void SetUp() override { give_ramp(0.1); }
+  /// Rises by `slope` up to 0.1 m.
+  void give_ramp(double slope) {
+    sections.clear();
+    for (int k = -10; k <= 20; ++k) add(0.01 * k, slope * (std::max(0.0, 0.1 - 0.01 * k) - 0.1));
     give();
+  }
+  /// Touches both, with friction, at a height of its own.
+  void touch_both() {
+    wheel.y = 1e-3;
+    wheel.yaw = 3e-3;
+    wheel.velocity[1] = 0.02;
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 60e3;
+    input.distance = 39e-3;
+    create();
+    ASSERT_EQ(step(), WRC_OK) << error();
+    ASSERT_EQ(wrench.region_count, 2);
   }
 };
 
@@ -436,6 +454,93 @@ TEST_F(TwoPlaces, DerivativesAreDifferences) {
     expect_differences();
     EXPECT_GT(wrench.region_count, 1) << distance;
   }
+}
+
+/// A top that arises, and one whose valley is shallow, count in part. The part changes with the pose.
+TEST_F(TwoPlaces, DerivativesAreDifferencesWhereATopCountsInPart) {
+  give_wheel(720, [](double a) { return 1e-5 * std::cos(7.0 * a); });
+  wheel.y = 1e-3;
+  wheel.yaw = 3e-3;
+  for (const auto& [slope, distance] :
+       {std::pair(1.0 / 12.0, 52.25e-3), {1.0 / 12.0, 52.5e-3}, {0.05, 68e-3}}) {
+    give_ramp(slope);
+    create();
+    input.distance = distance;
+    expect_differences(150e3);
+    EXPECT_GT(wrench.region_count, 1) << distance;
+  }
+}
+
+/// Regions, fields, wear and sums along the line are of both places.
+TEST_F(TwoPlaces, HaveResultsOfTheirOwn) {
+  touch_both();
+  double power = 0.0, from[2] = {};
+  for (int32_t k = 0; k < 2; ++k) {
+    auto region = sized<wrc_region>();
+    ASSERT_EQ(wrc_contact_region(contact, k, &region), WRC_OK);
+    const FieldValues y = field_values(contact, k, WRC_FIELD_STRIP_Y),
+                      width = field_values(contact, k, WRC_FIELD_STRIP_WIDTH),
+                      half = field_values(contact, k, WRC_FIELD_STRIP_HALF_LENGTH),
+                      p = field_values(contact, k, WRC_FIELD_PRESSURE),
+                      q = field_values(contact, k, WRC_FIELD_TRACTION_X),
+                      x = field_values(contact, k, WRC_FIELD_X);
+    ASSERT_EQ(q.status, WRC_OK);
+    // arc lengths on the rail's profile, side by side; region and cells are there, and carry its forces
+    double load = 0.0, along = 0.0, middle = 0.0;
+    for (std::size_t j = 0; j < y.strips; ++j) {
+      EXPECT_GT(y[j], 0.0);
+      EXPECT_LT(y[j], 0.2);
+      if (j > 0) {
+        EXPECT_NEAR(y[j] - y[j - 1], 0.5 * (width[j] + width[j - 1]), 1e-9);
+      }
+      for (std::size_t i = 0; i < p.cells; ++i) {
+        const double area = width[j] * 2.0 * half[j] / static_cast<double>(p.cells);
+        load += p.at(i, j) * area;
+        along += q.at(i, j) * area;
+        middle += p.at(i, j) * area * x.at(i, j);
+      }
+    }
+    EXPECT_NEAR(load, region.normal_force, 0.01 * region.normal_force);
+    EXPECT_NEAR(along, region.longitudinal_force, 0.01 * region.normal_force);
+    EXPECT_NEAR(middle / load, region.point[0], 0.1e-3);
+    from[k] = region.point[0];
+    power += region.power;
+    auto wear = sized<wrc_wear>();
+    ASSERT_EQ(wrc_contact_wear(contact, k, nullptr, &wear), WRC_OK) << error();
+    EXPECT_GT(wear.worn_area_rate, 0.0);
+  }
+  EXPECT_NEAR(from[1] - from[0], 13e-3, 0.5e-3);  // the end ahead of the ramp
+  EXPECT_NEAR(power, wrench.power, 1e-12 * power);
+  EXPECT_GT(power, 100.0);
+}
+
+/// A state taken between both places has both: from there on bits are equal in any contact.
+TEST_F(TwoPlaces, ArePartOfTheState) {
+  touch_both();
+  input.start = WRC_START_WARM;
+  input.distance += 0.1e-3;
+  ASSERT_EQ(step(), WRC_OK);
+  uint64_t bytes = 0, portable = 0;
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+  ASSERT_EQ(wrc_contact_portable_size(model, &portable), WRC_OK);
+  std::vector<char> state(bytes), other(portable);
+  ASSERT_EQ(wrc_contact_save(contact, state.data(), bytes), WRC_OK);
+  ASSERT_EQ(wrc_contact_save_portable(contact, other.data(), portable), WRC_OK);
+  const auto next = [&] {
+    input.distance = 39.2e-3;
+    EXPECT_EQ(step(), WRC_OK) << error();
+    return wrench;
+  };
+  const wrc_wrench once = next();
+  input.distance = 60e-3;
+  ASSERT_EQ(step(), WRC_OK);
+  ASSERT_EQ(wrc_contact_restore(contact, state.data(), bytes), WRC_OK) << error();
+  wrc_wrench again = next();
+  EXPECT_EQ(std::memcmp(&once, &again, sizeof once), 0);
+  take(side);
+  ASSERT_EQ(wrc_contact_restore_portable(contact, other.data(), portable), WRC_OK) << error();
+  again = next();
+  EXPECT_EQ(std::memcmp(&once, &again, sizeof once), 0);
 }
 
 /// A surface that begins within the rail begins on its ramp: straight from its first section on.

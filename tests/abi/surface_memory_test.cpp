@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference_contact.hpp"
@@ -321,6 +322,79 @@ TEST_F(MemoryAlongTrack, ACrossingIsTheSteadyOneOfShortlyBefore) {
       last = now;
     }
   }
+}
+
+/// The wheel touches a ramp of 1:10 and its upper end, then the end alone. Places of the end keep their
+/// tractions where those on the ramp end, and nothing leaps where places begin or end.
+TEST_F(MemoryAlongTrack, PlacesAtTheEndOfARampKeepTheirTractions) {
+  for (int k = -10; k <= 20; ++k) add_section(0.01 * k, 0.0, 0.1 * std::max(0.0, 0.1 - 0.01 * k) - 0.01);
+  create();
+  roll(2.0);
+  wheel.y = 1e-3;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  constexpr double way = 0.2e-3;  // [m]
+  wrc_wrench before{};
+  int on_both = 0;
+  for (int k = 0; k < 150; ++k) {
+    input.distance = 20e-3 + way * k;
+    go(k == 0 ? 0.0 : way / 2.0, false);
+    commit();
+    limit = friction.coefficient * wrench.normal_force;
+    on_both += wrench.region_count > 1 ? 1 : 0;
+    // after two lengths nothing is left of the first step
+    if (k > 50) {
+      EXPECT_LT(apart(wrench, before), 0.03) << input.distance;
+    }
+    before = wrench;
+    if (k % 6 != 0) continue;
+    // trial steps 2 um apart, within which places begin and end
+    wrc_wrench last{}, last_but_one{};
+    for (int n = 0; n < 200; ++n) {
+      input.distance = 20e-3 + way * k + 2e-6 * n;
+      const wrc_wrench& now = go(1e-6 * n, false);
+      if (n > 1) {
+        EXPECT_LT(std::hypot(now.force[0] - 2.0 * last.force[0] + last_but_one.force[0],
+                             now.force[1] - 2.0 * last.force[1] + last_but_one.force[1]),
+                  1e-3 * limit)
+            << input.distance;
+      }
+      last_but_one = std::exchange(last, now);
+    }
+  }
+  EXPECT_GT(on_both, 15);
+}
+
+/// A state taken between both places at the end of a ramp has the tractions of both.
+TEST_F(MemoryAlongTrack, PlacesAtTheEndOfARampArePartOfTheState) {
+  for (int k = -10; k <= 20; ++k) add_section(0.01 * k, 0.0, 0.1 * std::max(0.0, 0.1 - 0.01 * k) - 0.01);
+  create();
+  roll(2.0);
+  wheel.y = 1e-3;
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 60e3;
+  const auto roll_to = [&](double distance) {
+    while (input.distance < distance) {
+      input.distance += 0.2e-3;
+      go(1e-4);
+    }
+  };
+  input.distance = 30e-3;
+  go(0.0);
+  roll_to(38e-3);
+  ASSERT_GT(wrench.region_count, 1);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_portable_size(model, &bytes), WRC_OK);
+  std::vector<char> state(bytes);
+  ASSERT_EQ(wrc_contact_save_portable(contact, state.data(), bytes), WRC_OK);
+  const double at = input.distance;
+  roll_to(44e-3);
+  const wrc_wrench once = wrench;
+  take(side);
+  ASSERT_EQ(wrc_contact_restore_portable(contact, state.data(), bytes), WRC_OK) << error();
+  input.distance = at;
+  roll_to(44e-3);
+  EXPECT_TRUE(same_bits(once, wrench));
 }
 
 TEST_F(MemoryAlongTrack, AFaceThatWasLeftIsForgottenAtOnce) {

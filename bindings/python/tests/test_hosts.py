@@ -99,12 +99,15 @@ def test_forces_on_corrugation_follow_as_exact_contact_does():
 
 def test_a_commit_for_each_step_that_cvode_accepts():
     pytest.importorskip("sksundae")
-    told = run("memory/cvode.py", "--seconds", 5)
-    for name, most in (("memory", 800), ("without", 600)):
-        steps, stops = numbers(rf"^{name}: (\d+) steps, .* stops after (\S+) m".replace("^", "(?m)^"), told)
-        assert steps < most and stops == pytest.approx(2.4304, abs=2e-3)
-    rests, = numbers(r"(?m)^memory: .* in the last second it moves (\S+) um", told)
-    assert abs(rests) < 1.0
+    for tolerance, within, most in ((1e-4, 2e-3, {"memory": 800, "without": 600}), (1e-7, 1e-4, {"memory": 6000, "without": 1000})):
+        told = run("memory/cvode.py", "--seconds", 5, "--tolerance", tolerance)
+        for name in most:
+            steps, stops, back, newton = numbers(rf"(?m)^{name}: (\d+) steps, .* stops after (\S+) m.*\n  (\d+) steps taken back, (\d+) by Newton", told)
+            assert steps < most[name] and stops == pytest.approx(2.4304, abs=within)
+            assert back < 0.08 * steps and newton < 10
+        rests, = numbers(r"(?m)^memory: .* in the last second it moves (\S+) um", told)
+        jump, = numbers(r"largest jump of the force in them (\S+) of friction x load", told)
+        assert abs(rests) < 1.0 and jump < 1e-5
 
 
 @pytest.mark.parametrize("step", [0.9, 0.98, 1, 1.02])  # ms

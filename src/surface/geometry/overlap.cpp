@@ -43,7 +43,7 @@ Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
   arena.each(capacity, o.strip, o.piece);
   if (graded) {
     o.grade = arena.take(capacity);
-    arena.each(capacity, o.bound, o.part);
+    arena.each(capacity, o.top, o.bound);
   }
   return o;
 }
@@ -63,8 +63,8 @@ Overlaps overlaps_from(const Overlaps& o, std::int32_t first) {
                            &rest.u, &rest.grade})
     if (*a) *a += first;
   // there on rails that vary alone
+  if (rest.top) rest.top += first;
   if (rest.bound) rest.bound += first;
-  if (rest.part) rest.part += first;
   rest.strip += first;
   rest.piece += first;
   return rest;

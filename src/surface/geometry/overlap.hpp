@@ -64,9 +64,9 @@ struct Overlaps {
   double *depth = nullptr, *centre = nullptr, *curvature = nullptr;
   double *ny = nullptr, *nz = nullptr, *wy = nullptr, *wz = nullptr;
   double* grade = nullptr;  ///< nullptr: zero everywhere
-  /// With grades: of a strip with two tops, where along the track its contact must end [m], far off for
-  /// others; and the part of its overlap that counts [-]. For derivatives and flags.
-  float *bound = nullptr, *part = nullptr;
+  /// With grades, for derivatives and flags: where along the track the overlap is largest [m]; of a strip
+  /// with two tops, where its contact must end, far off for others [m].
+  float *top = nullptr, *bound = nullptr;
   std::int32_t* piece = nullptr;  ///< piece of the wheel's curve where the ray ends
   double* u = nullptr;            ///< length on that piece [m]
 };

@@ -1,5 +1,7 @@
 #include "surface/geometry/overlap_slopes.hpp"
 
+#include "surface/geometry/second_place.hpp"
+
 namespace wrc::surface {
 namespace {
 
@@ -97,6 +99,29 @@ struct RaysAlong {
   }
 };
 
+/// The parts of both tops of a strip and the bounds of their contacts (share_tops()), from plain places of
+/// the tops: as the overlaps there and in the valley change, and its place. `first`, `other`: the tops.
+TwoTops<PlaceDual> two_tops(const StripOverX<double>& plain, const StripOverX<PlaceDual>& strip,
+                            const LargestOverlap& first, const LargestOverlap& other) {
+  StripOverX<double> over = plain;
+  const LargestOverlap at[3] = {first, other, find_valley(over, first, other.x)};
+  // overlaps by rays whose ends carry derivatives; places move as the slope of the overlap does
+  PlaceDual x[3], depth[3];
+  for (int k = 0; k < 3; ++k) {
+    StripOverX<PlaceDual> rays = strip;
+    const RayStart<PlaceDual> from = rays.start(at[k].x);
+    RayWithSlopes ray(strip.wheel, at[k].end);
+    ray.carry(rays, from);
+    // tops are bent down, the valley up
+    const OverlapAlong<PlaceDual> o = ray.overlap(rays, from);
+    const double down = k < 2 ? 1.0 : -1.0,
+                 bent = larger(-down * o.bend.value, least_curvature_left * o.own.value);
+    x[k] = at[k].x + (o.slope - o.slope.value) * (down / bent);
+    depth[k] = ray.depth;
+  }
+  return share_tops<PlaceDual>(x, depth);
+}
+
 }  // namespace
 
 RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose) {
@@ -138,7 +163,7 @@ OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& 
   const std::int32_t strip = near.strip[0], face = face_of(rail, strip);
   const double low = placed.low[face], high = placed.high[face];
   const RelativePose rest = plain_pose(pose);
-  // the largest overlap in plain numbers
+  // the largest overlap in plain numbers, and the other top
   follow_rail(surfaces, placed, rest, near);
   const RayEnd<double> end{near.piece[0], near.u[0], near.depth[0]};
   const double ny = near.overlap.ny[0], nz = near.overlap.nz[0];
@@ -147,10 +172,20 @@ OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& 
                  {end, end, end},
                  {}};
 
+  // bounds and part of a strip with two tops
+  const PlaceDual moved = distance.value - distance;  // 0; its derivative moves the ends against the wheel
+  TopBounds<PlaceDual> bounds{near.bounds.ahead[0] + moved, near.bounds.behind[0] + moved};
+  PlaceDual part = 1.0;
+  if (near.count > 1) {
+    const TwoTops<PlaceDual> tops = two_tops(rays.plain, rays.strip, {near.x[0], end},
+                                             {near.x[1], {near.piece[1], near.u[1], near.depth[1]}});
+    part = tops.part[0];
+    bounds = tops.bounds[0];
+  }
+
   // x moves as the slope there does, at the end of a face with that; the rays turn as the normals do
   StripOverX<PlaceDual>& s = rays.strip;
   PlaceDual x = near.x[0];
-  const PlaceDual moved = distance.value - distance;  // 0; its derivative moves the ends against the wheel
   const bool inside = x.value > low && x.value < high,
              at_end = !inside && magnitude(x.value) < farthest_along;
   RayStart<PlaceDual> from = s.start(x);
@@ -171,18 +206,12 @@ OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& 
   rays.turn(ray.overlap(s, from), x, s.ny, s.nz);
   step();
   over = ray.overlap(s, from);
-  // valleys count as places that rest on the rail, and a second place's part of its overlap as a constant
-  const AtLargest<PlaceDual> at{x,
-                                ray.depth,
-                                over.bend,
-                                over.own,
-                                at_end ? over.slope : PlaceDual(0.0),
-                                high + moved,
-                                low + moved,
-                                near.bounds.ahead[0] + moved,
-                                near.bounds.behind[0] + moved};
+  const AtLargest<PlaceDual> at{
+      x,           ray.depth,    over.bend,    over.own, at_end ? over.slope : PlaceDual(0.0), high + moved,
+      low + moved, bounds.ahead, bounds.behind};
   OverlapSlopes o;
   fit_along(at, rays, o);
+  if (o.depth.value > 0.0) o.depth = part * o.depth;
   o.y_wheel = rays.y_wheel;
   return o;
 }

@@ -29,7 +29,7 @@ OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
                              const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t piece, double u);
 
 /// That of a strip on a rail that changes along the track, of the wheel's reference point at `distance` [m].
-/// `near`: the strip alone, near its largest overlap.
+/// `near`: the strip near the top of its overlap, and a second time near its other top, if it has two.
 OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& rail,
                              const RelativePoseOf<PlaceDual>& pose, const PlaceDual& distance,
                              FollowedStrips& near);

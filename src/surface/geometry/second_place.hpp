@@ -121,40 +121,43 @@ inline LargestOverlap find_valley(StripOverX<double>& strip, const LargestOverla
 
 /// A strip with two tops of its overlap: the part of either that counts [-], and the bounds of their
 /// contacts.
+template <class Number>
 struct TwoTops {
-  double part[2];
-  TopBounds<double> bounds[2];
+  Number part[2];
+  TopBounds<Number> bounds[2];
 };
 
 /// The lower top counts by how far it rises out of the valley, and by how deep the valley is. Its part is 0
 /// where it arises on the other's slope, and where the other's contact reaches over the valley. `x`, `depth`:
-/// of both tops [m].
-inline TwoTops share_tops(const double (&x)[2], const double (&depth)[2], const LargestOverlap& valley) {
+/// of both tops, then of the valley [m].
+template <class Number>
+TwoTops<Number> share_tops(const Number (&x)[3], const Number (&depth)[3]) {
   constexpr double whole = 5e-6;  // [m]: rise of a lower top that counts as a whole
   // valley's overlap over the higher top's [-]: up to left_free chords end before the valley
   constexpr double left_free = 1.0 - 0.5 * contact_share, filled = 0.8;
   constexpr double least = 1e-6;  // [-]: keeps divisions finite
+  const Number none = 0.0, all = 1.0;
   // how far both rise out of the valley, and how deep that is
-  const double rise[2] = {larger(depth[0] - valley.end.depth, 0.0), larger(depth[1] - valley.end.depth, 0.0)};
-  const double highest = larger(larger(depth[0], depth[1]), 0.0);
-  const double by_rise = smaller(smaller(rise[0], rise[1]) * (1.0 / whole), 1.0);
-  const double free = larger(filled * highest - valley.end.depth, 0.0);
-  const double by_depth =
+  const Number rise[2] = {larger(depth[0] - depth[2], none), larger(depth[1] - depth[2], none)};
+  const Number highest = larger(larger(depth[0], depth[1]), none);
+  const Number by_rise = smaller(smaller(rise[0], rise[1]) * (1.0 / whole), all);
+  const Number free = larger(filled * highest - depth[2], none);
+  const Number by_depth =
       smaller(free, (filled - left_free) * highest + 1e-12) / ((filled - left_free) * highest + 1e-12);
-  const double counts = by_rise * by_depth, lost = 1.0 - counts;
+  const Number counts = by_rise * by_depth, lost = 1.0 - counts;
   // both lose where they are as high, so that neither jumps as the other becomes the lower one
-  const double squares = rise[0] * rise[0] + rise[1] * rise[1];
-  TwoTops two{{1.0, 1.0}, {unbounded, unbounded}};
-  if (squares > 0.0) {
-    const int low = depth[1] < depth[0] ? 1 : 0;
-    const double shared = smaller(2.0 * counts, 1.0) * rise[low] * rise[low] / squares;
+  const Number squares = rise[0] * rise[0] + rise[1] * rise[1];
+  TwoTops<Number> two{{all, all}, {{unbounded.ahead, unbounded.behind}, {unbounded.ahead, unbounded.behind}}};
+  if (value_of(squares) > 0.0) {
+    const int low = value_of(depth[1]) < value_of(depth[0]) ? 1 : 0;
+    const Number shared = smaller(2.0 * counts, all) * rise[low] * rise[low] / squares;
     two.part[low] = 1.0 - lost * (1.0 - shared);
     two.part[1 - low] = 1.0 - lost * shared;
   }
   // bounds in the valley, farther off the less the other top counts
   for (int k = 0; k < 2; ++k) {
-    const double bound = x[k] + (valley.x - x[k]) / larger(two.part[1 - k], least);
-    (x[k] < x[1 - k] ? two.bounds[k].ahead : two.bounds[k].behind) = bound;
+    const Number bound = x[k] + (x[2] - x[k]) / larger(two.part[1 - k], Number(least));
+    (value_of(x[k]) < value_of(x[1 - k]) ? two.bounds[k].ahead : two.bounds[k].behind) = bound;
   }
   return two;
 }

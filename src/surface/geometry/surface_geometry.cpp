@@ -79,10 +79,9 @@ struct PlaceOfContact {
   RayEnd<double> end;
   StripOverlap<double> overlap;
   TopBounds<double> bounds;
-  double part;  ///< part of the overlap that counts [-]
 };
 PlaceOfContact followed_place(const FollowedStrips& s, std::int32_t i) {
-  return {s.x[i], {s.piece[i], s.u[i], s.depth[i]}, overlap_of(s, i), unbounded, 1.0};
+  return {s.x[i], {s.piece[i], s.u[i], s.depth[i]}, overlap_of(s, i), unbounded};
 }
 
 /// Puts a strip's place of contact among the overlaps.
@@ -90,19 +89,15 @@ void put_place(std::int32_t strip, const PlaceOfContact& place, std::int32_t i, 
   o.strip[i] = strip;
   o.piece[i] = place.end.piece;
   o.u[i] = place.end.u;
+  o.top[i] = static_cast<float>(place.x);
   // a place has one bound, on the side of the strip's other top
   const bool none_ahead = place.bounds.ahead == unbounded.ahead;
   o.bound[i] = static_cast<float>(none_ahead ? place.bounds.behind : place.bounds.ahead);
-  o.part[i] = static_cast<float>(place.part);
   put_strip(place.overlap, i, o);
 }
 
 PlaceOfContact kept_place(std::int32_t i, const Overlaps& o) {
-  return {o.centre[i],
-          {o.piece[i], o.u[i], o.depth[i]},
-          strip_of(o, i),
-          bounds_of(o.bound[i], o.centre[i]),
-          o.part[i]};
+  return {o.top[i], {o.piece[i], o.u[i], o.depth[i]}, strip_of(o, i), bounds_of(o.bound[i], o.top[i])};
 }
 
 /// The row of second places of contact along the track, until it is put behind the first ones.
@@ -297,7 +292,7 @@ struct FollowedOverlaps {
       for (; i < found.count; ++i) {
         StripOverlap<double> s = strip_of(found, i);
         s.grade = 0.0;
-        keep(found.strip[i], {s.centre, {found.piece[i], found.u[i], s.depth}, s, unbounded, 1.0}, 0);
+        keep(found.strip[i], {s.centre, {found.piece[i], found.u[i], s.depth}, s, unbounded}, 0);
       }
       i = found.count = o.count - before;
       o.full = found.full;
@@ -407,7 +402,8 @@ struct FollowedOverlaps {
     if (!(magnitude(other.x - first.x) > same)) return keep(strip, first, rows.row_of(first.x));
     StripOverX<double> over = seen(strip, first.overlap);
     const LargestOverlap valley = find_valley(over, {first.x, first.end}, other.x);
-    const TwoTops tops = share_tops({first.x, other.x}, {first.end.depth, other.end.depth}, valley);
+    const TwoTops<double> tops = share_tops<double>({first.x, other.x, valley.x},
+                                                    {first.end.depth, other.end.depth, valley.end.depth});
     // a top that does not count leaves the other as if it were alone
     for (int k = 0; k < 2; ++k)
       if (!(tops.part[k] > 0.0))
@@ -428,7 +424,6 @@ struct FollowedOverlaps {
     const std::int32_t row = rows.row_of(first.x, other.x);
     for (int k = 0; k < 2; ++k) {
       both[k].bounds = tops.bounds[k];
-      both[k].part = tops.part[k];
       double& depth = both[k].overlap.depth;
       if (depth > 0.0) depth *= tops.part[k];
       keep(strip, both[k], k == 0 ? row : 1 - row);

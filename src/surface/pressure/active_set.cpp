@@ -9,8 +9,9 @@ namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t most_rounds = 20;  ///< rounds of strips entering and leaving, per iteration
-/// Growth of L behind the entry of a strip over that of (overlap - displacement) / curvature before.
-constexpr double grows_faster = 1.3;
+/// L of a strip beside contact over (overlap - displacement) / curvature there: its way into contact then
+/// goes on evenly where it enters (extrapolate_start()).
+constexpr double grows_faster = 4.0;
 
 /// Makes sources of unit line load of the strips in w.in_contact, with l of w.half_length.
 void list_active(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {

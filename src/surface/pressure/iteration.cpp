@@ -13,8 +13,8 @@ namespace {
 /// smooth; length_slope, narrow_slope: part of a rough error in L that the map takes away, on strips longer
 /// than wide, and the addition on short ones; smooth_length_part: part of the residual's smooth part
 /// that is left out; shift_step: factor on shifts.
-constexpr double smooth_reach = 0.5;
-constexpr double length_slope = 0.45, narrow_slope = 0.5, smooth_length_part = 0.45;
+constexpr double smooth_reach = 0.45;
+constexpr double length_slope = 0.47, narrow_slope = 0.3, smooth_length_part = 0.43;
 constexpr double shift_step = 1.2;
 
 /// Safeguard (limited()). A strip whose L the map changes by more than the part `settled` follows the map, at
@@ -239,8 +239,8 @@ double product(std::int32_t n, const double* a, const double* b) {
 
 void precondition(const StripSet& s, double* step, PressureScratch& w) {
   // The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
-  // and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.45 R v) / 0.45, which leaves 0.1 to
-  // 0.15 of an error. The numbers are fitted to derivatives of the map at 85 solutions.
+  // and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.43 R v) / 0.47, which leaves 0.05 to
+  // 0.2 of an error.
   double *const lengths = step, *const shifts = step + s.count;
   find_smooth_part(s, lengths, w);
   // On strips shorter than wide, h = w / (2 l) large, the map takes away up to 0.95 of any error.

@@ -18,6 +18,29 @@ constexpr double farthest_extrapolated = 2.0;  ///< most times an earlier change
 /// rest below this share hardly counts [-].
 constexpr double hardly_across = 3e-3;
 
+/// Growth of a strip's L at a rim, by its way into contact [-]: with the square of the way at first, then in
+/// proportion to it. Beside contact both are negative and in proportion (activate()).
+struct RimGrowth {
+  static constexpr double of_fall = 0.25;    ///< part of the difference of L between the strips beside
+  static constexpr double least = 1e-12;     ///< [m^2]
+  static constexpr double at_entry = 0.1;    ///< growth by the way at L = 0, over that far inside [-]
+  static constexpr double far_inside = 8.0;  ///< in sizes, from where on L grows in proportion
+
+  double size;  ///< L by which the way is measured [m^2]
+
+  RimGrowth(double before, double behind) : size(larger(of_fall * magnitude(behind - before), least)) {}
+
+  // L / size = sqrt(1 + (way + b)^2) - sqrt(1 + b^2), b = at_entry
+  double way(double L) const {
+    const double up = L / size + root(1.0 + at_entry * at_entry);
+    return L > 0.0 ? root(up * up - 1.0) - at_entry : L / size;
+  }
+  double length_squared(double way) const {
+    const double from = way + at_entry;
+    return size * (way > 0.0 ? root(1.0 + from * from) - root(1.0 + at_entry * at_entry) : way);
+  }
+};
+
 /// Joins neighbouring strips to pairs in w.coarse, a lone one where its neighbour is missing: means by width.
 void pair_up(const Overlaps& o, PressureScratch& w) {
   const StripSet& s = w.fine;
@@ -92,6 +115,21 @@ void interpolate_pairs(PressureScratch& w) {
   }
 }
 
+/// A change of L and the share of it that is to come.
+struct ShareOfChange {
+  double change, share;
+};
+
+/// L with shares of its changes, of which the second ended where the first began; 0: not known.
+double extrapolated(const RimGrowth& rim, double L, ShareOfChange first, ShareOfChange second) {
+  if (magnitude(L) > RimGrowth::far_inside * rim.size)
+    return L + first.share * first.change + second.share * second.change;
+  const double earlier = L - first.change, now = rim.way(L), then = rim.way(earlier);
+  double way = now + first.share * (now - then);
+  if (second.change != 0.0) way += second.share * (then - rim.way(earlier - second.change));
+  return rim.length_squared(way);
+}
+
 }  // namespace
 
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
@@ -152,9 +190,16 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   const double later = limited(a1 / a11);
   const double earlier = rest > 0.0 ? limited((a2 - part * a1) / (rest + hardly_across * a22)) : 0.0;
   const double share = later - part * earlier;
+  double before = 0.0;  // L of the strip before, not extrapolated [m^2]
   for (std::int32_t b = 0; b < start.count; ++b) {
-    if (start.length_squared[b] == 0.0) continue;
-    start.length_squared[b] += share * first.length_squared[b] + earlier * second.length_squared[b];
+    const double L = start.length_squared[b];
+    const bool follows = b > 0 && start.strip[b - 1] == start.strip[b] - 1.0;
+    const bool leads = b + 1 < start.count && start.strip[b + 1] == start.strip[b] + 1.0;
+    const RimGrowth rim(follows ? before : L, leads ? start.length_squared[b + 1] : L);
+    before = L;
+    if (L == 0.0) continue;
+    start.length_squared[b] =
+        extrapolated(rim, L, {first.length_squared[b], share}, {second.length_squared[b], earlier});
     start.shift[b] += share * first.shift[b] + earlier * second.shift[b];
     start.depth[b] += share * first.depth[b] + earlier * second.depth[b];
   }

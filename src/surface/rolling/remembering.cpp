@@ -114,10 +114,7 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
-    // the past of each strip, by its number
-    std::fill_n(scratch_.past, count, nullptr);
-    for_shared_strips(count, in_.number, in_.past_count, PastNumbers{in_.past},
-                      [&](std::int32_t j, std::int64_t k) { scratch_.past[j] = in_.past + k; });
+    find_past();
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
       strip = {};
@@ -133,14 +130,99 @@ class Rememberer {
     from_now_ = takes_over_ == 1.0;
   }
 
-  /// The numbers of the strips of the same face, and of the same row of places, as a strip in contact.
-  FaceStrips face_of(std::int32_t j) const {
-    const auto number = static_cast<std::int32_t>(in_.number[j]);
+  static std::int32_t rail_strip(double number) { return on_rail(static_cast<std::int32_t>(number)); }
+  static bool is_second(double number) { return number >= second_places; }
+
+  /// The past of each strip, by its number. Rows of places along the track (second_place.hpp) end and begin:
+  /// where either step has second places, a place's past is one of the same strip of the rail, in any row.
+  void find_past() {
+    const std::int32_t count = strips_.count;
+    const PastNumbers then{in_.past};
+    std::fill_n(scratch_.past, count, nullptr);
+    two_rows_ = (count > 0 && is_second(in_.number[count - 1])) ||
+                (in_.past_count > 0 && is_second(then[in_.past_count - 1]));
+    if (!two_rows_)
+      return for_shared_strips(count, in_.number, in_.past_count, then,
+                               [&](std::int32_t j, std::int64_t k) { scratch_.past[j] = in_.past + k; });
+    // both rows of both steps, strip by strip of the rail
+    std::int64_t j[2] = {0, 0}, k[2] = {0, 0};
+    while (j[1] < count && !is_second(in_.number[j[1]])) ++j[1];
+    while (k[1] < in_.past_count && !is_second(then[k[1]])) ++k[1];
+    const std::int64_t j_end[2] = {j[1], count}, k_end[2] = {k[1], in_.past_count};
+    while (j[0] < j_end[0] || j[1] < j_end[1]) {
+      // number of the next strip with a place now, and its places of both steps
+      std::int32_t strip = second_places;
+      for (int r = 0; r < 2; ++r)
+        if (j[r] < j_end[r]) strip = std::min(strip, rail_strip(in_.number[j[r]]));
+      std::int64_t now[2], past[2];
+      for (int r = 0; r < 2; ++r) {
+        now[r] = j[r] < j_end[r] && rail_strip(in_.number[j[r]]) == strip ? j[r]++ : -1;
+        while (k[r] < k_end[r] && rail_strip(then[k[r]]) < strip) ++k[r];
+        past[r] = k[r] < k_end[r] && rail_strip(then[k[r]]) == strip ? k[r] : -1;
+      }
+      pair_places(now, past);
+    }
+  }
+
+  /// How far a place is from one of the committed step [m]. Places on a ramp have gone with the wheel, those
+  /// at its end have stayed on the rail: half the distance rolled lies between.
+  double apart(double along, std::int64_t past) const {
+    return std::abs(along - in_.direction * in_.past[past].centre + 0.5 * in_.rolled);
+  }
+
+  /// The past of a strip's places in both rows, -1 where there is none: of two ways to pair them the one of
+  /// less distance along the track. One place then and one now, farther apart, are two.
+  void pair_places(const std::int64_t (&now)[2], const std::int64_t (&past)[2]) {
+    const auto has = [&](int a, int b) { return now[a] >= 0 && past[b] >= 0; };
+    const auto off = [&](int a, int b) { return has(a, b) ? apart(in_.along[now[a]], past[b]) : 0.0; };
+    const double most = 4e-3 + 0.5 * in_.rolled;  // [m]
+    const bool two_now = now[0] >= 0 && now[1] >= 0, two_past = past[0] >= 0 && past[1] >= 0;
+    // the sum of both distances, or which is nearer to the one place of the other step
+    bool crossed = !has(0, 0) && !has(1, 1);
+    if (two_now && two_past)
+      crossed = off(0, 1) + off(1, 0) < off(0, 0) + off(1, 1);
+    else if (two_now)
+      crossed = past[0] >= 0 ? off(1, 0) < off(0, 0) : off(0, 1) < off(1, 1);
+    else if (two_past)
+      crossed = now[0] >= 0 ? off(0, 1) < off(0, 0) : off(1, 0) < off(1, 1);
+    for (int a = 0; a < 2; ++a) {
+      const int b = crossed ? 1 - a : a;
+      if (!has(a, b) || (!two_now && !two_past && off(a, b) > most)) continue;
+      scratch_.past[now[a]] = in_.past + past[b];
+      ++heirs_[b][a];
+    }
+  }
+
+  /// The row that a row of the committed step is now, by most of its places; -1: all have left, and other
+  /// places are in that row. Strips that left belong to it.
+  int row_now(int row) const {
+    const int other = 1 - row;
+    if (heirs_[row][0] + heirs_[row][1] == 0) return heirs_[other][row] > 0 ? -1 : row;
+    return heirs_[row][other] > heirs_[row][row] ? other : row;
+  }
+
+  /// The face of a strip in contact.
+  const FaceStrips& face_of(std::int32_t j) const {
+    const std::int32_t strip = rail_strip(in_.number[j]);
     std::int32_t r = 0;
-    while (on_rail(number) >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
-    FaceStrips face = in_.rail.range[r];
-    face.first += number - on_rail(number);
-    return face;
+    while (strip >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
+    return in_.rail.range[r];
+  }
+
+  /// The strip in contact that a strip of the committed step is the past of, or -1. `from`: the first one
+  /// with its number or a larger one.
+  std::int32_t heir_of(std::int64_t k, std::int32_t from) const {
+    const double number = in_.past[k].y;
+    if (!two_rows_) return from < strips_.count && in_.number[from] == number ? from : -1;
+    // a place may have changed its row
+    for (const std::int32_t row : {0, second_places}) {
+      const double *const end = in_.number + strips_.count, *const at = std::lower_bound(
+                                                                in_.number, end,
+                                                                1.0 * (rail_strip(number) + row));
+      if (at != end && scratch_.past[at - in_.number] == in_.past + k)
+        return static_cast<std::int32_t>(at - in_.number);
+    }
+    return -1;
   }
 
   /// Friction limit of a strip [N].
@@ -168,21 +250,27 @@ class Rememberer {
       square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
     }
     tangential::LeftStrips left;
-    const FaceStrips face = face_of(part.first);
-    std::int32_t j = 0;  // the first strip in contact with that number or a larger one
+    const FaceStrips& face = face_of(part.first);
+    const int row = is_second(in_.number[part.first]) ? 1 : 0;
+    const int row_of[2] = {row_now(0), row_now(1)};
+    std::int32_t from = 0;  // the first strip in contact with that number or a larger one
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
-      if (strip.y < face.first || strip.y >= face.first + face.count) continue;
-      while (j < strips_.count && in_.number[j] < strip.y) ++j;
+      const std::int32_t of_rail = rail_strip(strip.y);
+      if (of_rail < face.first || of_rail >= face.first + face.count) continue;
+      while (from < strips_.count && in_.number[from] < strip.y) ++from;
       double lost = 1.0;
-      if (j < strips_.count && in_.number[j] == strip.y) {
+      if (const std::int32_t j = heir_of(k, from); j >= 0) {
+        if (is_second(in_.number[j]) != (row > 0)) continue;
         // share of the force outside the part, and beyond the bounds of the strip's cells
         lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
         if (!(lost > 0.0)) continue;
         const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
         lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
+      } else if (row_of[is_second(strip.y) ? 1 : 0] != row) {
+        continue;
       }
-      const double y = row_place(in_.rail, static_cast<std::int32_t>(strip.y)) - part.means.place;
+      const double y = row_place(in_.rail, of_rail + row * second_places) - part.means.place;
       const double near = y * y > square ? std::sqrt(square / (y * y)) : 1.0;
       const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
       left.fx += fx;
@@ -482,6 +570,8 @@ class Rememberer {
   double stored_ = 0.0;      // in the tractions of its end [J]
   double takes_over_ = 0.0;  // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
+  bool two_rows_ = false;          // has either step second places along the track?
+  std::int32_t heirs_[2][2] = {};  // places by their row in the committed step, then by that of now
   Fault fault_;
 };
 

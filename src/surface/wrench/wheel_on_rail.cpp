@@ -14,9 +14,9 @@ namespace wrc::surface {
 namespace {
 
 /// Flags a place along the track where a strip would carry load beside those it has. Looked at is the strip
-/// of the longest contact, up to the valley before its second place, if it has one. Beyond its half length l
-/// the load presses the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's
-/// edge. A larger overlap there is pressed.
+/// of the longest contact, but for the side of its second place, if it has one. Beyond its half length l the
+/// load presses the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's edge.
+/// A larger overlap there is pressed.
 Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   // a wheel that is not round has its own waves there, which are not looked at
@@ -37,14 +37,15 @@ Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
                           rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
   const double l = s.strips.half_length[k], at = s.strips.x[k];
   const double edge = larger(o.depth[i] - 0.5 * o.curvature[i] * l * l, 0.0);
-  // beyond the bound lies the strip's other place, which carries its own load
-  const TopBounds<double> bounds = bounds_of(o.bound[i], o.centre[i]);
+  const TopBounds<double> bounds = bounds_of(o.bound[i], o.top[i]);
   for (const double way : {1.0, -1.0}) {
+    // the other place carries its own load
+    if (way > 0.0 ? bounds.ahead < unbounded.ahead : bounds.behind > unbounded.behind) continue;
     RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
     double least = o.depth[i];
     for (int n = 0; n < to_a_side; ++n) {
       const double t = nearest * l + n * apart, x = at + way * t;
-      if (x < larger(rail.low[face], bounds.behind) || x > smaller(rail.high[face], bounds.ahead)) break;
+      if (x < rail.low[face] || x > rail.high[face]) break;
       const double depth = depth_at(over, x, end);
       least = smaller(least, depth);
       if (t > l && depth * t > edge * l && depth > least)
@@ -267,9 +268,11 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
     keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::track, arena, *by_track));
   if (problem.memory) problem.memory->count = remembered;  // the committed step stays as it was
 
-  // numbers of the wrench that no region has
-  for (std::int32_t k = 0; k < solution.strips.count; ++k)
+  // numbers of the wrench that no region has, and places of strips along the profile, without those of rows
+  for (std::int32_t k = 0; k < solution.strips.count; ++k) {
     out.steepest_angle = std::max(out.steepest_angle, std::abs(state.kept.angle[k] + in.rail.roll));
+    state.kept.place[k] = problem.rail.s[on_rail(static_cast<std::int32_t>(state.kept.strip[k]))];
+  }
   if (!in.load_prescribed && is_apart(fault)) out.clearance = clearance(problem, arena);
   keep_worst(fault, outside);
   return fault;

@@ -22,12 +22,15 @@ WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results) {
   const std::int32_t most = sizes.strips;
   WheelSolution s;
-  s.overlaps = cut_wheel_overlaps(arena, sizes);
+  static_cast<Overlaps&>(s.overlaps) = cut_overlaps(arena, most, sizes.varying);
   StripPressure& p = s.pressure;
   arena.each(most, p.length_squared, p.peak_per_length, p.centre, p.line_load);
   static_cast<ContactArrays&>(s.strips) = results;
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
+  // the outline lies in the scratch: nothing reads it once the overlaps are found
+  Arena scratch = arena;
+  s.overlaps.outline = cut_overlap_scratch(scratch, sizes.wheel_pieces, sizes.rail_strips);
   return s;
 }
 

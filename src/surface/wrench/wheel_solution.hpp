@@ -34,7 +34,7 @@ struct WheelProblem {
   tangential::Memory* memory = nullptr;  ///< the tractions, where the model remembers
 };
 
-/// Overlaps at a height, and the outline of the wheel that they were found by.
+/// Overlaps at a height, and scratch for the outline of the wheel that they are found by.
 struct WheelOverlaps : Overlaps {
   OverlapScratch outline;
 };
@@ -68,7 +68,7 @@ struct RollingScratch {
 };
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);
-/// The columns of its strips are those of `results`.
+/// The columns of its strips are those of `results`. The outline lies behind, in the scratch.
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results);
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
 

@@ -94,10 +94,18 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   // the same corrections as of plain numbers, in the same order
   if (changes_along(model, j)) {
     FollowedStrips near{};
-    put_largest(j, {overlaps.centre[i], {piece, u, overlaps.depth[i]}}, overlaps.ny[i], overlaps.nz[i], near,
-                bounds_of(overlaps.bound[i], overlaps.centre[i]));
+    const auto put = [&](std::int64_t k) {
+      put_largest(j, {overlaps.top[k], {overlaps.piece[k], overlaps.u[k], overlaps.depth[k]}}, overlaps.ny[k],
+                  overlaps.nz[k], near, bounds_of(overlaps.bound[k], overlaps.top[k]));
+    };
+    put(i);
+    // the strip's other place along the track
+    const std::int32_t other = overlaps.strip[i] ^ second_places, *const end =
+                                                                      overlaps.strip + overlaps.count;
+    if (const std::int32_t* const found = std::lower_bound<const std::int32_t*>(overlaps.strip, end, other);
+        found != end && *found == other)
+      put(found - overlaps.strip);
     OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
-    o.depth = static_cast<double>(overlaps.part[i]) * o.depth;
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }
