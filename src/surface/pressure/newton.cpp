@@ -11,8 +11,8 @@ namespace {
 constexpr std::int32_t most_steps = 40;
 /// Part of the tolerance to which steps are taken: behind the last one there is no other.
 constexpr double nearer = 0.1;
-constexpr double least_part = 0.015;  ///< of a step, below which none is taken
-constexpr double gained = 0.3;        ///< part of what a linear residual would lose by a step, lost at least
+constexpr double least_part = 0.015;  ///< least part of a step that is taken
+constexpr double gained = 0.3;        ///< part of a linear residual's loss that a step loses at least
 constexpr double shrinking = 0.1, growth = 10.0;  ///< factors on L that a step takes at most
 /// Where two solutions have just vanished the residual has a minimum. A whole step leads past it, taken so
 /// many times where the map moves this part of the area or less.
@@ -49,6 +49,7 @@ class Newton {
     shift_weight_ = w_.change.area / (count_ * s_.width[0]);
     double moved = moved_part();
     keep();
+    // Steps that lose residual; where none does, jumps past a small minimum.
     std::int32_t jumps = 0;
     for (std::int32_t step = 0; moved > nearer * tolerance && step < most_steps && find_step(); ++step) {
       const bool less = take_step(moved);
@@ -60,6 +61,7 @@ class Newton {
     result.converged = moved <= tolerance;
     result.residual = moved;
     result.iterations = looks_;
+    // The last iterate kept, with its loads. Strips that are not in contact have none.
     go_back();
     for (std::int32_t i = 0; i < count_; ++i) {
       if (!w_.in_contact[i]) s_.L[i] = s_.q[i] = 0.0;
@@ -114,6 +116,7 @@ class Newton {
   /// Moves from the start by `part` of a direction.
   void move(double part, const double* direction) {
     for (std::int32_t i = 0; i < count_; ++i) {
+      // Strips that have left or entered since are as at the start.
       w_.in_contact[i] = start_[i] > 0.0;
       s_.L[i] = start_[i] + part * direction[i];
       if (s_.skewed) s_.shift[i] = start_[count_ + i] + part * direction[count_ + i];
@@ -122,6 +125,7 @@ class Newton {
 
   /// Newton's step into v_[0]: GMRES on -J x = f, both preconditioned, with products J v by differences.
   bool find_step() {
+    // The first vector is the residual over its size. A difference is short beside the norm of L.
     double* const f = v_[0];
     read_residual(f);
     const double size = root(product_of(f, f)), by = difference * root(product(count_, start_, start_));
@@ -131,17 +135,19 @@ class Newton {
     double upper[vectors][vectors], left[vectors + 1] = {size}, cosine[vectors], sine[vectors];
     std::int32_t n = 0;
     while (n + 1 < vectors && magnitude(left[n]) > solved * size) {
+      // -J v, with the strips in contact as they are.
       move(by, v_[n]);
       if (!look(Asked::none)) break;
       double* const next = v_[n + 1];
       read_residual(next);
       for (std::int32_t i = 0; i < unknowns_; ++i) next[i] = (size * f[i] - next[i]) / by;
-      // Gram and Schmidt.
+      // Gram and Schmidt: at right angles to the vectors before.
       for (std::int32_t a = 0; a <= n; ++a) {
         const double along = upper[a][n] = product_of(next, v_[a]);
         for (std::int32_t i = 0; i < unknowns_; ++i) next[i] -= along * v_[a][i];
       }
       const double rest = root(product_of(next, next));
+      // The rotations before turn the new column; one more takes its last element away.
       for (std::int32_t a = 0; a < n; ++a) {
         const double above = upper[a][n], below = upper[a + 1][n];
         upper[a][n] = cosine[a] * above + sine[a] * below;
@@ -196,7 +202,7 @@ class Newton {
   std::int32_t count_, unknowns_ = 0, looks_ = 0;
   double shift_weight_ = 0.0;
   double *start_, *loads_;  ///< L and shifts, and loads, that a step begins with
-  double* v_[vectors];      ///< of the Krylov space
+  double* v_[vectors];      ///< Krylov vectors
 };
 
 }  // namespace

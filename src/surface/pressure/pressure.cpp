@@ -87,6 +87,9 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
     if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
 }
 
+/// Strips that a limit counts at least: small contacts may take more iterations than others.
+constexpr double fewest_budgeted = 9.3;
+
 /// The options with the work that a solve of these overlaps may take.
 PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) {
   double overlapping = 0.0;
