@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/number.hpp"
+#include "surface/pressure/smoothing.hpp"
 
 namespace wrc::surface {
 namespace {
@@ -17,25 +18,42 @@ constexpr double grows_faster = 4.0;
 void list_active(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   // By increasing place, so that kernels and sums have the order of the rail.
   ActiveStrips& active = w.active;
+  const std::int32_t listed = active.count;
+  bool same = true;  // strips as before
   active.count = 0;
-  for (std::int32_t i = 0; i < s.behind; ++i)
-    if (w.in_contact[i]) active.index[active.count++] = i;
+  const auto list = [&](std::int32_t i) {
+    if (!w.in_contact[i]) return;
+    same = same && active.count < listed && active.index[active.count] == i;
+    active.index[active.count++] = i;
+  };
+  for (std::int32_t i = 0; i < s.behind; ++i) list(i);
   active.behind = active.count;
-  for (std::int32_t i = s.behind; i < s.count; ++i)
-    if (w.in_contact[i]) active.index[active.count++] = i;
+  for (std::int32_t i = s.behind; i < s.count; ++i) list(i);
   // A line of half length l under unit q = lambda l^2 has the peak 1 / l: C w / l times J displaces.
   for (std::int32_t a = 0; a < active.count; ++a) {
     const std::int32_t i = active.index[a];
     const double inverse = 1.0 / w.half_length[i];
-    active.place[a] = s.place[i];
     active.centre[a] = s.deepest_x[i] + s.shift[i];
     active.half_length[a] = w.half_length[i];
     active.inverse_length[a] = inverse;
     active.half_width[a] = 0.5 * s.width[i] * inverse;
     active.factor[a] = problem.compliance * s.width[i] * inverse;
+  }
+  // Lengths and centres alone have changed where the strips are those of the last list.
+  if (same && active.count == listed) return;
+  for (std::int32_t a = 0; a < active.count; ++a) {
+    const std::int32_t i = active.index[a];
+    active.place[a] = s.place[i];
     active.width[a] = s.width[i];
     active.ny[a] = s.ny[i];
     active.nz[a] = s.nz[i];
+    active.per_lambda_reach[a] = 1.0 / lambda_reach(s.width[i], problem.lambda_length);
+    // Distance to the strip before, where both are of one region.
+    if (a == 0) continue;
+    const std::int32_t before = active.index[a - 1];
+    const double apart = s.place[i] - s.place[before];
+    const bool gap = !(apart > 0.0 && apart < 0.75 * (s.width[before] + s.width[i]));
+    active.per_apart_squared[a - 1] = gap ? 0.0 : 1.0 / (apart * apart);
   }
   // Kernels read whole packs: strips behind the last displace nothing.
   const std::int64_t end = simd::whole_packs(active.count);

@@ -49,14 +49,13 @@ void read_edges(const StripSet& s, PressureScratch& w) {
 /// lambda of the active strips `first` .. `end` - 1, a row of places: means of edge_lambda over the strips
 /// within reach, weighted by their loads, so that a strip that enters changes nothing yet. Adds the lengths q
 /// / lambda to the residual.
-void smooth_lambda(const PressureProblem& problem, const StripSet& s, std::int32_t first, std::int32_t end,
-                   PressureScratch& w) {
+void smooth_lambda(std::int32_t first, std::int32_t end, PressureScratch& w) {
   const ActiveStrips& active = w.active;
   for (std::int32_t a = first, from = first; a < end; ++a) {
     const std::int32_t i = active.index[a];
     // A window that moves along: places increase.
-    const double reach = lambda_reach(s.width[i], problem.lambda_length), per_reach = 1.0 / reach;
-    while (active.place[a] - active.place[from] >= reach) ++from;
+    const double per_reach = active.per_lambda_reach[a];
+    while ((active.place[a] - active.place[from]) * per_reach >= 1.0) ++from;
     double weights = 0.0, sum = 0.0;
     for (std::int32_t b = from; b < end; ++b) {
       const double t = (active.place[b] - active.place[a]) * per_reach;
@@ -65,9 +64,12 @@ void smooth_lambda(const PressureProblem& problem, const StripSet& s, std::int32
       weights += weight;
       sum += weight * w.edge_lambda[b];
     }
-    // Without load anywhere near the strip's own edges decide. The next length: L = q / lambda.
-    s.lambda[i] = weights > 0.0 ? sum / weights : w.edge_lambda[a];
-    if (s.lambda[i] > 0.0) w.residual[i] += active.q[a] / s.lambda[i];
+    // The next length: L = q / lambda. Without load anywhere near the strip's own edges decide.
+    if (!(weights > 0.0)) {
+      weights = 1.0;
+      sum = w.edge_lambda[a];
+    }
+    if (sum > 0.0) w.residual[i] += active.q[a] * weights / sum;
   }
 }
 
@@ -89,8 +91,8 @@ void edge_residual(const PressureProblem& problem, const StripSet& s, PressureSc
     shift_residual[i] = 0.0;
   }
   for (std::int32_t a = 0; a < n; ++a) active.load[a] = active.q[a] * s.width[active.index[a]];
-  smooth_lambda(problem, s, 0, active.behind, w);
-  smooth_lambda(problem, s, active.behind, n, w);
+  smooth_lambda(0, active.behind, w);
+  smooth_lambda(active.behind, n, w);
   if (!s.skewed) return;
 
   // Residuals of the shifts, which are to lie on lines through those that edges ask for. Strips that are not

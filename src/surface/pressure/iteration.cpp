@@ -53,9 +53,25 @@ void solve_small(std::int32_t n, double (&a)[history][history], double (&b)[hist
   }
 }
 
+/// Elimination of tridiagonal equations (R + coupled + next) v - coupled v_before - next v_next = f, strip by
+/// strip one way.
+struct WayOfElimination {
+  double coupled = 0.0, v = 0.0;  ///< coefficient to the strip before, and its element
+  double held = 0.0;              ///< rest of that coefficient on the diagonal, behind the elimination
+
+  double pull() const { return coupled * v; }
+  void eliminate(double R, double f, double next, double& upper, double& element) {
+    const double alone = R + held, inverse = 1.0 / (alone + next);
+    upper = next * inverse;
+    element = v = (f + pull()) * inverse;
+    held = next * alone * inverse;
+    coupled = next;
+  }
+};
+
 /// Smooth part R v of the moves f in `lengths`, along each run of active strips: v in w.smooth_part, R in
 /// w.rim_weight.
-void find_smooth_part(const StripSet& s, const double* lengths, PressureScratch& w) {
+void find_smooth_part(const double* lengths, PressureScratch& w) {
   const ActiveStrips& active = w.active;
   const std::int32_t n = active.count;
   // R v - reach^2 (R v')' = f,   R = l^1.5, which vanishes towards the rims as errors do.
@@ -66,28 +82,27 @@ void find_smooth_part(const StripSet& s, const double* lengths, PressureScratch&
     w.rim_weight[a] = l * root(l);
   }
   const double reach2 = smooth_reach * smooth_reach * mean / n;  // [m^2]
-  // Tridiagonal equations: elimination along the strips, of coefficients -coupled, R + coupled + next, -next.
-  double coupled = 0.0, v = 0.0;  // coefficient to the strip before, and its element
-  double held = 0.0;              // rest of that coefficient on the diagonal, behind the elimination
-  for (std::int32_t a = 0; a < n; ++a) {
-    const std::int32_t i = active.index[a];
-    const double alone = w.rim_weight[a] + held;
-    // Coupling to the strip behind, none over a gap between two regions.
-    double next = 0.0;
-    if (a + 1 < n) {
-      const std::int32_t j = active.index[a + 1];
-      const double apart = s.place[j] - s.place[i];
-      if (apart > 0.0 && apart < 0.75 * (s.width[i] + s.width[j]))
-        next = reach2 * smaller(w.rim_weight[a], w.rim_weight[a + 1]) / (apart * apart);
-    }
-    const double inverse = 1.0 / (alone + next);
-    w.upper[a] = next * inverse;
-    w.smooth_part[a] = v = (lengths[i] + coupled * v) * inverse;
-    held = next * alone * inverse;
-    coupled = next;
+  // Coupling of a strip to the one behind.
+  const auto coupling = [&](std::int32_t a) {
+    return reach2 * smaller(w.rim_weight[a], w.rim_weight[a + 1]) * active.per_apart_squared[a];
+  };
+  // Tridiagonal equations: elimination from both ends, as each division waits for the one before.
+  WayOfElimination up, down;
+  const std::int32_t middle = n / 2;
+  const auto eliminate = [&](WayOfElimination& way, std::int32_t a, double next) {
+    way.eliminate(w.rim_weight[a], lengths[active.index[a]], next, w.upper[a], w.smooth_part[a]);
+  };
+  for (std::int32_t a = 0, b = n - 1; a < middle; ++a, --b) {
+    eliminate(up, a, coupling(a));
+    if (b > middle) eliminate(down, b, coupling(b - 1));
   }
+  w.smooth_part[middle] = (lengths[active.index[middle]] + up.pull() + down.pull()) /
+                          (w.rim_weight[middle] + up.held + down.held);
   // Back substitution.
-  for (std::int32_t a = n - 2; a >= 0; --a) w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
+  for (std::int32_t a = middle - 1, b = middle + 1; a >= 0; --a, ++b) {
+    w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
+    if (b < n) w.smooth_part[b] += w.upper[b] * w.smooth_part[b - 1];
+  }
 }
 
 /// Index in the ring buffer of the iterate `ago` iterations back.
@@ -242,12 +257,13 @@ void precondition(const StripSet& s, double* step, PressureScratch& w) {
   // and 0.9 of a smooth one, whatever the contact. So the step is (f - 0.43 R v) / 0.47, which leaves 0.05 to
   // 0.2 of an error.
   double *const lengths = step, *const shifts = step + s.count;
-  find_smooth_part(s, lengths, w);
-  // On strips shorter than wide, h = w / (2 l) large, the map takes away up to 0.95 of any error.
+  find_smooth_part(lengths, w);
+  // The slope is 0.47 + 0.3 h / (1 + h), h = w / (2 l): the map takes away more on strips shorter than wide.
   for (std::int32_t a = 0; a < w.active.count; ++a) {
     const std::int32_t i = w.active.index[a];
     const double h = w.active.half_width[a], smooth = w.rim_weight[a] * w.smooth_part[a];
-    lengths[i] = (lengths[i] - smooth_length_part * smooth) / (length_slope + narrow_slope * h / (1.0 + h));
+    lengths[i] = (lengths[i] - smooth_length_part * smooth) * (1.0 + h) /
+                 (length_slope + (length_slope + narrow_slope) * h);
   }
   // Shifts lie on lines, and the map takes away most of an error of theirs whatever its shape: one factor,
   // with which the fewest iterations are needed under yawed flanges.

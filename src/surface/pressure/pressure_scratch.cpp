@@ -21,7 +21,8 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   // Sources, points that see them, and numbers of edges, by strip or by active strip.
   ActiveStrips& a = w.active;
   arena.each(padded, a.place, a.centre, a.half_length, a.inverse_length, a.half_width, a.factor, a.q,
-             a.load_factor, a.load, a.width, a.ny, a.nz, a.width_behind);
+             a.load_factor, a.load, a.width, a.ny, a.nz, a.width_behind, a.per_lambda_reach,
+             a.per_apart_squared);
   arena.each(padded, w.depth_before, w.half_length, w.continued, w.outside_place, w.outside_x, w.outside_ny,
              w.outside_nz, w.u_leading, w.u_trailing, w.edge_lambda, w.edge_shift, w.inverse_reach,
              w.rim_weight, w.upper, w.smooth_part, w.residual_before, w.best.q);

@@ -52,11 +52,13 @@ struct ActiveStrips {
   std::int32_t count = 0, behind = 0;  ///< behind: as in the StripSet
   std::int32_t* index;                 ///< in the StripSet
   double *place, *centre, *half_length, *inverse_length, *half_width, *factor;
-  double* q;                ///< not negative [N/m]
-  double* load_factor;      ///< factor q [m]
-  double* load;             ///< w q [N], weights of the means
-  double *width, *ny, *nz;  ///< width: 0 of second places, whose width is not seen from the first ones
-  double* width_behind;     ///< the same for second places as points: 0 of the first ones
+  double* q;                  ///< not negative [N/m]
+  double* load_factor;        ///< factor q [m]
+  double* load;               ///< w q [N], weights of the means
+  double *width, *ny, *nz;    ///< width: 0 of second places, whose width is not seen from the first ones
+  double* width_behind;       ///< the same for second places as points: 0 of the first ones
+  double* per_lambda_reach;   ///< one over lambda_reach() [1/m]
+  double* per_apart_squared;  ///< 1 over the squared distance to the strip behind [1/m^2]; 0 over a gap
 };
 
 /// An iterate and its step.

@@ -26,14 +26,15 @@ struct RimGrowth {
   static constexpr double at_entry = 0.1;    ///< growth by the way at L = 0, over that far inside [-]
   static constexpr double far_inside = 8.0;  ///< in sizes, from where on L grows in proportion
 
-  double size;  ///< L by which the way is measured [m^2]
+  double size, per_size;  ///< L by which the way is measured [m^2], and its inverse
 
-  RimGrowth(double before, double behind) : size(larger(of_fall * magnitude(behind - before), least)) {}
+  RimGrowth(double before, double behind)
+      : size(larger(of_fall * magnitude(behind - before), least)), per_size(1.0 / size) {}
 
   // L / size = sqrt(1 + (way + b)^2) - sqrt(1 + b^2), b = at_entry
   double way(double L) const {
-    const double up = L / size + root(1.0 + at_entry * at_entry);
-    return L > 0.0 ? root(up * up - 1.0) - at_entry : L / size;
+    const double sizes = L * per_size, up = sizes + root(1.0 + at_entry * at_entry);
+    return L > 0.0 ? root(up * up - 1.0) - at_entry : sizes;
   }
   double length_squared(double way) const {
     const double from = way + at_entry;
@@ -124,6 +125,7 @@ struct ShareOfChange {
 double extrapolated(const RimGrowth& rim, double L, ShareOfChange first, ShareOfChange second) {
   if (magnitude(L) > RimGrowth::far_inside * rim.size)
     return L + first.share * first.change + second.share * second.change;
+  // The way into contact of the three solutions, as far as they are known.
   const double earlier = L - first.change, now = rim.way(L), then = rim.way(earlier);
   double way = now + first.share * (now - then);
   if (second.change != 0.0) way += second.share * (then - rim.way(earlier - second.change));
@@ -192,6 +194,8 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   const double share = later - part * earlier;
   double before = 0.0;  // L of the strip before, not extrapolated [m^2]
   for (std::int32_t b = 0; b < start.count; ++b) {
+    // Strips beside, if they are next to it on the rail; the fall of L between them measures the way at a
+    // rim.
     const double L = start.length_squared[b];
     const bool follows = b > 0 && start.strip[b - 1] == start.strip[b] - 1.0;
     const bool leads = b + 1 < start.count && start.strip[b + 1] == start.strip[b] + 1.0;
