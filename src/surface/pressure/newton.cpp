@@ -42,9 +42,7 @@ class Newton {
 
   PressureResult solve(double tolerance) {
     PressureResult result;
-    // The cost of the first iteration is not known: that of all strips with a length.
-    for (std::int32_t i = 0; i < count_; ++i) w_.active.count += w_.in_contact[i];
-    if (w_.active.count == 0 || !look(Asked::all)) return {0, 0.0, any_change, false};
+    if (!look(Asked::all)) return {0, 0.0, any_change, false};
     // Shifts weigh by the mean L beside lengths squared, as in iterate().
     shift_weight_ = w_.change.area / (count_ * s_.width[0]);
     double moved = moved_part();
@@ -79,10 +77,11 @@ class Newton {
            (s_.skewed ? shift_weight_ * product(count_, a + count_, b + count_) : 0.0);
   }
 
-  /// Evaluates the map at the lengths and shifts in `s`. False, if that exceeds the work.
+  /// Evaluates the map at the lengths and shifts in `s`. False, if that exceeds the work or nothing presses.
   bool look(Asked asked) {
-    const double n = w_.active.count;
-    if (w_.work + 2.0 * n * n > w_.max_work) return false;
+    double n = 0.0;
+    for (std::int32_t i = 0; i < count_; ++i) n += w_.in_contact[i];
+    if (!(n > 0.0) || w_.work + 2.0 * n * n > w_.max_work) return false;
     ++looks_;
     evaluate(problem_, s_, asked, w_);
     return true;
