@@ -35,12 +35,12 @@ Fault find_faces(const surface::SurfaceModel& surface, const surface::WheelOnRai
   }
   // otherwise sections through the strips' middles, cut off where the real-time side cuts them
   Arena count;
-  surface::cut_strips(count, surface.rail_strips);
+  surface::cut_varying_strips(count, surface.rail_strips);
   std::vector<double> memory(static_cast<std::size_t>(count.doubles()));
   Arena arena(memory.data());
   surface::PlacedRail rail;
-  const Fault outside =
-      surface::place_rail(surface, problem.distance, surface::cut_strips(arena, surface.rail_strips), rail);
+  const Fault outside = surface::place_rail(surface, problem.distance,
+                                            surface::cut_varying_strips(arena, surface.rail_strips), rail);
   const surface::RailStrips strips = surface::strips_before(
       surface, surface::motion_at_height(surface, problem, problem.wheel.position[2]).pose, rail);
   // a check rail stands beside a rail that does not vary: its faces are straight

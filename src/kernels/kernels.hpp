@@ -14,7 +14,7 @@ struct Strips;
 namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
-struct PlaceDepths;
+struct FirstLooks;
 struct StripGains;
 }  // namespace wrc::surface
 
@@ -147,7 +147,7 @@ struct SurfaceKernels {
   /// Fills the most that overlaps of strips grow at places along a rail that varies, and where.
   void (*strip_gains)(const StripGainsTask& task, surface::StripGains& gains);
   /// Overlaps at places along a rail that varies, by the parabolas below the axle.
-  void (*look_along)(const LookAlongTask& task, surface::PlaceDepths& depths);
+  void (*look_along)(const LookAlongTask& task, surface::FirstLooks& looks);
   /// Takes x, u, piece and depth from places far from the axle to larger overlaps near by, by rays.
   void (*climb_along)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Finds the largest overlaps of strips along a rail that varies, and their parabolas.

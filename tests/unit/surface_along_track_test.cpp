@@ -48,7 +48,7 @@ TEST(VaryingRail, StripsArePlacedAsTheirFormulasSay) {
       if (set > best_instruction_set()) continue;
       std::vector<double> placed;
       const StripArrays arrays =
-          cut_into(placed, [](Arena& arena) { return cut_strips(arena, SectionsOfArcs::most); });
+          cut_into(placed, [](Arena& arena) { return cut_varying_strips(arena, SectionsOfArcs::most); });
       const PlacedRail strips = place_strips(kernels_for(set), arcs.rail, distance, wheel_radius, arrays);
       ASSERT_GT(strips.count, 20);
       if (baseline.empty()) baseline = placed;

@@ -479,47 +479,16 @@ struct FirstLook {
 /// has risen by less than half a millimetre.
 inline constexpr double near_axle = 20e-3;
 
-/// Overlaps at places along the track (PlacedRail), by the parabolas below the axle [m].
-struct PlaceDepths {
-  FollowedStrips::Each at[track_places], at_end[2];
+/// First looks of strips, by the parabolas below the axle: places where overlaps are largest along the track,
+/// and the overlaps there [m].
+struct FirstLooks {
+  FollowedStrips::Each x, depth;
 };
 
 /// Is the overlap of a strip so near its largest that Newton's method needs no better place?
 inline bool hardly_gains(const PlacedRail& placed, std::int32_t face, std::int32_t strip, double centre) {
   constexpr double hardly = 50e-6;  // [m]
   return placed.gain[strip] < hardly && centre >= placed.low[face] && centre <= placed.high[face];
-}
-
-/// The place where the overlap is largest of those along the track, or between these, by the overlaps of
-/// strip i there.
-inline FirstLook look_along(const PlacedRail& placed, std::int32_t face, const PlaceDepths& depths,
-                            std::int32_t i) {
-  const double low = placed.low[face], high = placed.high[face];
-  // the best of the places on the face, and those beside it
-  std::int32_t best = -1;
-  for (std::int32_t k = 0; k < track_places; ++k) {
-    const PlaceWeights& place = placed.place[face][k];
-    if (place.x >= low && place.x <= high && (best < 0 || depths.at[k][i] > depths.at[best][i])) best = k;
-  }
-  // the face may end between two of these places
-  for (int k = 0; k < 2; ++k) {
-    const double x = placed.end[face][k].x, here = depths.at_end[k][i];
-    if (!(magnitude(x) < farthest_along)) continue;
-    if (best < 0 || here > depths.at[best][i]) return {x, here};
-  }
-  // or be there farther away alone
-  if (best < 0) {
-    const int nearer = magnitude(low) < magnitude(high) ? 0 : 1;
-    return {placed.end[face][nearer].x, depths.at_end[nearer][i]};
-  }
-  const double at = placed.place[face][best].x, here = depths.at[best][i];
-  if (best == 0 || best + 1 == track_places) return {at, here};
-  // top of the parabola through the three
-  const double ahead = depths.at[best + 1][i], behind = depths.at[best - 1][i];
-  const double rise = 0.5 * (ahead - behind), bend = 2.0 * here - ahead - behind;
-  const double top = bend > magnitude(rise) ? rise / bend : rise > 0.0 ? 1.0 : -1.0;
-  const double x = smaller(larger(at + place_apart * top, low), high), share = (x - at) / place_apart;
-  return {x, here + share * (rise - 0.5 * bend * share)};
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

@@ -62,16 +62,17 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
 
 StripArrays cut_strips(Arena& arena, std::int32_t most) {
   StripArrays a;
-  arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.angle, a.gain);
+  arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.angle);
+  a.gain = nullptr;
   return a;
 }
 
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most) {
-  StripArrays a = cut_strips(arena, most);
-  CandidatesAlong& c = a.candidates;
-  arena.each(most, c.strip, c.piece, c.twice);
-  arena.each(most, c.x, c.u, c.ray, c.ny, c.nz, c.depth);
-  arena.each(most, c.own, c.doubt);
+  StripArrays a;
+  arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.gain);
+  a.angle = nullptr;
+  a.candidates.capacity = most;
+  a.candidates.top = arena.take<CandidateAlong>(most);
   return a;
 }
 

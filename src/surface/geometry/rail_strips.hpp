@@ -108,6 +108,21 @@ double strip_angle(const RailStrips& strips, std::int32_t strip);
 /// The range of `count` strips from `first` on.
 FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t count);
 
+/// A top of a strip's overlap along the track that may touch the wheel. Rounded numbers are where rays start.
+struct CandidateAlong {
+  /// Numbers of `other`: the strip has no other top, or may have one that has not been looked for.
+  static constexpr std::int16_t no_other = -1, unknown = -2;
+
+  std::int16_t strip;
+  std::int16_t other;  ///< the strip's other top, by its number on the list
+  std::int32_t piece;  ///< piece of the wheel's curve where the ray ends
+  float x, u, ray;     ///< place, the ray's end and the overlap along it [m]
+  float ny, nz;        ///< direction of the ray
+  float depth;         ///< that of the strip's overlap (overlap.hpp) [m]
+  float doubt;         ///< error of the depth: of a first look, then of a top that was followed [m]
+  float own;           ///< curvature of the wheel below the axle [1/m]
+};
+
 /// Strips that may overlap a wheel, of surfaces that change along the track, and where along the track each
 /// overlaps most: looked for at one height of a call, of use at all heights near it (surface_geometry.hpp).
 /// Depths are those at that height.
@@ -116,21 +131,19 @@ struct CandidatesAlong {
   double at_y = 0.0, at_z = 0.0;  ///< the wheel's reference point there [m]
   double reach = 0.0;             ///< strips deeper than -reach are among them, all that varies added [m]
   double below = 0.0;             ///< that the reach of a search has for heights further down [m]
-  std::int32_t count = 0;
-  std::int32_t *strip = nullptr, *piece = nullptr;    ///< piece of the wheel's curve where the ray ends
-  double *x = nullptr, *u = nullptr, *ray = nullptr;  ///< place, the ray's end and the overlap along it [m]
-  double *ny = nullptr, *nz = nullptr;                ///< direction of the ray
-  double* depth = nullptr;                            ///< that of the strip's overlap (overlap.hpp) [m]
-  float* own = nullptr;                               ///< curvature of the wheel below the axle [1/m]
-  std::int32_t* twice = nullptr;                      ///< 1: the strip may touch twice along the track
-  float* doubt = nullptr;  ///< error of the depth: of a first look, then of a strip that was followed [m]
+  std::int32_t count = 0;         ///< strips, in their order
+  std::int32_t tops = 0;          ///< the same and behind them other tops of theirs
+  std::int32_t capacity = 0;
+  CandidateAlong* top = nullptr;
 };
 
 /// Arrays of the strips of a rail.
 struct StripArrays {
-  double *s, *width, *y, *z, *ty, *tz, *angle;
-  double* gain;                ///< for rails that vary (PlacedRail)
-  CandidatesAlong candidates;  ///< the same: cut_varying_strips()
+  double *s, *width, *y, *z, *ty, *tz;
+  double* angle;  ///< as RailStrips; nullptr: of rails that vary
+  // further arrays of rails that vary: cut_varying_strips()
+  double* gain;  ///< as PlacedRail
+  CandidatesAlong candidates;
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most);

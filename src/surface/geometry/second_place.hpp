@@ -22,19 +22,72 @@ inline bool may_touch_twice(const PlacedRail& placed, std::int32_t face, double 
   return placed.valley[face] > least_valley * own;
 }
 
-/// May the overlap of a strip have two tops?
-inline bool may_touch_twice(const PlacedRail& placed, const VaryingRail& rail, std::int32_t face,
-                            std::int32_t strip, double own) {
-  return may_touch_twice(placed, face, own) &&
-         valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
-                        placed.distance + farthest_along) > least_valley * own;
-}
+/// Sharpest valleys of a face's strips about a place, of each eight in turn.
+struct ValleysOfFace {
+  const PlacedRail& placed;
+  const VaryingRail& rail;
+  std::int32_t face;
+  std::int32_t eight = -1;  ///< that was looked at last
+  double sharpest = 0.0;    ///< its valley [1/m]
+
+  ValleysOfFace(const PlacedRail& where, const VaryingRail& of, std::int32_t number)
+      : placed(where), rail(of), face(number) {}
+
+  /// May the overlap of a strip have two tops?
+  bool may_touch_twice(std::int32_t strip, double own) {
+    if (!surface::may_touch_twice(placed, face, own)) return false;
+    if (eight_of(strip) != eight) {
+      eight = eight_of(strip);
+      sharpest = valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
+                                placed.distance + farthest_along);
+    }
+    return sharpest > least_valley * own;
+  }
+};
 
 /// A strip at a top of its overlap, and the direction of its rays.
 struct StripTop {
   LargestOverlap at;
   double ny, nz;
   double own;  ///< curvature of the wheel there [1/m]
+};
+
+/// How far down along a direction a strip's middle lies, between the sections looked at last.
+struct StripAlong {
+  const VaryingRail& rail;
+  std::int32_t face, strip;
+  double ny, nz;                             ///< the direction
+  double begin = 1.0, end = 0.0, per = 0.0;  ///< distances of the sections, and 1 over that between them [m]
+  BetweenSections<double> n = {};            ///< n.P [m]
+
+  /// At a distance along the track [m].
+  double at(double distance) {
+    if (!(distance >= begin && distance < end)) go_to(distance);
+    const double t = (distance - begin) * per;
+    return n.value(t, t * t);
+  }
+
+ private:
+  void go_to(double distance) {
+    const SectionBlend b = blend_at(rail, rail.face[face], distance, 0);
+    const auto number = [&](std::int32_t section, std::int32_t list) {
+      const double* const of =
+          rail.outline + (static_cast<std::int64_t>(section) * 8 + list) * rail.stride + strip;
+      return ny * of[0] + nz * of[rail.stride];
+    };
+    begin = rail.distance[b.left];
+    end = rail.distance[b.right];
+    if (b.left == b.right) {  // beyond its sections, or at the last one
+      n = {number(b.left, 0), 0.0, 0.0, 0.0, 0.0};
+      per = 0.0;
+      return;
+    }
+    // by powers of the share of the way between both sections
+    const double apart = end - begin;
+    per = 1.0 / apart;
+    n = BetweenSections<double>::of(number(b.left, 0), number(b.right, 0), apart * number(b.left, 4),
+                                    apart * number(b.right, 4));
+  }
 };
 
 /// The highest other top of a strip's overlap, by the rail's fall f along the normal. From the first top,
@@ -48,9 +101,10 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   const double x = first.at.x, here = placed.distance + x;
   FirstLook found{x, -1.0};
   if (!(x > placed.low[f] && x < placed.high[f])) return found;
-  const SectionBlend blend = blend_at(rail, face, here, 1);
-  const StripAlongTrack<double> at = strip_at(rail, blend, strip, here);
-  const double slope = first.ny * at.slope_y + first.nz * at.slope_z;
+  // the rail's fall is counted from the first top on
+  StripAlong along{rail, f, strip, first.ny, first.nz};
+  const double top = along.at(here), t = (here - along.begin) * along.per;
+  const double slope = along.per * along.n.slope(t, t * t);
   // to both sides, beyond the least overlap so far
   for (const double way : {-1.0, 1.0}) {
     const double end = here + way * second_within;
@@ -63,10 +117,8 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
     for (int n = 1; n <= steps; ++n) {
       const double off = way * n * second_apart;
       if (x + off < placed.low[f] || x + off > placed.high[f]) break;
-      const PlaceWeights place = place_at(rail, face, placed.distance, x + off);
-      const double fall = first.ny * (place_of(rail, place, strip, 0) - at.y) +
-                          first.nz * (place_of(rail, place, strip, 1) - at.z);
-      const double depth = first.at.end.depth + off * (slope - 0.5 * first.own * off) - fall;
+      const double depth =
+          first.at.end.depth + off * (slope - 0.5 * first.own * off) - (along.at(here + off) - top);
       if (depth > least && depth > found.depth) found = {x + off, depth};
       least = smaller(least, depth);
     }

@@ -57,18 +57,18 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 namespace {
 
 simd::FollowRailTask follow_task(const SurfaceGeometry& surfaces, const PlacedRail& rail,
-                                 const RelativePose& pose, std::int32_t face) {
+                                 const RelativePose& pose, std::int32_t face, bool tops_alone) {
   const VaryingRail& varying = surfaces.varying;
   return {&varying,      &varying.face[face], &surfaces.wheel.curve, &pose,
-          rail.distance, rail.low[face],      rail.high[face]};
+          rail.distance, rail.low[face],      rail.high[face],       tops_alone};
 }
 
 }  // namespace
 
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& s) {
+                 FollowedStrips& s, bool tops_alone) {
   const std::int32_t face = face_of(surfaces.varying, s.strip[0]);
-  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face), s);
+  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, tops_alone), s);
 }
 
 namespace {
@@ -100,32 +100,30 @@ PlaceOfContact kept_place(std::int32_t i, const Overlaps& o) {
   return {o.top[i], {o.piece[i], o.u[i], o.depth[i]}, strip_of(o, i), bounds_of(o.bound[i], o.top[i])};
 }
 
-/// The row of second places of contact along the track, until it is put behind the first ones.
+/// Lets two places change places in the arrays; numbers of strips grow by `number` from the first to the
+/// second.
+void swap_places(std::int32_t i, std::int32_t k, std::int32_t number, const Overlaps& o) {
+  const PlaceOfContact first = kept_place(i, o);
+  const std::int32_t strip = o.strip[i];
+  put_place(o.strip[k] - number, kept_place(k, o), i, o);
+  put_place(strip + number, first, k, o);
+}
+
+/// The row of second places of contact along the track, until it is put behind the first ones: in the same
+/// arrays, from their end backwards.
 struct SecondRow {
-  static constexpr std::int32_t most = 64;
-
   std::int32_t count = 0;
-  bool full = false;
-  std::int32_t strip[most];
-  PlaceOfContact place[most];
 
-  SecondRow() {}  // NOLINT: its arrays are not filled, as most rails have no second places
-
-  void take(std::int32_t of, const PlaceOfContact& at) {
-    full = full || count == most;
-    if (count == most) return;
-    strip[count] = of + second_places;
-    place[count++] = at;
+  static std::int32_t index(std::int32_t i, const Overlaps& o) { return o.capacity - 1 - i; }
+  bool is_full(const Overlaps& o) const { return o.count + count == o.capacity; }
+  void take(std::int32_t strip, const PlaceOfContact& place, const Overlaps& o) {
+    put_place(strip + second_places, place, index(count++, o), o);
   }
   void append_to(Overlaps& o) const {
-    o.full = o.full || full;
-    for (std::int32_t i = 0; i < count; ++i) {
-      if (o.count == o.capacity) {
-        o.full = true;
-        return;
-      }
-      put_place(strip[i], place[i], o.count++, o);
-    }
+    // turned round, then moved
+    for (std::int32_t i = 0; i < count / 2; ++i) swap_places(index(i, o), index(count - 1 - i, o), 0, o);
+    for (std::int32_t i = o.capacity - count; i < o.capacity; ++i)
+      put_place(o.strip[i], kept_place(i, o), o.count++, o);
   }
 };
 
@@ -175,6 +173,24 @@ RailStrips changing_ranges(const VaryingRail& rail, const RailStrips& strips) {
   return some;
 }
 
+/// A top of a strip as a candidate, with the ray and the depth of its overlap there [m].
+CandidateAlong candidate_at(std::int32_t strip, const LargestOverlap& at, double ny, double nz, double depth,
+                            double doubt) {
+  CandidateAlong top;
+  top.strip = static_cast<std::int16_t>(strip);
+  top.other = CandidateAlong::no_other;
+  top.piece = at.end.piece;
+  top.x = static_cast<float>(at.x);
+  top.u = static_cast<float>(at.end.u);
+  top.ray = static_cast<float>(at.end.depth);
+  top.ny = static_cast<float>(ny);
+  top.nz = static_cast<float>(nz);
+  top.depth = static_cast<float>(depth);
+  top.doubt = static_cast<float>(doubt);
+  top.own = 0.0F;
+  return top;
+}
+
 /// Adds strips of one face to the candidates, if they may be deep enough anywhere along the track. They are
 /// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along.
 void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
@@ -188,45 +204,42 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
   };
   std::int32_t still = 0;
   while (still < count && stays(still)) ++still;
-  PlaceDepths depths;
-  if (still < count) kernels.surface.look_along({&varying, &rail, face, &o, first, count}, depths);
+  FirstLooks looks;
+  if (still < count) kernels.surface.look_along({&varying, &rail, face, &o, first, count}, looks);
   LargestOverlap found[FollowedStrips::most];
   FollowedStrips far;
   far.count = 0;
   std::int32_t climbing[FollowedStrips::most];
   for (std::int32_t i = 0; i < count; ++i) {
     const std::int32_t k = first + i, strip = o.strip[k];
-    const FirstLook look =
-        stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]} : look_along(rail, face, depths, i);
+    const FirstLook look = stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]}
+                                    : FirstLook{looks.x[i], looks.depth[i]};
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
     // far from the axle the parabola does not hold: rays look for the place
     if (!(magnitude(look.x) > near_axle)) continue;
     climbing[far.count] = i;
     put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
-  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face), far);
+  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, true), far);
   for (std::int32_t i = 0; i < far.count; ++i)
     found[climbing[i]] = {far.x[i], {far.piece[i], far.u[i], far.depth[i]}};
 
   // those that may be deep enough, in the order of the strips
   CandidatesAlong& c = rail.candidates;
+  const double deep_enough = -c.reach - surfaces.out_of_round.largest;
+  ValleysOfFace valleys(rail, varying, face);
   for (std::int32_t i = 0; i < count; ++i) {
     const RayEnd<double>& end = found[i].end;
+    if (!(end.depth > deep_enough - looks_within - second_looks_within)) continue;
+    const std::int32_t strip = o.strip[first + i];
     const double own = o.curvature[first + i];
-    const bool twice = may_touch_twice(rail, varying, face, o.strip[first + i], own);
+    const bool twice = valleys.may_touch_twice(strip, own);
     const double doubt = looks_within + (twice ? second_looks_within : 0.0);
-    if (!(end.depth > -c.reach - doubt - surfaces.out_of_round.largest)) continue;
-    const std::int32_t k = c.count++;
-    c.strip[k] = o.strip[first + i];
-    c.piece[k] = end.piece;
-    c.x[k] = found[i].x;
-    c.u[k] = end.u;
-    c.ray[k] = c.depth[k] = end.depth;
-    c.ny[k] = o.ny[first + i];
-    c.nz[k] = o.nz[first + i];
-    c.own[k] = static_cast<float>(own);
-    c.twice[k] = twice ? 1 : 0;
-    c.doubt[k] = static_cast<float>(doubt);
+    if (!(end.depth > deep_enough - doubt)) continue;
+    CandidateAlong& top = c.top[c.count++];
+    top = candidate_at(strip, found[i], o.ny[first + i], o.nz[first + i], end.depth, doubt);
+    top.other = twice ? CandidateAlong::unknown : CandidateAlong::no_other;
+    top.own = static_cast<float>(own);
   }
 }
 
@@ -240,6 +253,7 @@ struct FollowedOverlaps {
   const OverlapScratch& scratch;
   Overlaps& o;  ///< those deeper than -margin
   SecondRow& second;
+  bool tops_alone;
   std::int32_t face = 0;  ///< that the strips gathered belong to
   FollowedStrips gathered;
   std::int32_t candidate[FollowedStrips::most];  ///< that each of those gathered is
@@ -249,18 +263,19 @@ struct FollowedOverlaps {
   /// Ends a face. The row that lies ahead becomes the second one, whichever the search found first.
   void end_face() {
     // numbers of strips in both rows, which change places
-    const std::int32_t before = o.count - first_kept, behind = second.count - first_second;
-    if (rows.ahead < 0.0 && first_second + before <= SecondRow::most && first_kept + behind <= o.capacity) {
-      PlaceOfContact* const to = second.place + first_second;
-      for (std::int32_t i = 0; i < std::max(before, behind); ++i) {
-        const std::int32_t k = first_kept + i;
-        const PlaceOfContact place = i < before ? kept_place(k, o) : PlaceOfContact{};
-        const std::int32_t strip = i < before ? o.strip[k] + second_places : 0;
-        if (i < behind) put_place(second.strip[first_second + i] - second_places, to[i], k, o);
-        to[i] = place;
-        second.strip[first_second + i] = strip;
+    const std::int32_t before = o.count - first_kept, behind = second.count - first_second,
+                       both = std::min(before, behind), room = o.capacity - o.count - second.count;
+    if (rows.ahead < 0.0 && std::max(before, behind) - both <= room) {
+      // as many as both rows have change places, the rest of the longer one is moved
+      for (std::int32_t i = 0; i < both; ++i)
+        swap_places(first_kept + i, SecondRow::index(first_second + i, o), second_places, o);
+      for (std::int32_t k = first_kept + both; k < first_kept + before; ++k)
+        second.take(o.strip[k], kept_place(k, o), o);
+      o.count = first_kept + both;
+      for (std::int32_t i = first_second + both; i < first_second + behind; ++i) {
+        const std::int32_t k = SecondRow::index(i, o);
+        put_place(o.strip[k] - second_places, kept_place(k, o), o.count++, o);
       }
-      o.count = first_kept + behind;
       second.count = first_second + before;
     }
     first_kept = o.count;
@@ -274,9 +289,10 @@ struct FollowedOverlaps {
         surfaces.out_of_round.rows > 0 ? evaluate(surfaces.wheel.curve, place.end.piece, place.end.u).y : 0.0;
     follow_others<double>(surfaces, rail, pose, strip, y, rail.distance, angle, place.overlap);
     if (!(place.overlap.depth > -margin)) return;
-    if (row > 0) return second.take(strip, place);
-    o.full = o.full || o.count == o.capacity;
-    if (!o.full) put_place(strip, place, o.count++, o);
+    o.full = o.full || second.is_full(o);
+    if (o.full) return;
+    if (row > 0) return second.take(strip, place, o);
+    put_place(strip, place, o.count++, o);
   }
 
   /// Takes the strips of faces that are the same all along.
@@ -284,8 +300,9 @@ struct FollowedOverlaps {
     const Kernels& kernels = *surfaces.kernels;
     const double wider = margin + surfaces.out_of_round.largest;
     const std::int32_t before = o.count;
-    Overlaps found = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch,
-                                   overlaps_from(o, before));
+    Overlaps room = overlaps_from(o, before);
+    room.capacity -= second.count;
+    Overlaps found = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, nullptr, scratch, room);
     // Those deeper than the margin stay once all that varies is added. They make room for others, which can
     // be no more often than the rail has strips.
     for (std::int32_t i = 0;;) {
@@ -305,27 +322,38 @@ struct FollowedOverlaps {
   double growth(double ny, double nz) const {
     return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
   }
+  /// The depth of a candidate in this pose, to its doubt and that of the move [m].
+  double depth_now(const CandidateAlong& top) const { return top.depth + growth(top.ny, top.nz); }
 
   /// Follows the strips that have gathered, their second tops too, and keeps their places.
   void finish() {
     FollowedStrips& g = gathered;
     if (g.count == 0) return;
-    follow_rail(surfaces, rail, pose, g);
-    note_places();
-    // those with another top follow that, too
+    follow_rail(surfaces, rail, pose, g, tops_alone);
+    for (std::int32_t i = 0; i < g.count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
+    // tops beside those that were followed, from a first look or from where they were last
     FollowedStrips others;
     others.count = 0;
-    std::int32_t number[FollowedStrips::most];
-    for (std::int32_t i = 0; i < g.count; ++i)
-      if (twice(i) && look_for_second(i, others)) number[others.count - 1] = i;
-    if (others.count > 0) follow_rail(surfaces, rail, pose, others);
+    std::int32_t number[FollowedStrips::most];  // among the others; -1: the strip has no other top
+    std::int32_t top[FollowedStrips::most];     // numbers of the others on the list
+    for (std::int32_t i = 0; i < g.count; ++i) {
+      number[i] = others.count;
+      top[others.count] = other_top(i);
+      if (top[others.count] == CandidateAlong::no_other)
+        number[i] = -1;
+      else
+        put_other(i, top[others.count], others);
+    }
+    if (others.count > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
+    for (std::int32_t i = 0; i < others.count; ++i)
+      if (top[i] >= 0) note_place(others, i, rail.candidates.top[top[i]]);
     // kept strip by strip, as rows go on from one to the next
-    for (std::int32_t i = 0, k = 0; i < g.count; ++i) {
-      if (k < others.count && number[k] == i)
-        keep_both(g.strip[i], followed_place(g, i), followed_place(others, k++));
+    for (std::int32_t i = 0; i < g.count; ++i) {
+      if (number[i] >= 0)
+        keep_both(g.strip[i], followed_place(g, i), followed_place(others, number[i]));
       else
         keep(g.strip[i], followed_place(g, i),
-             may_touch_twice(rail, face, rail.candidates.own[candidate[i]]) ? rows.row_of(g.x[i]) : 0);
+             may_touch_twice(rail, face, rail.candidates.top[candidate[i]].own) ? rows.row_of(g.x[i]) : 0);
     }
     g.count = 0;
   }
@@ -337,42 +365,41 @@ struct FollowedOverlaps {
     const double doubt = least_doubt + turned * moved + surfaces.out_of_round.largest;
     const CandidatesAlong& c = rail.candidates;
     face = face_of(surfaces.varying, range.first);
+    // strips whose overlap is surely less than the margin are left out before any ray
+    const auto may_touch = [&](const CandidateAlong& top) {
+      return depth_now(top) > -margin - doubt - top.doubt;
+    };
     for (std::int32_t k = 0; k < c.count; ++k) {
-      if (c.strip[k] < range.first || c.strip[k] >= range.first + range.count) continue;
-      // strips whose overlap is surely less than the margin are left out before any ray
-      const double grown = growth(c.ny[k], c.nz[k]);
-      if (!(c.depth[k] + grown > -margin - doubt - c.doubt[k])) continue;
+      const CandidateAlong& top = c.top[k];
+      if (top.strip < range.first || top.strip >= range.first + range.count) continue;
+      if (!may_touch(top) && !(top.other >= 0 && may_touch(c.top[top.other]))) continue;
       if (gathered.count == FollowedStrips::most) finish();
       candidate[gathered.count] = k;
-      put_largest(c.strip[k], {c.x[k], {c.piece[k], c.u[k], c.ray[k] + grown}}, c.ny[k], c.nz[k], gathered);
+      put_largest(top.strip, known_place(top), top.ny, top.nz, gathered);
     }
     finish();
     end_face();
   }
 
  private:
-  /// May the strip that is number i of those gathered touch twice?
-  bool twice(std::int32_t i) const { return rail.candidates.twice[candidate[i]] > 0; }
+  /// Where a candidate is followed from.
+  LargestOverlap known_place(const CandidateAlong& top) const {
+    return {top.x, {top.piece, top.u, top.ray + growth(top.ny, top.nz)}};
+  }
 
-  /// Notes the largest overlaps of those gathered in the list of candidates, once for each strip: its first
-  /// look is replaced. Depths are those at the height of the list.
-  void note_places() const {
-    const FollowedStrips& g = gathered;
-    const CandidatesAlong& c = rail.candidates;
-    for (std::int32_t i = 0; i < g.count; ++i) {
-      const std::int32_t k = candidate[i];
-      const double doubt = twice(i) ? second_looks_within : 0.0;
-      if (!(c.doubt[k] > static_cast<float>(doubt))) continue;
-      const double grown = growth(g.ny[i], g.nz[i]);
-      c.piece[k] = g.piece[i];
-      c.x[k] = g.x[i];
-      c.u[k] = g.u[i];
-      c.ray[k] = g.depth[i] - grown;
-      c.depth[k] = g.overlap.depth[i] - grown;
-      c.ny[k] = g.ny[i];
-      c.nz[k] = g.nz[i];
-      c.doubt[k] = static_cast<float>(doubt);
-    }
+  /// Notes a largest overlap in the list of candidates, once for each: its first look is replaced. Depths are
+  /// those at the height of the list. Of a strip's first top the doubt stays until another is known of.
+  void note_place(const FollowedStrips& s, std::int32_t i, CandidateAlong& top) const {
+    // depths are those at the height of the list, to nothing but the move
+    const bool twice = top.other == CandidateAlong::unknown;
+    const double doubt = twice ? second_looks_within : 0.0;
+    if (!(top.doubt > static_cast<float>(doubt))) return;
+    const double grown = growth(s.ny[i], s.nz[i]);
+    const CandidateAlong before = top;
+    top = candidate_at(s.strip[i], {s.x[i], {s.piece[i], s.u[i], s.depth[i] - grown}}, s.ny[i], s.nz[i],
+                       s.overlap.depth[i] - grown, doubt);
+    top.other = before.other;
+    top.own = before.own;
   }
 
   StripOverX<double> seen(std::int32_t strip, const StripOverlap<double>& at) const {
@@ -380,20 +407,40 @@ struct FollowedOverlaps {
             rail.distance,    rail.blend[face],     at.ny, at.nz};
   }
 
-  /// Adds the other top of strip i of those gathered, if it has one.
-  bool look_for_second(std::int32_t i, FollowedStrips& others) const {
-    // by the rail's fall first, then by rays
+  /// The other top of strip i of those gathered, by its number on the list: no_other, too, where it is far
+  /// from touching. It is looked for once, by the rail's fall.
+  std::int32_t other_top(std::int32_t i) {
+    CandidatesAlong& c = rail.candidates;
+    CandidateAlong& top = c.top[candidate[i]];
+    if (top.other == CandidateAlong::unknown) {
+      // the look begins at the top that was followed, and both are known from then on
+      const PlaceOfContact first = followed_place(gathered, i);
+      const StripOverlap<double>& at = first.overlap;
+      const FirstLook look = look_beyond_valley(rail, surfaces.varying, gathered.strip[i],
+                                                {{first.x, first.end}, at.ny, at.nz, top.own});
+      top.doubt = 0.0F;
+      top.other = CandidateAlong::no_other;
+      o.full = o.full || (look.depth > -1.0 && c.tops == c.capacity);
+      if (look.depth > -1.0 && c.tops < c.capacity) {
+        top.other = static_cast<std::int16_t>(c.tops);
+        c.top[c.tops++] =
+            candidate_at(gathered.strip[i], {look.x, {first.end.piece, first.end.u, look.depth}}, at.ny,
+                         at.nz, look.depth - growth(at.ny, at.nz), second_looks_within);
+      }
+    }
+    const bool near = top.other >= 0 && depth_now(c.top[top.other]) > -margin - second_looks_within;
+    return near ? top.other : CandidateAlong::no_other;
+  }
+
+  /// Puts the other top of strip i of those gathered among the others to be followed: at first by rays from
+  /// the strip's first one.
+  void put_other(std::int32_t i, std::int32_t number, FollowedStrips& others) const {
+    const CandidateAlong& top = rail.candidates.top[number];
+    if (!(top.doubt > 0.0F)) return put_largest(top.strip, known_place(top), top.ny, top.nz, others);
     const PlaceOfContact first = followed_place(gathered, i);
-    const std::int32_t strip = gathered.strip[i];
-    const LargestOverlap top{first.x, first.end};
-    const FirstLook look =
-        look_beyond_valley(rail, surfaces.varying, strip,
-                           {top, first.overlap.ny, first.overlap.nz, rail.candidates.own[candidate[i]]});
-    if (!(look.depth > -margin - second_looks_within)) return false;
-    StripOverX<double> over = seen(strip, first.overlap);
-    put_largest(strip, climb_second(over, rail.low[face], rail.high[face], look.x, top), first.overlap.ny,
-                first.overlap.nz, others);
-    return true;
+    StripOverX<double> over = seen(top.strip, first.overlap);
+    put_largest(top.strip, climb_second(over, rail.low[face], rail.high[face], top.x, {first.x, first.end}),
+                first.overlap.ny, first.overlap.nz, others);
   }
 
   /// Keeps both places of a strip, each of the part and within the bounds that the other leaves it.
@@ -411,7 +458,7 @@ struct FollowedOverlaps {
     // bounds are within the contacts' chords where the valley is not deep
     constexpr double reached = 0.5;
     PlaceOfContact both[2] = {first, other};
-    if (valley.end.depth > reached * smaller(first.end.depth, other.end.depth)) {
+    if (!tops_alone && valley.end.depth > reached * smaller(first.end.depth, other.end.depth)) {
       FollowedStrips again;
       again.count = 0;
       for (int k = 0; k < 2; ++k)
@@ -465,15 +512,16 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
       look_for_some(surfaces, rail, pose, o, first, end - first);
       first = end;
     }
-    if (!o.full) return;
+    if (!o.full) break;
     o.count = 0;
     find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, o);
   }
+  c.tops = c.count;
 }
 
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                          double angle, double margin, const OverlapScratch& scratch,
-                          const Overlaps& memory) noexcept {
+                          double angle, double margin, const OverlapScratch& scratch, const Overlaps& memory,
+                          bool tops_alone) noexcept {
   const VaryingRail& varying = surfaces.varying;
   const RailStrips strips = strips_before(surfaces, pose, rail);
   if (!varies(surfaces))
@@ -482,7 +530,7 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   o.count = 0;
   o.full = false;
   SecondRow second;
-  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, scratch, o, second, 0, {}, {}};
+  FollowedOverlaps followed{surfaces, rail, pose, angle, margin, scratch, o, second, tops_alone, 0, {}, {}};
   followed.gathered.count = 0;
   if (!changes(varying)) {
     followed.take_still(strips);

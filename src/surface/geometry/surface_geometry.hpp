@@ -45,12 +45,12 @@ bool candidates_hold(const CandidatesAlong& candidates, const RelativePose& pose
 /// All overlaps with depth > -margin, in the arrays of `memory`. `angle`: of the wheel about its axle [rad].
 /// On a rail that changes along the track candidates are looked for again, unless those known hold.
 Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                          double angle, double margin, const OverlapScratch& scratch,
-                          const Overlaps& memory) noexcept;
+                          double angle, double margin, const OverlapScratch& scratch, const Overlaps& memory,
+                          bool tops_alone = false) noexcept;
 
 /// The overlaps of strips of one face, which changes along the track.
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& strips);
+                 FollowedStrips& strips, bool tops_alone = false);
 
 /// Does the surface of a strip change along the track?
 inline bool changes_along(const SurfaceGeometry& surfaces, std::int32_t strip) {

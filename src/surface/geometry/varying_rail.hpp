@@ -107,6 +107,31 @@ WRC_IN_LOOP SectionWeights<Number> curvature_weights(const Number& t, const Numb
           t * (t * (84.0 - 60.0 * t) - 24.0) * per};
 }
 
+/// A number of a strip between two sections, by powers of the share t of the way: value_weights() and its
+/// derivatives, multiplied out.
+template <class Number>
+struct BetweenSections {
+  Number whole, once, cubed, fourth, fifth;
+
+  /// From the values in both sections, and their slopes by t.
+  WRC_IN_LOOP static BetweenSections of(const Number& left, const Number& right, const Number& leaving,
+                                        const Number& reaching) {
+    const Number rise = right - left;
+    return {left, leaving, 10.0 * rise - 6.0 * leaving - 4.0 * reaching,
+            8.0 * leaving + 7.0 * reaching - 15.0 * rise, 6.0 * rise - 3.0 * (leaving + reaching)};
+  }
+  WRC_IN_LOOP Number value(const Number& t, const Number& t2) const {
+    return whole + t * (once + t2 * (cubed + t * (fourth + t * fifth)));
+  }
+  /// The first two derivatives by t.
+  WRC_IN_LOOP Number slope(const Number& t, const Number& t2) const {
+    return once + t2 * (3.0 * cubed + t * (4.0 * fourth + t * (5.0 * fifth)));
+  }
+  WRC_IN_LOOP Number curvature(const Number& t) const {
+    return t * (6.0 * cubed + t * (12.0 * fourth + t * (20.0 * fifth)));
+  }
+};
+
 /// Place of a distance in a face's sections: between `left` and `right`, or at one that is both; weights of
 /// their values and slopes in the outline and its derivatives by the distance, up to the number asked for.
 struct SectionBlend {

@@ -350,15 +350,16 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
                          elastic * (e + s) * across * fitted.of[SurfaceCalibration::twist_x]);
     at.put(a.slip_y, slip_y + elastic * (s * fitted.of[SurfaceCalibration::torsion] +
                                          x * across * fitted.of[SurfaceCalibration::twist_y]));
-    // Spread of the slip across the contact, for fields, which have no derivatives.
+    // For fields, which have no derivatives: one over the size of forces (spread_slip() of
+    // surface_rolling.cpp), and the growth from strips beside.
     if constexpr (!has_more_inputs<0, Number>) {
-      const Number size = fitted.per_size;
-      const tangential::SlipAcross<Number> spread(u, x * size, e * size, s * size);
-      at.put(a.across, spread.at(across));
+      const Number size = fitted.per_size, S = (x * x + e * e + s * s) * (size * size);
+      at.put(a.across, size);
       // The curvature above by the mean force of spin: on a wheel's slopes strips have spins that cancel.
       const Number area = larger(l * at.get(in.width), Number(least_strip_length * least_strip_length));
       const Number mean = s * at.get(a.load) / ((0.75 * shared.shear_modulus) * area);
-      at.put(a.beside, spread.beside * (16.0 / (3.0 * pi) * stiff * mean / by_spin_y));
+      at.put(a.beside,
+             tangential::SlipAcross<Number>::beside_at(S) * (16.0 / (3.0 * pi) * stiff * mean / by_spin_y));
     }
   });
 }

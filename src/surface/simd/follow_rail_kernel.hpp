@@ -10,24 +10,7 @@ namespace {
 
 using surface::FollowedStrips;
 
-/// A number of strips between two sections, by powers of the share t of the way: value_weights() and its
-/// derivatives, multiplied out.
-struct BetweenSections {
-  Pack whole, once, cubed, fourth, fifth;
-
-  /// From the values in both sections, and their slopes by t.
-  static BetweenSections of(Pack left, Pack right, Pack leaving, Pack reaching) {
-    const Pack rise = right - left;
-    return {left, leaving, 10.0 * rise - 6.0 * leaving - 4.0 * reaching,
-            8.0 * leaving + 7.0 * reaching - 15.0 * rise, 6.0 * rise - 3.0 * (leaving + reaching)};
-  }
-  Pack value(Pack t, Pack t2) const { return whole + t * (once + t2 * (cubed + t * (fourth + t * fifth))); }
-  /// The first two derivatives by t.
-  Pack slope(Pack t, Pack t2) const {
-    return once + t2 * (3.0 * cubed + t * (4.0 * fourth + t * (5.0 * fifth)));
-  }
-  Pack curvature(Pack t) const { return t * (6.0 * cubed + t * (12.0 * fourth + t * (20.0 * fifth))); }
-};
+using BetweenSections = surface::BetweenSections<Pack>;
 
 /// The two sections of each lane about the distances of a ray's starts.
 struct SectionsAbout {
@@ -254,6 +237,8 @@ struct RaysAlong {
 
   surface::OverlapAlong<Pack> look(surface::AlongRay ray, Pack x, Mask goes) {
     RayEnds& at = end[ray];
+    // most contacts lie between the sections of their middle
+    if (first[ray] && ray != surface::ray_middle) strips.about[ray] = strips.about[surface::ray_middle];
     const surface::RayStart<Pack> from = strips.start(x, ray);
     if (first[ray]) step_ends(strips, from, goes, at);
     first[ray] = false;
@@ -295,6 +280,20 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.depth + first, ends.depth);
   store_pack(s.ny + first, strips.ny);
   store_pack(s.nz + first, strips.nz);
+
+  // the circle at the top, without the contact's chord
+  if (task.tops_alone) {
+    const surface::RayStart<Pack> from = strips.start(x);
+    store_pack(s.overlap.depth + first, ends.depth);
+    store_pack(s.overlap.centre + first, x);
+    store_pack(s.overlap.curvature + first, larger(-beside.bend, surface::least_curvature_left * beside.own));
+    store_pack(s.overlap.ny + first, strips.ny);
+    store_pack(s.overlap.nz + first, strips.nz);
+    store_pack(s.overlap.wy + first, from.y + ends.depth * strips.ny);
+    store_pack(s.overlap.wz + first, from.z + ends.depth * strips.nz);
+    store_pack(s.overlap.grade + first, 0.0);
+    return;
+  }
 
   // the parabola of the contact about it
   const Mask inside = (x > task.low) & (x < task.high),

@@ -8,8 +8,64 @@
 namespace wrc::simd {
 namespace {
 
+/// The best of the places on a face, and overlaps there and at the places beside it.
+struct BestPlace {
+  bool any_on_face;
+  Pack x, depth, ahead, behind;  ///< [m]
+  Pack inner;                    ///< 1: there are places to both sides, else 0
+
+  BestPlace(const surface::PlaceWeights* place, const Pack* depths, double low, double high)
+      : any_on_face(false), x(0.0), depth(0.0), ahead(0.0), behind(0.0), inner(0.0) {
+    constexpr std::int32_t last = surface::track_places - 1;
+    for (std::int32_t k = 0; k <= last; ++k) {
+      if (!(place[k].x >= low && place[k].x <= high)) continue;
+      const bool between = k > 0 && k < last;
+      const Mask more = any_on_face ? depths[k] > depth : Pack(0.0) < 1.0;
+      any_on_face = true;
+      x = select(more, place[k].x, x);
+      depth = select(more, depths[k], depth);
+      behind = select(more, depths[between ? k - 1 : k], behind);
+      ahead = select(more, depths[between ? k + 1 : k], ahead);
+      inner = select(more, between ? 1.0 : 0.0, inner);
+    }
+  }
+};
+
+/// The place where the overlap is largest of those along a face, or between these.
+inline void find_first_look(const surface::PlacedRail& placed, std::int32_t face, const Pack* depths,
+                            const Pack* at_end, Pack& x, Pack& depth) {
+  const double low = placed.low[face], high = placed.high[face];
+  const BestPlace best(placed.place[face], depths, low, high);
+  const double end[2] = {placed.end[face][0].x, placed.end[face][1].x};
+  const bool ends[2] = {wrc::magnitude(end[0]) < surface::farthest_along,
+                        wrc::magnitude(end[1]) < surface::farthest_along};
+  if (!best.any_on_face) {
+    // the face is there farther away alone
+    const bool behind = ends[0] || (!ends[1] && wrc::magnitude(low) < wrc::magnitude(high));
+    x = end[behind ? 0 : 1];
+    depth = at_end[behind ? 0 : 1];
+    return;
+  }
+  // top of the parabola through the best place and those beside it
+  const Pack rise = 0.5 * (best.ahead - best.behind), bend = 2.0 * best.depth - best.ahead - best.behind;
+  const Mask round = bend > magnitude(rise);
+  const Pack top = select(round, rise / select(round, bend, 1.0), select(rise > 0.0, 1.0, -1.0));
+  const Pack between = smaller(larger(best.x + surface::place_apart * top, low), high),
+             share = (between - best.x) / surface::place_apart;
+  const Mask inner = best.inner > 0.0;
+  x = select(inner, between, best.x);
+  depth = select(inner, best.depth + share * (rise - 0.5 * bend * share), best.depth);
+  // the face may end between two of these places
+  for (int k = 1; k >= 0; --k) {
+    if (!ends[k]) continue;
+    const Mask more = at_end[k] > best.depth;
+    x = select(more, end[k], x);
+    depth = select(more, at_end[k], depth);
+  }
+}
+
 /// SurfaceKernels::look_along.
-inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& depths) {
+inline void look_along_kernel(const LookAlongTask& task, surface::FirstLooks& looks) {
   const surface::PlacedRail& placed = *task.placed;
   const surface::Overlaps& o = *task.overlaps;
   for (std::int32_t base = 0; base < task.count; base += lanes) {
@@ -23,25 +79,32 @@ inline void look_along_kernel(const LookAlongTask& task, surface::PlaceDepths& d
     const Pack depth = load(o.depth, first, count, 0.0), centre = load(o.centre, first, count, 0.0),
                curvature = load(o.curvature, first, count, 0.0), ny = load(o.ny, first, count, 0.0),
                nz = load(o.nz, first, count, 0.0);
-    // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X))
+    // d - kappa/2 (x - W_x)^2 - n.(P(X + x) - P(X)), n.P as PlaceWeights::weight has it
+    const Pack below_axle = depth + ny * y + nz * z;
+    Pack fall[4] = {};
     const auto depth_at = [&](const surface::PlaceWeights& place) {
-      sections.go_to(place);
+      if (sections.go_to(place))
+        for (std::int32_t k = 0; k < 4; ++k) fall[k] = ny * sections.list[0][k] + nz * sections.list[1][k];
       const Pack off = place.x - centre;
-      return depth - 0.5 * curvature * off * off - ny * (sections.at(place, 0) - y) -
-             nz * (sections.at(place, 1) - z);
+      const Pack there = place.weight[0] * fall[0] + place.weight[1] * fall[1] + place.weight[2] * fall[2] +
+                         place.weight[3] * fall[3];
+      return below_axle - 0.5 * curvature * off * off - there;
     };
     // at the places, and where the face ends
-    for (std::int32_t k = 0; k < surface::track_places; ++k)
-      store(depth_at(placed.place[task.face][k]), depths.at[k] + base, count);
-    for (std::int32_t k = 0; k < 2; ++k)
-      store(depth_at(placed.end[task.face][k]), depths.at_end[k] + base, count);
+    Pack depths[surface::track_places], at_end[2], x, most;
+    for (std::int32_t k = 0; k < surface::track_places; ++k) depths[k] = depth_at(placed.place[task.face][k]);
+    for (std::int32_t k = 0; k < 2; ++k) at_end[k] = depth_at(placed.end[task.face][k]);
+    find_first_look(placed, task.face, depths, at_end, x, most);
+    store(x, looks.x + base, count);
+    store(most, looks.depth + base, count);
   }
 }
 
-/// The overlap at x by rays from the ends of those nearby, which become the ends of these.
-inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes) {
+/// The overlap at x by rays from the ends of those nearby, which become the ends of these: by so many steps
+/// of Newton's method.
+inline Pack depth_along(StripsOverX& strips, Pack x, RayEnds& ends, Mask goes, int steps) {
   const surface::RayStart<Pack> from = strips.start(x);
-  for (int n = 0; n < surface::ray_steps; ++n) step_ends(strips, from, goes, ends);
+  for (int n = 0; n < steps; ++n) step_ends(strips, from, goes, ends);
   return ends.depth;
 }
 
@@ -84,14 +147,14 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
   // from below the axle to there
   Pack before = surface::near_axle;
   for (Mask goes = before < distance; any(goes); goes = before < distance) {
-    depth_along(strips, way * before, ends, goes);
+    depth_along(strips, way * before, ends, goes, surface::ray_steps);
     before = before + surface::near_axle;
   }
   found.x = from;
   found.ends = ends;
-  depth_along(strips, from, found.ends, Pack(0.0) < 1.0);
+  depth_along(strips, from, found.ends, Pack(0.0) < 1.0, surface::ray_steps);
 
-  // on, as long as the overlap grows, else back
+  // on, as long as the overlap grows, else back: one step finds ends of rays a centimetre on to micrometres
   Mask moves = Pack(0.0) < 1.0;
   constexpr double both_ways[] = {1.0, -1.0}, parts[] = {0.5, 0.25};
   for (const double direction : both_ways) {
@@ -100,7 +163,7 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
     ends = found.ends;
     Mask goes = moves & on_face(x);
     for (int n = 0; n < most_places && any(goes); ++n) {
-      const Mask grows = goes & (depth_along(strips, x, ends, goes) > found.ends.depth);
+      const Mask grows = goes & (depth_along(strips, x, ends, goes, 1) > found.ends.depth);
       found.take(grows, x, ends);
       x = x + step;
       goes = grows & on_face(x);
@@ -116,7 +179,7 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
       const Mask goes = on_face(x);
       if (!any(goes)) continue;
       ends = middle.ends;
-      found.take(goes & (depth_along(strips, x, ends, goes) > found.ends.depth), x, ends);
+      found.take(goes & (depth_along(strips, x, ends, goes, 1) > found.ends.depth), x, ends);
     }
   }
   // the largest

@@ -27,8 +27,9 @@ struct StripsInSections {
     for (std::int32_t i = 0; i < lanes; ++i) each[i] = of[strip[i]];
     return load_pack(each);
   }
-  void go_to(const surface::PlaceWeights& place) {
-    if (place.left == left && place.right == right) return;
+  /// Returns whether the sections are others than those of the place before.
+  bool go_to(const surface::PlaceWeights& place) {
+    if (place.left == left && place.right == right) return false;
     left = place.left;
     right = place.right;
     for (std::int32_t k = 0; k < 4; ++k) {
@@ -36,6 +37,7 @@ struct StripsInSections {
       for (std::int32_t q = 0; q < 2; ++q)
         list[q][k] = read(rail.outline + (section * 8 + slope + q) * rail.stride);
     }
+    return true;
   }
   Pack at(const surface::PlaceWeights& place, std::int32_t q) const {
     return place.weight[0] * list[q][0] + place.weight[1] * list[q][1] + place.weight[2] * list[q][2] +

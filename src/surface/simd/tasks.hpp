@@ -134,6 +134,7 @@ struct FollowRailTask {
   const surface::Curve* wheel;
   const surface::RelativePose* pose;
   double distance, low, high;  ///< as PlacedRail [m]
+  bool tops_alone;             ///< overlaps are those of the circles at the tops, not of whole contacts
 };
 
 /// Overlaps of strips of one face, of which places along the track are looked at.

@@ -305,7 +305,9 @@ Fault solve_at_height(const HeightSolver& solver, double height, double toleranc
   const WheelProblem& problem = solver.problem;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, s.motion, candidate_margin(problem.model), s.overlaps);
+  const double margin = candidate_margin(problem.model);
+  if (!move_wheel_overlaps(problem, s.motion, margin, s.overlaps))
+    find_wheel_overlaps(problem, s.motion, margin, s.overlaps);
   return solve_overlaps(solver, height, tolerance);
 }
 

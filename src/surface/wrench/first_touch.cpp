@@ -105,9 +105,10 @@ double fall_to_candidates(const WheelProblem& problem, const RelativeMotion& mot
   const CandidatesAlong& c = problem.rail.candidates;
   const double y = motion.pose.y - c.at_y, z = motion.pose.z - c.at_z;
   double fall = farthest_touch;
-  for (std::int32_t k = 0; k < c.count; ++k) {
-    const double down = downwards(motion, c.ny[k], c.nz[k]);
-    if (down > least_down) fall = smaller(fall, -(c.depth[k] + c.ny[k] * y + c.nz[k] * z) / down);
+  for (std::int32_t k = 0; k < c.tops; ++k) {
+    const CandidateAlong& top = c.top[k];
+    const double down = downwards(motion, top.ny, top.nz);
+    if (down > least_down) fall = smaller(fall, -(top.depth + top.ny * y + top.nz * z) / down);
   }
   return fall;
 }

@@ -130,8 +130,8 @@ bool candidates_are_flat(const WheelProblem& problem, const RelativeMotion& moti
   if (problem.in.law || !candidates_hold(c, motion.pose, margin)) return false;
   bool flat = true;
   for (std::int32_t k = 0; k < c.count && flat; ++k) {
-    const double aside = motion.cosine * c.ny[k] - motion.sine * c.nz[k];
-    flat = problem.in.friction * magnitude(aside) < far * downwards(motion, c.ny[k], c.nz[k]);
+    const double ny = c.top[k].ny, nz = c.top[k].nz, aside = motion.cosine * ny - motion.sine * nz;
+    flat = problem.in.friction * magnitude(aside) < far * downwards(motion, ny, nz);
   }
   return flat;
 }
@@ -283,7 +283,7 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   const PressureStart& earlier = solver.start.solution;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, s.motion, apart, s.overlaps);
+  find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;

@@ -19,6 +19,26 @@ WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
           cut_overlap_scratch(arena, sizes.wheel_pieces, sizes.rail_strips)};
 }
 
+bool move_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& motion, double margin,
+                         WheelOverlaps& o) {
+  // 2 nm at the default, 20 nm at "real time": forces are then known as well as loads are met
+  constexpr double near = 0.2e-3;  // [m], times the tolerance
+  const RelativePose& pose = motion.pose;
+  const double far = larger(magnitude(pose.y - o.found_y), magnitude(pose.z - o.found_z));
+  if (o.margin != margin || !(far <= near * problem.model.pressure.tolerance)) return false;
+  // depths grow by the move along the normals; places of the wheel stay on the rail [m]
+  const double y = pose.y - o.moved_y, z = pose.z - o.moved_z;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const double deeper = o.ny[i] * y + o.nz[i] * z;
+    o.depth[i] += deeper;
+    o.wy[i] += deeper * o.ny[i] - y;
+    o.wz[i] += deeper * o.nz[i] - z;
+  }
+  o.moved_y = pose.y;
+  o.moved_z = pose.z;
+  return true;
+}
+
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results) {
   const std::int32_t most = sizes.strips;
   WheelSolution s;

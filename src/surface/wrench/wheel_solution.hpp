@@ -37,6 +37,10 @@ struct WheelProblem {
 /// Overlaps at a height, and scratch for the outline of the wheel that they are found by.
 struct WheelOverlaps : Overlaps {
   OverlapScratch outline;
+  /// Margin that whole contacts along the track were found with; negative: others, or none [m].
+  double margin = -1.0;
+  double found_y = 0.0, found_z = 0.0;  ///< the wheel's reference point then [m]
+  double moved_y = 0.0, moved_z = 0.0;  ///< where they have been moved to since [m]
 };
 
 /// The strips in contact, by increasing arc length.
@@ -85,11 +89,20 @@ inline double candidate_margin(const SurfaceModel& model) {
   return model.methods.planar.solve ? planar_margin : 0.0;
 }
 
-/// Finds all strips with depth > -margin [m].
+/// Finds all strips with depth > -margin [m]. `tops_alone`: along the track by the tops of overlaps, without
+/// contacts' chords.
 inline void find_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& motion, double margin,
-                                WheelOverlaps& o) {
-  static_cast<Overlaps&>(o) =
-      overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle, margin, o.outline, o);
+                                WheelOverlaps& o, bool tops_alone = false) {
+  static_cast<Overlaps&>(o) = overlap_surfaces(problem.model, problem.rail, motion.pose, problem.in.angle,
+                                               margin, o.outline, o, tops_alone);
+  o.margin = tops_alone || !changes(problem.model.varying) ? -1.0 : margin;
+  o.found_y = o.moved_y = motion.pose.y;
+  o.found_z = o.moved_z = motion.pose.z;
 }
+
+/// Moves overlaps along the track to a pose very near the one that they were found at, as their tangents say.
+/// Returns whether it is that near: the last heights of a search lie nanometres apart.
+bool move_wheel_overlaps(const WheelProblem& problem, const RelativeMotion& motion, double margin,
+                         WheelOverlaps& o);
 
 }  // namespace wrc::surface

@@ -43,7 +43,6 @@ struct SlipAcross {
     // 0.35 to 2.8; c[6] to c[8], c[11] and c[12] are those of spin.
     constexpr double c[] = {0.421, -2.375, 0.461, 0.990, 0.849, 1.334, 0.525,
                             0.738, -1.658, 0.497, 0.329, 0.016, 0.373};
-    constexpr double beside_at_rest = 0.338;
     const Number held = smaller(larger(u, Number(-0.5)), Number(0.5));
     const Number xx = x * x, ee = e * e, ss = s * s, S = xx + ee + ss, S2 = S * S;
     // m and n by the shares of creepages and spin in S; 0 where nothing slips
@@ -51,9 +50,11 @@ struct SlipAcross {
     const Number creepages = xx * (c[2] + c[3] * held) + ee * (c[4] + c[5] * held);
     even = sticks * ((1.0 + c[0] * S2 + c[1] * (S2 * S2)) * creepages + ss * (c[6] + c[7] * held + c[8] * S));
     odd = sticks * (x * (e * (c[9] + c[10] * S) + s * (c[11] + c[12] * held)));
-    // as saturation grows, strips slip as a whole and need nothing from those beside
-    beside = beside_at_rest * (1.0 - S);
+    beside = beside_at(S);
   }
+
+  /// b: as saturation grows, strips slip as a whole and need nothing from those beside.
+  static Number beside_at(const Number& S) { return 0.338 * (1.0 - S); }
 
   Number at(const Number& t) const { return slip_factor(even, odd, t); }
 };
