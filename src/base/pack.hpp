@@ -276,20 +276,22 @@ inline void store_pack(double* to, Pack x) {
 }
 
 /// The nearest integer of 0 <= a < 2^51, ties to even.
-inline Pack nearest_integer(Pack a) {
-  const Pack unit_spacing = 4503599627370496.0;  // 2^52: the next double is one more
+inline Native nearest_integer(Native a) {
+  const Native unit_spacing = broadcast(4503599627370496.0);  // 2^52: the next double is one more
   return (a + unit_spacing) - unit_spacing;
 }
+inline Pack nearest_integer(Pack a) { return {nearest_integer(a.a), nearest_integer(a.b)}; }
 
 /// The largest integer that is no larger than 0 <= a < 2^51.
-inline Pack whole_part(Pack a) {
+inline Native whole_part(Native a) {
 #if defined(__AVX2__)
-  return {floor_of(a.a), floor_of(a.b)};
+  return floor_of(a);
 #else
-  const Pack nearest = nearest_integer(a);
-  return select(nearest > a, nearest - 1.0, nearest);
+  const Native nearest = nearest_integer(a);
+  return choose(less(a, nearest), nearest - broadcast(1.0), nearest);
 #endif
 }
+inline Pack whole_part(Pack a) { return {whole_part(a.a), whole_part(a.b)}; }
 
 /// The bits of a pack, for masks and exponents read off them.
 using NativeBits = std::uint64_t __attribute__((vector_size(sizeof(Native))));
@@ -334,6 +336,18 @@ inline Indices indices(Bits whole) {
   return i;
 }
 inline Indices indices(Pack whole) { return indices(bits_of(whole + index_origin)); }
+
+/// The same of one vector.
+struct NativeIndices {
+  std::int64_t at[native_lanes];
+};
+inline NativeIndices indices(Native whole) {
+  NativeIndices i;
+  const Native bits = whole + broadcast(index_origin);
+  __builtin_memcpy(i.at, &bits, sizeof bits);
+  __asm__("" : "+m"(i));
+  return i;
+}
 
 /// Elements i.at[0], i.at[1], .. of an array, and those behind them.
 struct Neighbours {

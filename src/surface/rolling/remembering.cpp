@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "surface/pressure/pressure.hpp"
 #include "surface/rolling/strip_parts.hpp"
@@ -84,19 +85,28 @@ class Rememberer {
 
  private:
   struct Part {
-    std::int32_t first, end;
-    double share;
-    const PartMeans& means;
+    std::int32_t first = 0, end = 0;
+    double share = 0.0;
+    PartMeans means;
+    std::int32_t number = 0;
   };
 
-  /// Parts that carry load and have friction.
+  /// Parts that carry load and have friction. One that is alone is found once.
   template <class Take>
   void for_each_part(Take&& take) {
+    if (alone_.end > 0) return take(alone_);
+    // all of them are counted: strips of one without load are found again
+    std::int32_t all = 0;
+    Part part;
     parts_.for_each(
         [&](std::int32_t first, std::int32_t end, double share, const LobeCut* low, const LobeCut* high) {
           const PartMeans m = parts_.take_part(first, end, low, high);
-          if (m.load > 0.0 && m.friction > 0.0) take(Part{first, end, share, m});
+          ++all;
+          if (!(m.load > 0.0 && m.friction > 0.0)) return;
+          part = {first, end, share, m, part.end > 0 ? part.number + 1 : 0};
+          take(part);
         });
+    if (all == 1) alone_ = part;
   }
 
   /// Calls take(j, k) for each strip j of the part, its k-th.
@@ -122,7 +132,10 @@ class Rememberer {
       strip.centre = in_.along[j];
       strip.half_length = strips_.half_length[j];
       longest_ = std::max(longest_, 2.0 * strip.half_length);
-      scratch_.shared[j] = {};
+      tangential::RememberingStrip& cells = scratch_.shared[j];
+      std::fill_n(cells.bound, memory_cells, 0.0);
+      cells.bounds = cells.growth_x = cells.growth_y = cells.turns = cells.arm = 0.0;
+      cells.own_x = cells.own_y = cells.own_turn = 0.0;
     }
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
@@ -232,9 +245,7 @@ class Rememberer {
 
   /// Largest force that the cells of a strip bear, whose bounds have another form than its pressure [N].
   double borne_by_cells(std::int32_t j) const {
-    double sum = 0.0;
-    for (const double bound : scratch_.shared[j].bound) sum += bound;
-    return sum * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
+    return scratch_.shared[j].bounds * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
   }
 
   /// Share of a strip's width within the part taken last.
@@ -281,8 +292,10 @@ class Rememberer {
     return left;
   }
 
-  /// The part as a patch.
-  tangential::PatchStrips fill_strips(const Part& part, const tangential::RememberingStrip* shared) {
+  /// The part as a patch, in `contact_`.
+  void fill_region(const Part& part) {
+    if (part.number == filled_) return;
+    filled_ = part.number;
     const PartMeans& m = part.means;
     patch::Strips& region = scratch_.region;
     region.count = 0;
@@ -295,41 +308,62 @@ class Rememberer {
       scratch_.shares[k] = strips_.friction[j] / m.friction;
       scratch_.number[k] = in_.number[j];
       scratch_.past_of_part[k] = scratch_.past[j];
-      scratch_.inside[k] = inside(j);
-      if (shared) scratch_.of_part[k] = shared + j;
+      scratch_.inside[k] = region.width[k] / strips_.width[j];
+      scratch_.of_part[k] = scratch_.shared + j;
       region.count = k + 1;
     });
     contact_.region = region;
     contact_.friction = {m.friction, scratch_.shares};
-    return {in_.past,
-            in_.past_count,
-            scratch_.written,
-            scratch_.strips,
-            scratch_.number,
-            scratch_.past_of_part,
-            scratch_.inside,
-            shared ? scratch_.of_part : nullptr,
-            shared ? left_beside(part) : tangential::LeftStrips{},
-            longest_};
+  }
+
+  /// Numbers of the part, which is the one in `contact_`. The first ones' are kept.
+  const tangential::PatchNumbers& numbers_of(const Part& part) {
+    // those behind share the last place, and are found at each call
+    constexpr std::int32_t last = kept_parts - 1;
+    tangential::PatchNumbers& numbers = numbers_[std::min(part.number, last)];
+    if (part.number >= numbered_ || part.number >= last)
+      numbers = tangential::patch_numbers(contact_, fault_);
+    numbered_ = std::max(numbered_, part.number + 1);
+    return numbers;
+  }
+
+  /// Does a part, the one in `contact_`, have all of all strips? Then theirs are written in place.
+  bool is_whole(const Part& part) const {
+    return part.share == 1.0 && part.first == 0 && contact_.region.count == strips_.count;
+  }
+
+  /// The part's step, before it. One that is alone begins once.
+  tangential::PatchStep& begin_part(const Part& part) {
+    if (patch_ && part.number == filled_) return *patch_;
+    fill_region(part);
+    patch_.emplace(contact_,
+                   tangential::PatchStrips{in_.past, in_.past_count,
+                                           is_whole(part) ? written() : scratch_.written, scratch_.strips,
+                                           scratch_.number, scratch_.past_of_part, scratch_.inside, longest_},
+                   numbers_of(part));
+    return *patch_;
   }
 
   /// Adds a part's bounds, growths and displacements to those of its strips, by its share. Strips of two
   /// partitions then roll alike in both, but for the yield.
   void share_numbers(const Part& part) {
-    const tangential::PatchStep patch(contact_, fill_strips(part, nullptr), fault_);
+    tangential::PatchStep& patch = begin_part(part);
+    patch.set_bounds();
+    const tangential::PatchNumbers& numbers = numbers_of(part);
     const tangential::Creepage& c = part.means.creepage;
-    const double arm = patch.arm(), follows = patch.follows(in_.rolled);
+    const double arm = numbers.arm, follows = patch.follows(in_.rolled);
     for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
       const double weight = part.share * scratch_.inside[k];
       const tangential::RememberingStrip& from = scratch_.strips[k];
       tangential::RememberingStrip& to = scratch_.shared[j];
-      for (std::int32_t i = 0; i < memory_cells; ++i) to.bound[i] += weight * from.bound[i];
+      tangential::add_cells(weight, from.bound, to.bound);
+      to.bounds += weight * from.bounds;
       to.growth_x += weight * from.growth_x;
       to.growth_y += weight * from.growth_y;
       to.turns += weight * from.turns;
       to.arm += weight * arm;
       // slips of the strip; beside the part's mean along x, and by spin, with the factor on arms
-      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k];
+      const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k];
       to.own_x += weight * (c.longitudinal + arm * (strips_.slip_x[j] - c.longitudinal));
       to.own_y += weight * (strips_.slip_y[j] + (arm - 1.0) * c.spin * x);
       to.own_turn = strips_.spin[j];
@@ -342,29 +376,34 @@ class Rememberer {
   /// Solves the step of one part, and adds its strips, by its share, to those of the contact.
   void roll_part(const Part& part) {
     if (from_now_) return;
-    tangential::PatchStep patch(contact_, fill_strips(part, scratch_.shared), fault_);
+    tangential::PatchStep& patch = begin_part(part);
+    patch.take_shared(scratch_.of_part, left_beside(part));
+    const tangential::PatchNumbers& numbers = numbers_of(part);
     // how much further than the bodies it takes the steady force, over the step
     constexpr double none[3] = {};
     double local[3], of_part[3], last = 0.0;
     patch.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, local, of_part, last);
     const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last);
-    const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = patch.arm();
+    const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = numbers.arm;
     last_ = last;
     if (takes_over_ == 0.0) stored_ += part.share * patch.stored();
+    const bool whole = is_whole(part);
     for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
       const double weight = part.share * scratch_.inside[k];
-      const PastStrip& from = scratch_.written[k];
       PastStrip& to = written()[j];
-      for (std::int32_t i = 0; i < memory_cells; ++i) {
-        to.px[i] += weight * from.px[i];
-        to.py[i] += weight * from.py[i];
+      const PastStrip& from = whole ? to : scratch_.written[k];
+      const double fx = from.force[0], fy = from.force[1], mz = from.force[2];
+      if (whole) {
+        std::fill_n(to.force, 3, 0.0);
+      } else {
+        tangential::add_cells(weight, from.px, to.px);
+        tangential::add_cells(weight, from.py, to.py);
       }
       // moments about the strip's own middle
-      const double x = in_.along[j] - patch.centre_x(), y = contact_.region.y[k] - patch.centre_y();
-      to.force[0] += part.share * from.force[0];
-      to.force[1] += part.share * from.force[1];
-      to.force[2] += part.share * (from.force[2] - arm * (x * from.force[1] - y * from.force[0])) *
-                     (scratch_.shared[j].arm / arm);
+      const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k] - numbers.centre_y;
+      to.force[0] += part.share * fx;
+      to.force[1] += part.share * fy;
+      to.force[2] += part.share * (mz - arm * (x * fy - y * fx)) * (scratch_.shared[j].arm / arm);
       scratch_.ahead_x[j] += weight * (ahead[0] - ahead[2] * y);
       scratch_.ahead_y[j] += weight * (ahead[1] + ahead[2] * x);
       scratch_.ahead_turn[j] += weight * ahead[2];
@@ -463,27 +502,34 @@ class Rememberer {
     for (std::int32_t j = 0; j < strips_.count; ++j)
       tangential::tend_to(scratch_.steady[j], takes_over_, written()[j]);
     for_each_part([&](const Part& part) {
-      const tangential::PatchStep patch(contact_, fill_strips(part, scratch_.shared), fault_);
+      // energy of the cells and of the half-spaces
+      fill_region(part);
+      double force[3] = {}, stored = 0.0;
       for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-        PastStrip& strip = scratch_.written[k] = written()[j];
-        for (double& f : strip.force) f *= scratch_.inside[k];
+        const PastStrip& strip = written()[j];
+        const tangential::RememberingStrip& cells = scratch_.shared[j];
+        for (int i = 0; i < 3; ++i) force[i] += scratch_.inside[k] * strip.force[i];
+        const double area = contact_.region.width[k] * strips_.half_length[j] * (2.0 / memory_cells);
+        stored += tangential::stored_in(strip, area, cells.growth_x, cells.growth_y);
       });
-      stored_ += part.share * patch.stored();
+      stored_ += part.share * (stored + tangential::stored_by(numbers_of(part).yield, force));
     });
   }
 
   /// Lowers the forces of each part to its friction limit.
   void stay_within_friction() {
     for_each_part([&](const Part& part) {
+      fill_region(part);
       double fx = 0.0, fy = 0.0;
-      for_each_strip(part, [&](std::int32_t j, std::int32_t) {
-        fx += inside(j) * forces_.fx[j];
-        fy += inside(j) * forces_.fy[j];
+      for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
+        fx += scratch_.inside[k] * forces_.fx[j];
+        fy += scratch_.inside[k] * forces_.fy[j];
       });
       const double size = std::max(std::sqrt(fx * fx + fy * fy), least_force);
       const double within = std::min(1.0, part.means.friction * part.means.load / size);
-      for_each_strip(
-          part, [&](std::int32_t j, std::int32_t) { scratch_.within[j] += part.share * inside(j) * within; });
+      for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
+        scratch_.within[j] += part.share * scratch_.inside[k] * within;
+      });
     });
     for (std::int32_t j = 0; j < strips_.count; ++j) {
       forces_.fx[j] *= scratch_.within[j];
@@ -524,6 +570,7 @@ class Rememberer {
     if (before > 0.0) before /= 1.0 + change_counts * change_of(j);
     strip.way = std::min(before + step, tangential::all_forgotten);
     const double rate = settles * step * settled(before), share = rate / (1.0 + rate);
+    if (!(share > 0.0)) return;
     const PastStrip& steady = scratch_.steady[j];
     tangential::tend_to(steady, share, strip);
     for (int i = 0; i < 3; ++i) strip.added[i] += share * (steady.added[i] - strip.added[i]);
@@ -564,11 +611,17 @@ class Rememberer {
   Scratch scratch_;
   StripsInParts parts_;
   tangential::RollingContact contact_;
-  double longest_ = 0.0;     // strip [m]
-  double last_ = 0.0;        // length of the step's last part [m]
-  double energy_ = 0.0;      // could be given back before the step [J]
-  double stored_ = 0.0;      // in the tractions of its end [J]
-  double takes_over_ = 0.0;  // share of steady rolling in it [-]
+  static constexpr std::int32_t kept_parts = 8;
+  tangential::PatchNumbers numbers_[kept_parts];
+  std::int32_t numbered_ = 0;                   // parts that have had their numbers
+  std::int32_t filled_ = -1;                    // the part in contact_
+  Part alone_;                                  // end > 0: the only one
+  std::optional<tangential::PatchStep> patch_;  // that of the part in contact_
+  double longest_ = 0.0;                        // strip [m]
+  double last_ = 0.0;                           // length of the step's last part [m]
+  double energy_ = 0.0;                         // could be given back before the step [J]
+  double stored_ = 0.0;                         // in the tractions of its end [J]
+  double takes_over_ = 0.0;                     // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
   bool two_rows_ = false;          // has either step second places along the track?
   std::int32_t heirs_[2][2] = {};  // places by their row in the committed step, then by that of now

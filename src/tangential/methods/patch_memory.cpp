@@ -145,12 +145,6 @@ struct PressureRanks {
   double per_load;          ///< bins over the largest peak times half length
   double larger[bins + 1];  ///< at pressures whose square over the largest one's is bin / bins
   double cone;              ///< part of a cone in the pressures' form
-
-  /// `square`: square of a cell's pressure [bins].
-  double at(double square) const {
-    const std::int32_t bin = static_cast<std::int32_t>(square);
-    return larger[bin] + (square - bin) * (larger[bin + 1] - larger[bin]);
-  }
 };
 
 PressureRanks rank_pressures(const patch::Strips& region, double largest_load) {
@@ -225,55 +219,77 @@ PastStrip turned(const PastStrip& strip, double direction) {
   return s;
 }
 
-PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault,
-                     const MemoryFactors& factors)
-    : contact_(contact), strips_(strips), factors_(factors) {
-  // the longest strip, and the centre of the load
+PatchNumbers patch_numbers(const RollingContact& contact, Fault& fault, const MemoryFactors& factors) {
+  // the longest strip, the friction limit of N_j = pi/2 peak half_length width, and the centre of the load
+  PatchNumbers n;
   const patch::Strips& region = contact.region;
   double load = 0.0, square = 0.0;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    length_ = std::max(length_, 2.0 * region.half_length[j]);
-    const double own = region.peak[j] * region.half_length[j] * region.width[j];
+    n.length = std::max(n.length, 2.0 * region.half_length[j]);
+    const double per_width = region.peak[j] * region.half_length[j], own = per_width * region.width[j];
+    n.largest_load = std::max(n.largest_load, per_width);
+    n.limit += contact.friction[j] * (0.5 * pi) * own;
     load += own;
-    centre_x_ += own * region.centre[j];
-    centre_y_ += own * region.y[j];
+    n.centre_x += own * region.centre[j];
+    n.centre_y += own * region.y[j];
     square += own * region.y[j] * region.y[j];
-    largest_load_ = std::max(largest_load_, region.peak[j] * region.half_length[j]);
   }
-  centre_x_ /= std::max(load, least);
-  centre_y_ /= std::max(load, least);
+  n.centre_x /= std::max(load, least);
+  n.centre_y /= std::max(load, least);
 
   // Local flexibilities, of linear rolling; the yield of the patch as a whole, of linear theory at rest less
   // theirs.
   const StripEllipse ellipse = strip_ellipse(contact);
-  a_ = ellipse.a;
-  b_ = ellipse.b;
+  const double a = n.a = ellipse.a, b = n.b = ellipse.b;
   const double G = contact.shear_modulus;
-  const theory::SdecCoefficients linear = contact.linear_theory->at(a_ / b_, ellipse.shape_number, fault);
-  const double area = pi * a_ * b_, u = theory::slenderness(a_ / b_), u2 = u * u;
-  growth_x_ = 3.0 * G * linear.c11 / (8.0 * a_ * (1.0 + factors_.flexibility_x));
-  growth_y_ = 3.0 * G * linear.c22 / (8.0 * a_ * (1.0 + factors_.flexibility_y));
-  arm_ = 1.0 + factors_.arm + factors_.arm_slender * u2;
-  Yield rest = yield_at_rest(a_, b_, G, contact.linear_theory->poisson());
+  const theory::SdecCoefficients linear = contact.linear_theory->at(a / b, ellipse.shape_number, fault);
+  const double area = pi * a * b, u = theory::slenderness(a / b), u2 = u * u;
+  n.growth_x = 3.0 * G * linear.c11 / (8.0 * a * (1.0 + factors.flexibility_x));
+  n.growth_y = 3.0 * G * linear.c22 / (8.0 * a * (1.0 + factors.flexibility_y));
+  n.arm = 1.0 + factors.arm + factors.arm_slender * u2;
+  Yield rest = yield_at_rest(a, b, G, contact.linear_theory->poisson());
   const double outline = yield_of_outline(region);
   rest.x *= outline;
   rest.y *= outline;
-  const double turned = torsion_at_rest(u2) / (G * a_ * b_ * std::sqrt(a_ * b_));
-  const double cells_turned = 4.0 / (arm_ * arm_ * area * (growth_x_ * b_ * b_ + growth_y_ * a_ * a_));
-  yield_[0] = std::max(0.0, rest.x - 1.0 / (growth_x_ * area));
-  yield_[1] = std::max(0.0, rest.y - 1.0 / (growth_y_ * area));
-  yield_[2] = std::max(0.0, (1.0 + factors_.torsion) * turned - cells_turned);
+  const double turned = torsion_at_rest(u2) / (G * a * b * std::sqrt(a * b));
+  const double cells_turned = 4.0 / (n.arm * n.arm * area * (n.growth_x * b * b + n.growth_y * a * a));
+  n.yield[0] = std::max(0.0, rest.x - 1.0 / (n.growth_x * area));
+  n.yield[1] = std::max(0.0, rest.y - 1.0 / (n.growth_y * area));
+  n.yield[2] = std::max(0.0, (1.0 + factors.torsion) * turned - cells_turned);
+  // Humps whose load spreads wider than an ellipse's displace one another in proportion to their forces. That
+  // part of the yield forms no bounds. Of two circles that touch, of spread 1.5, it is 0.24.
+  const double spread = 5.0 * (square / std::max(load, least) - n.centre_y * n.centre_y) / (b * b);
+  const double wider = std::clamp(spread - 1.0, 0.0, 0.5), mutual = wider * wider;
+  const double whole = 0.5 * (n.yield[0] / rest.x + n.yield[1] / rest.y) + factors.share;
+  n.share = std::clamp((whole - mutual) / (1.0 - mutual), 0.0, 0.9);
+  return n;
+}
+
+PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, const PatchNumbers& numbers,
+                     const MemoryFactors& factors)
+    : contact_(contact), strips_(strips), factors_(factors), numbers_(numbers) {
   if (strips_.number)
     take_past_of_rail();
   else
     take_past_of_plane();
-  // Humps whose load spreads wider than an ellipse's displace one another in proportion to their forces. That
-  // part of the yield forms no bounds. Of two circles that touch, of spread 1.5, it is 0.24.
-  const double spread = 5.0 * (square / std::max(load, least) - centre_y_ * centre_y_) / (b_ * b_);
-  const double wider = std::clamp(spread - 1.0, 0.0, 0.5), mutual = wider * wider;
-  const double whole = 0.5 * (yield_[0] / rest.x + yield_[1] / rest.y) + factors_.share;
-  set_bounds(std::clamp((whole - mutual) / (1.0 - mutual), 0.0, 0.9));
-  if (strips_.shared) let_strips_leave();
+  set_strips();
+}
+
+void PatchStep::take_shared(const RememberingStrip* const* shared, const LeftStrips& left) {
+  shared_ = shared;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    RememberingStrip& strip = strips_.scratch[j];
+    const RememberingStrip& from = *shared_[j];
+    strip.growth_x = from.growth_x;
+    strip.growth_y = from.growth_y;
+    strip.turns = from.turns;
+    strip.bounds = from.bounds;
+    std::copy_n(from.bound, cells, strip.bound);
+  }
+  left_[0] = left.fx;
+  left_[1] = left.fy;
+  left_[2] = numbers_.arm * (left.mz + left.turn - numbers_.centre_x * left.fy + numbers_.centre_y * left.fx);
+  let_strips_leave();
 }
 
 void PatchStep::add_past_of_rail(std::int32_t j, double share, double to[3]) const {
@@ -284,23 +300,19 @@ void PatchStep::add_past_of_rail(std::int32_t j, double share, double to[3]) con
   const double fx = part * sign * strip->force[0], fy = part * strip->force[1];
   to[0] += fx;
   to[1] += fy;
-  to[2] += arm_ * (part * sign * strip->force[2] + (sign * strip->centre - centre_x_) * fy -
-                   (contact_.region.y[j] - centre_y_) * fx);
+  to[2] += numbers_.arm * (part * sign * strip->force[2] + (sign * strip->centre - numbers_.centre_x) * fy -
+                           (contact_.region.y[j] - numbers_.centre_y) * fx);
 }
 
 void PatchStep::take_past_of_rail() {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) add_past_of_rail(j, 1.0, before_);
-  const LeftStrips& left = strips_.left;
-  left_[0] = left.fx;
-  left_[1] = left.fy;
-  left_[2] = arm_ * (left.mz + left.turn - centre_x_ * left.fy + centre_y_ * left.fx);
 }
 
 void PatchStep::take_past_of_plane() {
   // the patch's borders on the plane
   const patch::Strips& region = contact_.region;
   const RollingMemory& memory = contact_.memory;
-  const double sign = memory.direction, centre = memory.y(centre_y_);
+  const double sign = memory.direction, centre = memory.y(numbers_.centre_y);
   double low = everywhere, high = -everywhere;
   for (std::int32_t j = 0; j < region.count; ++j) {
     const double to_border = 0.5 * region.width[j];
@@ -323,8 +335,9 @@ void PatchStep::take_past_of_plane() {
     const double y = (strip.y - memory.origin) / memory.slope;
     before_[0] += fx;
     before_[1] += fy;
-    before_[2] += arm_ * (weight * sign * strip.force[2] +
-                          near * ((sign * strip.centre - centre_x_) * fy - (y - centre_y_) * fx));
+    before_[2] += numbers_.arm *
+                  (weight * sign * strip.force[2] +
+                   near * ((sign * strip.centre - numbers_.centre_x) * fy - (y - numbers_.centre_y) * fx));
     for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
     energy_ += weight * strip.energy;
   }
@@ -337,8 +350,7 @@ void PatchStep::let_strips_leave() {
     RememberingStrip& strip = strips_.scratch[j];
     const PastStrip* const past = strips_.past_of[j];
     if (past == nullptr) continue;
-    double borne = 0.0;
-    for (const double bound : strip.bound) borne += strip.area * bound;
+    const double borne = strip.area * strip.bounds;
     const double had = std::sqrt(past->force[0] * past->force[0] + past->force[1] * past->force[1]);
     strip.kept = std::min(1.0, borne / std::max(far * strips_.inside[j] * had, least));
     if (strip.kept == 1.0) continue;
@@ -352,59 +364,50 @@ Neighbours PatchStep::past_of(std::int32_t j) const {
   return {strips_.past_of[j], nullptr};
 }
 
-void PatchStep::set_bounds(double share) {
-  // friction limit, sum of mu_j N_j, N_j = pi/2 peak half_length width; strips shared among patches take the
-  // blended bounds and growths
+void PatchStep::set_strips() {
   const patch::Strips& r = contact_.region;
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.centre = r.centre[j];
     strip.half_length = r.half_length[j];
     strip.area = r.width[j] * r.half_length[j] * (2.0 / cells);
-    strip.arm = arm_;
+    strip.arm = numbers_.arm;
     strip.kept = 1.0;
-    strip.y = arm_ * (r.y[j] - centre_y_);
-    strip.x = arm_ * (r.centre[j] - centre_x_);
-    strip.reach = arm_ * r.half_length[j];
-    strip.growth_x = growth_x_;
-    strip.growth_y = growth_y_;
-    limit_ += contact_.friction[j] * (0.5 * pi) * r.peak[j] * r.half_length[j] * r.width[j];
-    if (strips_.shared == nullptr) continue;
-    const RememberingStrip& shared = *strips_.shared[j];
-    strip.growth_x = shared.growth_x;
-    strip.growth_y = shared.growth_y;
-    strip.turns = shared.turns;
-    std::copy_n(shared.bound, cells, strip.bound);
+    strip.y = numbers_.arm * (r.y[j] - numbers_.centre_y);
+    strip.x = numbers_.arm * (r.centre[j] - numbers_.centre_x);
+    strip.reach = numbers_.arm * r.half_length[j];
+    strip.growth_x = numbers_.growth_x;
+    strip.growth_y = numbers_.growth_y;
   }
-  if (strips_.shared) return;
+}
+
+void PatchStep::set_bounds() {
   // Cells turn the faster, the less of the patch slides.
   const double fx = before_[0] + left_[0], fy = before_[1] + left_[1];
-  const double used2 = (fx * fx + fy * fy) / std::max(limit_ * limit_, least);
+  const double used2 = (fx * fx + fy * fy) / std::max(numbers_.limit * numbers_.limit, least);
   const double turns = factors_.turns * std::max(0.0, 1.0 - used2 * used2 * used2);
   // Bounds over that of the middle: 1 - x^2 - (2/3) q (1 - x^3) of an ellipse, 1 - x - (1/2) q (1 - x^2) of a
   // cone, both over 1 - x. Then [Pa]: the whole is the friction limit.
-  const PressureRanks ranks = rank_pressures(r, largest_load_);
+  const patch::Strips& r = contact_.region;
+  const double share = numbers_.share;
+  const PressureRanks ranks = rank_pressures(r, numbers_.largest_load);
   const double curved = (2.0 / 3.0) * share, round = 1.0 - ranks.cone;
   const double at_middle = round * (1.0 - curved) + ranks.cone * (1.0 - 0.5 * share);
   const double by_x = round * (1.0 - curved) - ranks.cone * (0.5 * share), by_x2 = -(round * curved);
+  const simd::MemoryBoundsTask task{places.parabola, ranks.larger, share, at_middle, by_x, by_x2};
   double whole = 0.0;
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.turns = turns;
-    const double load = ranks.per_load * (r.peak[j] * r.half_length[j]),
-                 friction = contact_.friction.share(j);
-    double of_strip = 0.0;
-    for (std::int32_t i = 0; i < half; ++i) {
-      const double rank = ranks.at(load * places.parabola[i]), x = rank / (1.0 - share + share * rank);
-      strip.bound[i] = friction * ((1.0 - x) * (at_middle + x * (by_x + x * by_x2)));
-      of_strip += strip.bound[i];
-    }
-    whole += 2.0 * of_strip * strip.area;
+    const double load = ranks.per_load * (r.peak[j] * r.half_length[j]);
+    contact_.grid->kernels->tangential.memory_bounds(task, load, contact_.friction.share(j), strip);
+    whole += strip.bounds * strip.area;
   }
-  const double per = limit_ / std::max(whole, least);
+  const double per = numbers_.limit / std::max(whole, least);
   for (std::int32_t j = 0; j < r.count; ++j) {
-    double* const bound = strips_.scratch[j].bound;
-    for (std::int32_t i = 0; i < half; ++i) bound[cells - 1 - i] = bound[i] *= per;
+    RememberingStrip& strip = strips_.scratch[j];
+    for (std::int32_t i = 0; i < half; ++i) strip.bound[cells - 1 - i] = strip.bound[i] *= per;
+    strip.bounds *= per;
   }
 }
 
@@ -413,7 +416,6 @@ void PatchStep::place_strips(double done) {
   const double sign = contact_.memory.direction;
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
-    const Neighbours before = past_of(j);
     double centre = contact_.region.centre[j], l = contact_.region.half_length[j];
     double move = 0.0, growth = 0.0;
     const auto add = [&](const PastStrip* past, double share) {
@@ -421,15 +423,18 @@ void PatchStep::place_strips(double done) {
       move += share * (centre - sign * past->centre);
       growth += share * (l - past->half_length);
     };
-    add(before.first, before.of_first);
-    add(before.second, before.of_second);
+    if (done < 1.0) {
+      const Neighbours before = past_of(j);
+      add(before.first, before.of_first);
+      add(before.second, before.of_second);
+    }
     centre -= (1.0 - done) * move;
     l -= (1.0 - done) * growth;
     strip.centre = centre;
     strip.half_length = l;
     strip.area = contact_.region.width[j] * l * (2.0 / cells);
-    strip.x = arm_ * (centre - centre_x_);
-    strip.reach = arm_ * l;
+    strip.x = numbers_.arm * (centre - numbers_.centre_x);
+    strip.reach = numbers_.arm * l;
   }
 }
 
@@ -438,47 +443,58 @@ void PatchStep::set_own(double travel) {
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& strip = strips_.scratch[j];
     strip.own_x = strip.own_y = strip.own_turn = 0.0;
-    if (strips_.shared == nullptr) continue;
-    const RememberingStrip& shared = *strips_.shared[j];
+    if (shared_ == nullptr) continue;
+    const RememberingStrip& shared = *shared_[j];
     strip.own_x = travel * shared.own_x;
     strip.own_y = travel * shared.own_y;
-    strip.own_turn = travel * shared.own_turn * (shared.arm / arm_);
+    strip.own_turn = travel * shared.own_turn * (shared.arm / numbers_.arm);
   }
 }
 
 void PatchStep::bring(double h, bool first) {
+  const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
+  simd::MemoryBringTask task{places.at, nullptr, nullptr, 0.0, 0.0, h, 1.0, false};
+  const auto brought = [&](const PastStrip& past, RememberingStrip& to) {
+    task.px = past.px;
+    task.py = past.py;
+    task.old_lead = past.centre + past.half_length;
+    task.half_length = past.half_length;
+    kernels.memory_bring(task, to);
+  };
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     RememberingStrip& to = strips_.scratch[j];
+    if (!first) {
+      brought(strips_.written[j], to);
+      continue;
+    }
     // strips of the past, turned to the way of rolling; cells without a past enter without tractions
-    Neighbours from{&strips_.written[j], nullptr};
-    if (first) from = past_of(j);
+    Neighbours from = past_of(j);
     if (from.first == nullptr) from.of_first = 0.0;
     const double enters = std::max(0.0, 1.0 - from.of_first - from.of_second);
-    bool adds = enters > 0.0 || from.of_first == 0.0;
+    task.adds = enters > 0.0 || from.of_first == 0.0;
     // zeros, and the share of each cell that enters without tractions
-    if (adds) {
+    if (task.adds) {
       std::fill_n(to.px, cells, 0.0);
       std::fill_n(to.py, cells, 0.0);
       for (std::int32_t i = 0; i < cells; ++i)
         to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
-    if (first) std::fill_n(to.had, cells, 0.0);
-    for (const PastStrip* const one : {from.first, from.second}) {
-      if (one == nullptr) continue;
-      const double share = one == from.second ? from.of_second : from.of_first;
-      for (std::int32_t i = 0; first && i < half; ++i)
-        to.had[cells - 1 - i] = to.had[i] += share * one->bound[i];
-      PastStrip mirrored;
-      const bool as_it_is = !first || contact_.memory.direction > 0.0;
-      if (!as_it_is) mirrored = turned(*one, -1.0);
-      const PastStrip& past = as_it_is ? *one : mirrored;
-      contact_.grid->kernels->tangential.memory_bring(
-          {places.at, past.px, past.py, past.centre + past.half_length, past.half_length, h, share, adds},
-          to);
-      adds = true;
-    }
+    std::fill_n(to.had, half, 0.0);
+    const auto add = [&](const PastStrip* one, double share) {
+      if (one == nullptr) return;
+      for (std::int32_t i = 0; i < half; ++i) to.had[i] += share * one->bound[i];
+      task.weight = share;
+      if (contact_.memory.direction > 0.0)
+        brought(*one, to);
+      else
+        brought(turned(*one, -1.0), to);
+      task.adds = true;
+    };
+    add(from.first, from.of_first);
+    add(from.second, from.of_second);
+    for (std::int32_t i = 0; i < half; ++i) to.had[cells - 1 - i] = to.had[i];
     // tractions that leave with their strip; the cells are displaced all the same
-    if (!first || to.kept == 1.0) continue;
+    if (to.kept == 1.0) continue;
     for (double* const numbers : {to.px, to.py, to.had})
       for (std::int32_t i = 0; i < cells; ++i) numbers[i] *= to.kept;
   }
@@ -494,7 +510,7 @@ void PatchStep::solve_part(const double shift[3], double h, const Part& part, do
                             places.at,
                             {shift[0], shift[1], shift[2]},
                             h,
-                            0.5 * arm_ * h,
+                            0.5 * numbers_.arm * h,
                             part.to_come,
                             strips_.written->px,
                             strips_.written->force,
@@ -505,7 +521,7 @@ void PatchStep::solve_part(const double shift[3], double h, const Part& part, do
       1.0 - smooth_step((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole));
   double yield[3];
   for (int i = 0; i < 3; ++i) {
-    yield[i] = yields * yield_[i];
+    yield[i] = yields * numbers_.yield[i];
     before_[i] += part.share * left_[i];
   }
   const auto left_over = [&](const double force[3]) {
@@ -524,7 +540,6 @@ void PatchStep::solve_part(const double shift[3], double h, const Part& part, do
   for (std::int32_t j = 0; j < count; ++j) {
     const RememberingStrip& at = strips_.scratch[j];
     PastStrip& strip = strips_.written[j];
-    strip.y = key(j);
     strip.centre = at.centre;
     strip.half_length = at.half_length;
   }
@@ -560,39 +575,32 @@ void PatchStep::steady(const double per[3], double h, PastStrip* into, double of
 }
 
 void PatchStep::forces(double of[3]) const {
-  for (int i = 0; i < 3; ++i) {
-    of[i] = 0.0;
-    for (std::int32_t j = 0; j < contact_.region.count; ++j) of[i] += strips_.written[j].force[i];
-  }
+  for (int i = 0; i < 3; ++i) of[i] = 0.0;
+  for (std::int32_t j = 0; j < contact_.region.count; ++j)
+    for (int i = 0; i < 3; ++i) of[i] += strips_.written[j].force[i];
 }
 
 void PatchStep::about_centre(const Creepage& c, double length, double shift[3]) const {
-  shift[0] = length * (c.longitudinal - c.spin * centre_y_);
-  shift[1] = length * (c.lateral + c.spin * centre_x_);
+  shift[0] = length * (c.longitudinal - c.spin * numbers_.centre_y);
+  shift[1] = length * (c.lateral + c.spin * numbers_.centre_x);
   shift[2] = length * c.spin;
 }
 
 Creepage PatchStep::about_origin(const double shift[3], double length) const {
   const double per =
-      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * a_}), length);
-  return {per * (shift[0] + shift[2] * centre_y_), per * (shift[1] - shift[2] * centre_x_), per * shift[2]};
+      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * numbers_.a}), length);
+  return {per * (shift[0] + shift[2] * numbers_.centre_y), per * (shift[1] - shift[2] * numbers_.centre_x),
+          per * shift[2]};
 }
 
 double PatchStep::stored() const {
-  // 1/2 L p^2 of the cells, and 1/2 S F^2
-  double sum = 0.0, force[3];
+  double force[3];
   forces(force);
+  double sum = stored_by(numbers_.yield, force);
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    const PastStrip& strip = strips_.written[j];
-    double x2 = 0.0, y2 = 0.0;
-    for (std::int32_t i = 0; i < cells; ++i) {
-      x2 += strip.px[i] * strip.px[i];
-      y2 += strip.py[i] * strip.py[i];
-    }
     const RememberingStrip& at = strips_.scratch[j];
-    sum += 0.5 * at.area * (x2 / at.growth_x + y2 / at.growth_y);
+    sum += stored_in(strips_.written[j], at.area, at.growth_x, at.growth_y);
   }
-  for (int i = 0; i < 3; ++i) sum += 0.5 * yield_[i] * force[i] * force[i];
   return sum;
 }
 
@@ -641,12 +649,13 @@ void PatchStep::go(const double per[3], double travel, double rolled, double loc
     }
     solve_part(shift, last, {k == parts - 1, part_of_step, to_come}, local, rest);
   }
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) strips_.written[j].y = key(j);
 }
 
 double last_part(double length) { return usual_parts[0] * std::max(length, least); }
 
 double PatchStep::follows(double rolled) const {
-  const double length = std::max(length_, least);
+  const double length = std::max(numbers_.length, least);
   return 1.0 - (1.0 - forgotten(rolled, length)) * natural_exp(-rolled / (factors_.follows * 0.5 * length));
 }
 
@@ -660,13 +669,34 @@ bool hardly_rolls(double rolled, double length) { return rolled <= least_step * 
 double forgotten(double rolled, double length) {
   return smooth_step((rolled / std::max(length, least) - forgets_from) / (all_forgotten - forgets_from));
 }
-void tend_to(const PastStrip& steady, double share, PastStrip& strip) {
-  const auto mix = [&](double& own, double other) { own = (1.0 - share) * own + share * other; };
-  for (std::int32_t i = 0; i < cells; ++i) {
-    mix(strip.px[i], steady.px[i]);
-    mix(strip.py[i], steady.py[i]);
+void tend_to(const PastStrip& __restrict steady, double share, PastStrip& __restrict strip) {
+  const double own = 1.0 - share;
+  for (std::int32_t i = 0; i < cells; ++i) strip.px[i] = own * strip.px[i] + share * steady.px[i];
+  for (std::int32_t i = 0; i < cells; ++i) strip.py[i] = own * strip.py[i] + share * steady.py[i];
+  for (int i = 0; i < 3; ++i) strip.force[i] = own * strip.force[i] + share * steady.force[i];
+}
+
+double stored_in(const PastStrip& strip, double area, double growth_x, double growth_y) {
+  // 1/2 L p^2; the sums of both halves do not wait for one another
+  double x2[2] = {}, y2[2] = {};
+  for (std::int32_t i = 0; i < half; ++i) {
+    x2[0] += strip.px[i] * strip.px[i];
+    y2[0] += strip.py[i] * strip.py[i];
+    x2[1] += strip.px[half + i] * strip.px[half + i];
+    y2[1] += strip.py[half + i] * strip.py[half + i];
   }
-  for (int i = 0; i < 3; ++i) mix(strip.force[i], steady.force[i]);
+  return 0.5 * area * ((x2[0] + x2[1]) / growth_x + (y2[0] + y2[1]) / growth_y);
+}
+
+double stored_by(const double yield[3], const double force[3]) {
+  // 1/2 S F^2
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i) sum += 0.5 * yield[i] * force[i] * force[i];
+  return sum;
+}
+
+void add_cells(double weight, const double* __restrict from, double* __restrict to) {
+  for (std::int32_t i = 0; i < cells; ++i) to[i] += weight * from[i];
 }
 
 void lower(double scale, PastStrip& strip) {

@@ -100,11 +100,7 @@ struct PatchStrips {
       nullptr;  ///< numbers of a rail's strips; nullptr: strips of a plane, whose past is found by place
   const PastStrip* const* past_of = nullptr;  ///< the past of each strip, or nullptr; with `number`
   const double* inside = nullptr;             ///< share of each strip's width within the patch; with `number`
-  /// Strips that two partitions of a rail share: their bounds, growths and displacements per length, which
-  /// are the same in all patches they are of. nullptr: those of the patch.
-  const RememberingStrip* const* shared = nullptr;
-  LeftStrips left{};    ///< those that a rail's patch had
-  double length = 0.0;  ///< by which steps are divided [m]; 0: the patch's
+  double length = 0.0;                        ///< by which steps are divided [m]; 0: the patch's
 };
 
 /// The remembered strips that a strip comes from, and their shares [-].
@@ -126,17 +122,34 @@ struct MemoryFactors {
 inline constexpr MemoryFactors fitted_memory{0.0105,  -0.1060, 0.2541, -0.1200, -0.0125,
                                              -0.0047, 0.1822,  0.9152, 2.3330};
 
+/// Numbers of a patch that follow from its outline and pressures.
+struct PatchNumbers {
+  double length = 0.0;                    ///< that of the longest strip [m]
+  double limit = 0.0;                     ///< friction limit, sum of mu_j N_j [N]
+  double largest_load = 0.0;              ///< peak times half length [N/m]
+  double a = 0.0, b = 0.0;                ///< semi-axes of the double ellipse that stands for it [m]
+  double centre_x = 0.0, centre_y = 0.0;  ///< centre of the load [m]
+  double growth_x = 0.0, growth_y = 0.0;  ///< 1 / L [Pa/m]
+  double yield[3] = {};                   ///< S [m/N], [m/N], [rad/(N m)]
+  double share = 0.0;                     ///< that of S in the whole yield, as it forms the bounds
+  double arm = 1.0;                       ///< factor on the arms of spin
+};
+PatchNumbers patch_numbers(const RollingContact& contact, Fault& fault,
+                           const MemoryFactors& factors = fitted_memory);
+
 /// A patch during a step. Displacements are a translation of the patch's centre [m] and a rotation [rad].
 class PatchStep {
  public:
-  PatchStep(const RollingContact& contact, const PatchStrips& strips, Fault& fault,
+  PatchStep(const RollingContact& contact, const PatchStrips& strips, const PatchNumbers& numbers,
             const MemoryFactors& factors = fitted_memory);
 
-  double length() const { return strips_.length > 0.0 ? strips_.length : length_; }
-  double limit() const { return limit_; }  ///< friction limit, sum of mu_j N_j [N]
-  double arm() const { return arm_; }      ///< factor on the arms of spin
-  double centre_x() const { return centre_x_; }
-  double centre_y() const { return centre_y_; }
+  /// Bounds of the cells, and how much faster they turn, by this patch alone.
+  void set_bounds();
+  /// On a rail: strips that two partitions share take their bounds, growths and displacements per length,
+  /// which are the same in all patches they are of. Strips of the patch have left.
+  void take_shared(const RememberingStrip* const* shared, const LeftStrips& left);
+
+  double length() const { return strips_.length > 0.0 ? strips_.length : numbers_.length; }
 
   /// Goes through the step in parts: displaced by `per` length over `travel`, and rolled. Leaves the
   /// displacement of the cells over the last part, that of the patch, and the rolled length of the part [m].
@@ -153,7 +166,7 @@ class PatchStep {
   /// Forces of the written cells.
   void forces(double of[3]) const;
   /// Brings forces from the centre, with its longer arms, to the origin.
-  void refer_to_origin(double of[3]) const { of[2] += centre_x_ * of[1] - centre_y_ * of[0]; }
+  void refer_to_origin(double of[3]) const { of[2] += numbers_.centre_x * of[1] - numbers_.centre_y * of[0]; }
 
   /// The displacements of the patch's centre for creepages about the origin, and back.
   void about_centre(const Creepage& c, double length, double shift[3]) const;
@@ -175,7 +188,7 @@ class PatchStep {
   void take_past_of_plane();
   void add_past_of_rail(std::int32_t j, double share, double to[3]) const;
   void let_strips_leave();
-  void set_bounds(double share);
+  void set_strips();
   Neighbours past_of(std::int32_t j) const;
   /// A part of a step: is it the first, its share of the step, and that of the parts after it [-].
   struct Part {
@@ -193,15 +206,9 @@ class PatchStep {
 
   const RollingContact& contact_;
   const PatchStrips strips_;
+  const RememberingStrip* const* shared_ = nullptr;  // those of take_shared()
   const MemoryFactors& factors_;
-  double length_ = 0.0;       // the longest strip's [m]
-  double limit_ = 0.0;        // friction limit [N]
-  double a_ = 0.0, b_ = 0.0;  // semi-axes of the double ellipse that stands for the patch [m]
-  double centre_x_ = 0.0, centre_y_ = 0.0;
-  double growth_x_ = 0.0, growth_y_ = 0.0;  // 1 / L [Pa/m]
-  double yield_[3] = {};                    // S
-  double arm_ = 1.0;
-  double largest_load_ = 0.0;
+  const PatchNumbers& numbers_;
   double before_[3] = {}, added_[3] = {}, energy_ = 0.0;  // at the beginning of the part, and of the step
   double left_[3] = {};                                   // forces of strips that leave in the step
 };
@@ -225,6 +232,12 @@ bool hardly_rolls(double rolled, double length);
 double forgotten(double rolled, double length);
 /// Gives a strip's cells that share of those in steady rolling.
 void tend_to(const PastStrip& steady, double share, PastStrip& strip);
+/// Energy stored in the tractions of a strip's cells [J].
+double stored_in(const PastStrip& strip, double area, double growth_x, double growth_y);
+/// Energy stored in the half-spaces under these forces of a patch [J].
+double stored_by(const double yield[3], const double force[3]);
+/// Adds `weight` times the numbers of a strip's cells to others.
+void add_cells(double weight, const double* from, double* to);
 /// A strip's cells, times `scale`.
 void lower(double scale, PastStrip& strip);
 

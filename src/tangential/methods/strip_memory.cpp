@@ -58,7 +58,9 @@ void end_step(void* at) { memory_at(at).turn_over(); }
 TangentialForces roll_with_memory(const RollingContact& contact, const TangentialFields& fields, Fault& fault,
                                   const MemoryFactors& factors) {
   Memory& memory = memory_at(contact.memory.at);
-  PatchStep patch(contact, strips_of(memory), fault, factors);
+  const PatchNumbers numbers = patch_numbers(contact, fault, factors);
+  PatchStep patch(contact, strips_of(memory), numbers, factors);
+  patch.set_bounds();
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
   const double takes_over = forgotten(rolled, patch.length());
   const bool rests = hardly_rolls(rolled, patch.length()), from_now = takes_over == 1.0;
@@ -103,7 +105,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   patch.forces(force);
   patch.refer_to_origin(force);
   const double fx = force[0] + added[0], fy = force[1] + added[1];
-  const double within = std::min(1.0, patch.limit() / std::max(std::sqrt(fx * fx + fy * fy), least));
+  const double within = std::min(1.0, numbers.limit / std::max(std::sqrt(fx * fx + fy * fy), least));
   added[0] = within * fx - force[0];
   added[1] = within * fy - force[1];
   for (int i = 0; i < 3; ++i) force[i] += added[i];

@@ -22,6 +22,7 @@ constexpr TangentialKernels tangential_kernels = {
     .surface_strips = strip_fastsim_kernel<Output::forces, SurfaceStripsTask>,
     .surface_strips_fields = strip_fastsim_kernel<Output::fields, SurfaceStripsTask>,
     .surface_strips_slopes = surface_strips_slopes_kernel,
+    .memory_bounds = memory_bounds_kernel,
     .memory_bring = memory_bring_kernel,
     .memory_pass = memory_pass_kernel,
     .memory_pass_sums = memory_pass_sums_kernel,

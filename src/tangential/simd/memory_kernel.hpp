@@ -11,58 +11,111 @@ namespace {
 constexpr std::int32_t memory_cells = tangential::memory_cells;
 static_assert(memory_cells % lanes == 0, "packs are whole");
 
+/// TangentialKernels::memory_bounds: bounds of a strip's cells up to its middle, and twice their sum. `load`:
+/// square of the pressure in its middle, as the table counts it.
+inline void memory_bounds_kernel(const MemoryBoundsTask& t, double load, double friction,
+                                 RememberingStrip& to) {
+  constexpr std::int32_t half = memory_cells / 2;
+  const Native square_of_middle = broadcast(load), one = broadcast(1.0), share = broadcast(t.share),
+               rest = broadcast(1.0 - t.share), middle = broadcast(t.middle), by_x = broadcast(t.by_x),
+               by_x2 = broadcast(t.by_x2), mu = broadcast(friction);
+  for (std::int32_t i = 0; i < half; i += native_lanes) {
+    const Native square = square_of_middle * load_lanes(t.parabola + i), bin = whole_part(square);
+    Native at, behind;
+    pick_lanes(t.larger, indices(bin).at, at, behind);
+    const Native rank = at + (square - bin) * (behind - at), x = rank / (rest + share * rank);
+    store_lanes(to.bound + i, mu * ((one - x) * (middle + x * (by_x + x * by_x2))));
+  }
+  double sum[half / 2];
+  for (std::int32_t i = 0; i < half / 2; ++i) sum[i] = to.bound[i] + to.bound[i + half / 2];
+  to.bounds = 2.0 * ((sum[0] + sum[2]) + (sum[1] + sum[3]));
+}
+
 /// The first of two cells, and the weights of both in the traction at a place: straight lines from cell to
 /// cell and to the edges; none outside.
 struct BetweenCells {
-  Pack first, weight, weight_behind;
+  Native first, weight, weight_behind;
 };
 
 /// `at`: cells behind the middle of the first.
-inline BetweenCells between_cells(Pack at) {
-  const Pack none = 0.0, one = 1.0;
+inline BetweenCells between_cells(Native at) {
+  const Native none = broadcast(0.0), one = broadcast(1.0);
   BetweenCells b;
-  b.first = whole_part(smaller(larger(at, none), memory_cells - 2.0));
+  b.first = whole_part(smaller_of(larger_of(at, none), broadcast(memory_cells - 2.0)));
   // half a cell leads from the middle of the first, and of the last, to the edge
-  const Pack beyond = at - b.first, twice = beyond + beyond;
-  b.weight = larger(smaller(one - beyond, one + twice), none);
-  b.weight_behind = larger(smaller(beyond, Pack(3.0) - twice), none);
+  const Native beyond = at - b.first, twice = beyond + beyond;
+  b.weight = larger_of(smaller_of(one - beyond, one + twice), none);
+  b.weight_behind = larger_of(smaller_of(beyond, broadcast(3.0) - twice), none);
   return b;
+}
+
+/// Tractions along x and y there.
+inline void take_between(const BetweenCells& b, const NativeIndices& cell, const double* px, const double* py,
+                         Native& x, Native& y) {
+  Native at, behind;
+  pick_lanes(px, cell.at, at, behind);
+  x = b.weight * at + b.weight_behind * behind;
+  pick_lanes(py, cell.at, at, behind);
+  y = b.weight * at + b.weight_behind * behind;
 }
 
 /// TangentialKernels::memory_bring: brings the tractions of a past strip to the cells of a strip that rolls
 /// on by h. The share of the part for which a cell is in contact is added, too.
-inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) {
+template <bool adds>
+inline void bring_cells(const MemoryBringTask& t, RememberingStrip& to) {
   // A cell ahead of the old leading edge was in contact since it met the edge, which closes the distance at
-  // the rate `closing` over the part; where nothing closes, not at all.
+  // the rate `closing` over the part; where nothing closes, not at all; at rest, always.
   const double lead = to.centre + to.half_length, closing = t.h + lead - t.old_lead;
-  const Pack per_closing = closing > 0.0 ? 1.0 / closing : 1e300, ahead = t.h - t.old_lead;
-  const Pack centre = to.centre, half = to.half_length, per_cell = memory_cells / (2.0 * t.half_length);
-  const Pack weight = t.weight, none = 0.0, one = 1.0;
-  for (std::int32_t i = 0; i < memory_cells; i += lanes) {
-    const Pack before = (centre + half * load_pack(t.place + i)) + ahead;
-    const BetweenCells b = between_cells(Pack(-0.5) - before * per_cell);
-    const Indices cell = indices(b.first);
-    const Neighbours px = pick(t.px, cell), py = pick(t.py, cell);
-    const auto add = [&](double* cells, Pack brought) {
-      store_pack(cells + i, (t.adds ? load_pack(cells + i) : none) + weight * brought);
+  const Native per_closing = broadcast(!(t.h > 0.0) ? 0.0 : closing > 0.0 ? 1.0 / closing : 1e300);
+  const Native ahead = broadcast(t.h - t.old_lead), centre = broadcast(to.centre),
+               half = broadcast(to.half_length), weight = broadcast(t.weight);
+  const Native per_cell = broadcast(memory_cells / (2.0 * t.half_length));
+  const Native none = broadcast(0.0), one = broadcast(1.0);
+  for (std::int32_t i = 0; i < memory_cells; i += native_lanes) {
+    const Native before = (centre + half * load_lanes(t.place + i)) + ahead;
+    const BetweenCells b = between_cells(broadcast(-0.5) - before * per_cell);
+    Native px, py;
+    take_between(b, indices(b.first), t.px, t.py, px, py);
+    const auto add = [&](double* cells, Native brought) {
+      store_lanes(cells + i, adds ? load_lanes(cells + i) + weight * brought : weight * brought);
     };
-    add(to.px, b.weight * px.at + b.weight_behind * px.behind);
-    add(to.py, b.weight * py.at + b.weight_behind * py.behind);
-    const Pack met = smaller(larger(before * per_closing, none), one);
-    add(to.share, t.h > 0.0 ? one - met : one);
+    add(to.px, px);
+    add(to.py, py);
+    add(to.share, one - smaller_of(larger_of(before * per_closing, none), one));
   }
 }
+inline void memory_bring_kernel(const MemoryBringTask& t, RememberingStrip& to) {
+  if (t.adds)
+    bring_cells<true>(t, to);
+  else
+    bring_cells<false>(t, to);
+}
 
-/// By how much further a sliding cell is displaced for its direction, over its displacement v [-]. It is 0 as
-/// the cell begins to slide, and grows as 2 c - c^2, c the part of the displacement that goes beyond the
-/// bound. So a cell displaced across its traction has more than one displaced nearly along it. It vanishes
-/// where v is far below `still`: the bound times the length rolled in half lengths, times `turned_by_rolling`
-/// [Pa].
+/// By how much further a sliding cell is displaced for its direction, over its displacement v: two numbers,
+/// of which the first over the second is meant. It is 0 as the cell begins to slide, and grows as 2 c - c^2,
+/// c the part of the displacement that goes beyond the bound. So a cell displaced across its traction has
+/// more than one displaced nearly along it. It vanishes where v is far below the bound times the length
+/// rolled in half lengths, times `turned_by_rolling` [Pa].
 constexpr double turned_by_rolling = 5.0;
-inline Native turns_further(Native turns, Native still, Native sticks, Native bound, Native vx, Native vy) {
-  const Native v2 = vx * vx + vy * vy, v = root_of(v2);
-  const Native beyond = smaller_of(larger_of(sticks, bound) - bound, v);
-  return turns * beyond * (v + (v - beyond)) / larger_of(v2 + still * still, broadcast(1e-290));
+struct Further {
+  Native by, over;
+};
+inline Further turns_further(Native turns, Native still2, Native beyond_bound, Native vx, Native vy) {
+  const Native v2 = vx * vx + vy * vy, v = root_of(v2), beyond = smaller_of(beyond_bound, v);
+  return {turns * beyond * (v + (v - beyond)), larger_of(v2 + still2, broadcast(1e-100))};
+}
+
+/// Tractions of sliding cells: their directions, one over the size of those, and the bound over it.
+struct Slid {
+  Native x, y, inverse, ratio;
+};
+inline Slid slide(Native px, Native py, Native vx, Native vy, Native bound, const Further& further) {
+  Slid s;
+  s.x = further.over * px - further.by * vx;
+  s.y = further.over * py - further.by * vy;
+  s.inverse = broadcast(1.0) / root_of(larger_of(s.x * s.x + s.y * s.y, broadcast(1e-290)));
+  s.ratio = bound * s.inverse;
+  return s;
 }
 
 /// Cells of a strip. They do not wait for one another, so one vector at a time leaves numbers in registers.
@@ -83,16 +136,17 @@ inline double sum_of_cells(StripCells& cells) {
 }
 
 /// Numbers that cells of a strip share: displacements over the flexibility [Pa], their change along x over
-/// arms, and the length rolled in half lengths, times `turned_by_rolling`.
+/// arms, and the square of the length rolled in half lengths, times `turned_by_rolling`.
 struct PassedStrip {
-  Native vx, vy, turn, rolled, x, reach, turns, half_way, to_come;
+  Native vx, vy, turn, rolled2, x, reach, turns, half_way, to_come;
 };
 inline PassedStrip pass_strip(const MemoryPassTask& t, const RememberingStrip& s) {
   PassedStrip p;
+  const double rolled = turned_by_rolling * (t.h / s.half_length);
   p.vx = broadcast(s.growth_x * ((t.local[0] - t.local[2] * s.y) + s.own_x));
   p.vy = broadcast(s.growth_y * ((t.local[1] + s.own_y) - s.own_turn * s.x));
   p.turn = broadcast(s.growth_y * (t.local[2] + s.own_turn));
-  p.rolled = broadcast(turned_by_rolling * (t.h / s.half_length));
+  p.rolled2 = broadcast(rolled * rolled);
   p.x = broadcast(s.x);
   p.reach = broadcast(s.reach);
   p.turns = broadcast(s.turns);
@@ -101,39 +155,52 @@ inline PassedStrip pass_strip(const MemoryPassTask& t, const RememberingStrip& s
   return p;
 }
 
-/// A vector of cells: tractions, and the numbers that their slopes are made of.
+/// A vector of cells.
 struct PassedCells {
-  Native px, py;          ///< before they slide [Pa]
-  Native at, on_way;      ///< arms of the cell now, and of the middle of its way
-  Native inverse, ratio;  ///< one over the size of the traction [1/Pa], and the share that is left of it
-  Native further;         ///< turns_further()
+  Native px, py;        ///< tractions [Pa]
+  Native share;         ///< share of the part for which they were in contact
+  Native at, on_way;    ///< arms of the cell now, and of the middle of its way
+  bool slides;          ///< any of them; if not, the rest is not set
+  Native ex, ey;        ///< direction of the traction
+  Native ratio, moves;  ///< share of the traction that is left, and that by which it moves with the bodies
 };
 
+template <bool slopes, bool early>
 inline PassedCells pass_cells(const MemoryPassTask& t, const RememberingStrip& s, const PassedStrip& p,
                               std::int32_t i) {
   PassedCells c;
-  const Native share = load_lanes(s.share + i), one = broadcast(1.0);
+  c.share = load_lanes(s.share + i);
   c.at = p.x + p.reach * load_lanes(t.place + i);
-  c.on_way = c.at + p.half_way * share;
+  c.on_way = c.at + p.half_way * c.share;
   // traction if it sticks
-  const Native vx = share * p.vx, vy = share * (p.vy + p.turn * c.on_way);
+  const Native vx = c.share * p.vx, vy = c.share * (p.vy + p.turn * c.on_way);
   c.px = load_lanes(s.px + i) - vx;
   c.py = load_lanes(s.py + i) - vy;
   // onto the disk, whose bound goes from that of before to that of the end in proportion to the step
-  const Native end = load_lanes(s.bound + i), bound = end + p.to_come * (load_lanes(s.had + i) - end);
-  const Native sticks = root_of(c.px * c.px + c.py * c.py);
-  const NativeMask slides = less(bound, sticks);
-  c.further = turns_further(p.turns, p.rolled * bound, sticks, bound, vx, vy);
-  c.px = c.px - c.further * vx;
-  c.py = c.py - c.further * vy;
-  c.inverse = one / choose(slides, root_of(c.px * c.px + c.py * c.py), one);
-  c.ratio = choose(slides, bound * c.inverse, one);
+  Native bound = load_lanes(s.bound + i);
+  if constexpr (early) bound = bound + p.to_come * (load_lanes(s.had + i) - bound);
+  const Native sticks2 = c.px * c.px + c.py * c.py, bound2 = bound * bound;
+  const NativeMask slides = less(bound2, sticks2);
+  c.slides = any_lane(slides);
+  if (!c.slides) return c;
+  const Further further = turns_further(p.turns, p.rolled2 * bound2, root_of(sticks2) - bound, vx, vy);
+  const Slid slid = slide(c.px, c.py, vx, vy, bound, further);
+  c.px = choose(slides, slid.x * slid.ratio, c.px);
+  c.py = choose(slides, slid.y * slid.ratio, c.py);
+  if constexpr (slopes) {
+    const Native one = broadcast(1.0);
+    c.ex = slid.x * slid.inverse;
+    c.ey = slid.y * slid.inverse;
+    c.ratio = choose(slides, further.over * slid.ratio, one);
+    c.moves = choose(slides, (further.over + further.by) * slid.ratio, one);
+  }
   return c;
 }
 
 /// TangentialKernels::memory_pass: the tractions of the cells in a part of a step, and the forces of the
 /// strips.
-inline void memory_pass_kernel(const MemoryPassTask& t) {
+template <bool early>
+inline void pass_strips(const MemoryPassTask& t) {
   for (std::int32_t j = 0; j < t.strips; ++j) {
     const RememberingStrip& s = t.from[j];
     double* const to = t.px + j * t.stride;
@@ -142,13 +209,12 @@ inline void memory_pass_kernel(const MemoryPassTask& t) {
     StripCells fx, fy, mz;
     for (std::int32_t k = 0; k < vectors; ++k) {
       const std::int32_t i = k * native_lanes;
-      const PassedCells c = pass_cells(t, s, strip, i);
-      const Native px = c.px * c.ratio, py = c.py * c.ratio;
-      store_lanes(to + i, px);
-      store_lanes(to + memory_cells + i, py);
-      fx.of[k] = px;
-      fy.of[k] = py;
-      mz.of[k] = c.at * py - y * px;
+      const PassedCells c = pass_cells<false, early>(t, s, strip, i);
+      store_lanes(to + i, c.px);
+      store_lanes(to + memory_cells + i, c.py);
+      fx.of[k] = c.px;
+      fy.of[k] = c.py;
+      mz.of[k] = c.at * c.py - y * c.px;
     }
     double* const force = t.force + j * t.stride;
     force[0] = sum_of_cells(fx) * s.area;
@@ -157,11 +223,19 @@ inline void memory_pass_kernel(const MemoryPassTask& t) {
   }
 }
 
+inline void memory_pass_kernel(const MemoryPassTask& t) {
+  if (t.to_come > 0.0)
+    pass_strips<true>(t);
+  else
+    pass_strips<false>(t);
+}
+
 /// Part of a traction that slides, over which the slopes of a cell turn to sliding.
 constexpr double turning = 1.0 / 11.0;
 
 /// Sums over the cells of a place and all strips, then over places: the same with any lanes.
-inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sums) {
+template <bool early>
+inline void sum_passed_strips(const MemoryPassTask& t, MemoryPassSums& sums) {
   constexpr std::int32_t numbers = 12;
   StripCells sum[numbers];
   const Native none = broadcast(0.0), one = broadcast(1.0), whole = broadcast(1.0 / turning);
@@ -170,34 +244,46 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
   for (std::int32_t j = 0; j < t.strips; ++j) {
     const RememberingStrip& s = t.from[j];
     const PassedStrip strip = pass_strip(t, s);
-    const Native y = broadcast(s.y), area = broadcast(s.area), growth_x = broadcast(s.growth_x),
-                 growth_y = broadcast(s.growth_y);
+    const Native y = broadcast(s.y), area = broadcast(s.area), growth_x = broadcast(s.area * s.growth_x),
+                 growth_y = broadcast(s.area * s.growth_y);
     for (std::int32_t k = 0; k < vectors; ++k) {
-      const PassedCells c = pass_cells(t, s, strip, k * native_lanes);
-      const Native ex = c.px * c.inverse, ey = c.py * c.inverse;
-      const Native part = c.ratio * area, px = c.px * part, py = c.py * part;
+      const PassedCells c = pass_cells<true, early>(t, s, strip, k * native_lanes);
+      const Native px = c.px * area, py = c.py * area;
       sum[0].of[k] += px;
       sum[1].of[k] += py;
       sum[2].of[k] += c.at * py - y * px;
       // -d(force)/d(local): slopes of the point on the disk, ratio (1 - e e). They turn from those of a cell
       // that sticks to those of one that slides over a part of its bound: forces after a fixed number of
       // Newton's steps jump wherever the slopes do.
-      const Native slid = smaller_of(larger_of(one - c.ratio, none) * whole, one);
-      const Native way = load_lanes(s.share + k * native_lanes), moves = (way + way * c.further) * part;
-      const Native slides = moves * slid, along_x = slides * ex, along_y = slides * ey;
-      const Native across = along_x * ey;
-      const Native x_x = growth_x * (moves - along_x * ex), y_y = growth_y * (moves - along_y * ey);
-      // x_y, y_x and x_turn without their minus sign
-      const Native x_y = growth_y * across, y_x = growth_x * across, of_x = x_x * y;
-      const Native x_turn = x_y * c.on_way + of_x, y_turn = y_y * c.on_way + y_x * y;
+      Native x_x, y_y, x_turn, y_turn, turn_x, turn_y;
+      if (c.slides) {
+        const Native slid = smaller_of(larger_of(one - c.ratio, none) * whole, one);
+        const Native moves = c.share * c.moves;
+        const Native slides = moves * slid, along_x = slides * c.ex, along_y = slides * c.ey;
+        const Native across = along_x * c.ey;
+        x_x = growth_x * (moves - along_x * c.ex);
+        y_y = growth_y * (moves - along_y * c.ey);
+        // x_y, y_x and x_turn without their minus sign
+        const Native x_y = growth_y * across, y_x = growth_x * across, of_x = x_x * y;
+        x_turn = x_y * c.on_way + of_x;
+        y_turn = y_y * c.on_way + y_x * y;
+        turn_x = c.at * y_x + of_x;
+        turn_y = c.at * y_y + y * x_y;
+        sum[4].of[k] += x_y;
+        sum[6].of[k] += y_x;
+      } else {
+        x_x = growth_x * c.share;
+        y_y = growth_y * c.share;
+        x_turn = turn_x = x_x * y;
+        y_turn = y_y * c.on_way;
+        turn_y = c.at * y_y;
+      }
       sum[3].of[k] += x_x;
-      sum[4].of[k] += x_y;
       sum[5].of[k] += x_turn;
-      sum[6].of[k] += y_x;
       sum[7].of[k] += y_y;
       sum[8].of[k] += y_turn;
-      sum[9].of[k] += c.at * y_x + of_x;
-      sum[10].of[k] += c.at * y_y + y * x_y;
+      sum[9].of[k] += turn_x;
+      sum[10].of[k] += turn_y;
       sum[11].of[k] += c.at * y_turn + y * x_turn;
     }
   }
@@ -209,20 +295,27 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) sums.slope[i][k] = slope[i][k];
 }
-
-/// A number of each lane's strip; lanes without a strip have that of the first.
-inline Pack of_strips(const MemoryMarchTask& t, std::int32_t first, const double RememberingStrip::*number) {
-  double of[lanes];
-  for (std::int32_t k = 0; k < lanes; ++k) of[k] = t.from[first + k < t.strips ? first + k : first].*number;
-  return load_pack(of);
+inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sums) {
+  if (t.to_come > 0.0)
+    sum_passed_strips<true>(t, sums);
+  else
+    sum_passed_strips<false>(t, sums);
 }
 
-/// Bounds of a cell of each lane's strip [Pa].
-inline Pack bounds_of_strips(const MemoryMarchTask& t, std::int32_t first, std::int32_t cell) {
-  double of[lanes];
-  for (std::int32_t k = 0; k < lanes; ++k)
-    of[k] = t.from[first + k < t.strips ? first + k : first].bound[cell];
-  return load_pack(of);
+/// Strips of the lanes of a vector; lanes without a strip have the first.
+struct StripsOfLanes {
+  const RememberingStrip* at[native_lanes];
+};
+inline StripsOfLanes strips_of_lanes(const MemoryMarchTask& t, std::int32_t first) {
+  StripsOfLanes strips;
+  for (std::int32_t k = 0; k < native_lanes; ++k)
+    strips.at[k] = t.from + (first + k < t.strips ? first + k : first);
+  return strips;
+}
+inline Native of_strips(const StripsOfLanes& strips, const double RememberingStrip::*number) {
+  double of[native_lanes];
+  for (std::int32_t k = 0; k < native_lanes; ++k) of[k] = strips.at[k]->*number;
+  return load_lanes(of);
 }
 
 /// Steady rolling, cell by cell from the leading edge on: each cell's traction begins with that of the cells
@@ -230,63 +323,68 @@ inline Pack bounds_of_strips(const MemoryMarchTask& t, std::int32_t first, std::
 /// w. The p in the disk nearest to q + w p is that nearest to q / (1 - w): that of a length of a whole cell,
 /// with the arms of h.
 inline void memory_march_kernel(const MemoryMarchTask& t) {
-  for (std::int32_t first = 0; first < t.strips; first += lanes) {
-    const std::int32_t count = t.strips - first < lanes ? t.strips - first : lanes;
-    const Pack half = of_strips(t, first, &RememberingStrip::half_length);
-    const Pack cell = half * Pack(2.0 / memory_cells), path = larger(Pack(t.h), cell);
-    const Pack rolled = Pack(turned_by_rolling) * (path / half), per_cell = Pack(1.0) / cell;
-    const Pack y = of_strips(t, first, &RememberingStrip::y), x = of_strips(t, first, &RememberingStrip::x);
-    const Pack reach = of_strips(t, first, &RememberingStrip::reach);
-    const Pack growth_x = of_strips(t, first, &RememberingStrip::growth_x),
-               growth_y = of_strips(t, first, &RememberingStrip::growth_y);
-    const Pack half_arm = Pack(0.5) * of_strips(t, first, &RememberingStrip::arm);
-    const Pack area = of_strips(t, first, &RememberingStrip::area),
-               turns = of_strips(t, first, &RememberingStrip::turns);
-    const Pack own_turn = of_strips(t, first, &RememberingStrip::own_turn);
-    const Pack by_x = (Pack(t.per[0]) - Pack(t.per[2]) * y) + of_strips(t, first, &RememberingStrip::own_x);
-    const Pack by_y = (Pack(t.per[1]) + of_strips(t, first, &RememberingStrip::own_y)) - own_turn * x;
-    const Pack turn = Pack(t.per[2]) + own_turn;
+  for (std::int32_t first = 0; first < t.strips; first += native_lanes) {
+    const std::int32_t count = t.strips - first < native_lanes ? t.strips - first : native_lanes;
+    const StripsOfLanes strips = strips_of_lanes(t, first);
+    const Native h = broadcast(t.h), half = of_strips(strips, &RememberingStrip::half_length);
+    const Native cell = half * broadcast(2.0 / memory_cells), path = larger_of(h, cell);
+    const Native rolled = broadcast(turned_by_rolling) * (path / half), rolled2 = rolled * rolled,
+                 per_cell = broadcast(1.0) / cell;
+    const Native y = of_strips(strips, &RememberingStrip::y), x = of_strips(strips, &RememberingStrip::x);
+    const Native reach = of_strips(strips, &RememberingStrip::reach);
+    const Native half_arm = broadcast(0.5) * of_strips(strips, &RememberingStrip::arm);
+    const Native turns = of_strips(strips, &RememberingStrip::turns);
+    const Native own_turn = of_strips(strips, &RememberingStrip::own_turn);
+    // displacements over the flexibility, per length
+    const Native growth_x = of_strips(strips, &RememberingStrip::growth_x),
+                 growth_y = of_strips(strips, &RememberingStrip::growth_y);
+    const Native by_x = (broadcast(t.per[0]) - broadcast(t.per[2]) * y) +
+                        of_strips(strips, &RememberingStrip::own_x),
+                 by_y = (broadcast(t.per[1]) + of_strips(strips, &RememberingStrip::own_y)) - own_turn * x,
+                 turn = broadcast(t.per[2]) + own_turn;
+    double bound[memory_cells * native_lanes];
+    for (std::int32_t k = 0; k < native_lanes; ++k)
+      for (std::int32_t i = 0; i < memory_cells; ++i) bound[i * native_lanes + k] = strips.at[k]->bound[i];
     // tractions so far, strip by strip
-    double px[lanes * memory_cells] = {}, py[lanes * memory_cells] = {}, lane[lanes];
-    for (std::int32_t k = 0; k < lanes; ++k) lane[k] = k * memory_cells;
-    const Pack row = load_pack(lane);
-    Pack fx = 0.0, fy = 0.0, mz = 0.0;
+    double px[native_lanes * memory_cells] = {}, py[native_lanes * memory_cells] = {}, lane[native_lanes];
+    for (std::int32_t k = 0; k < native_lanes; ++k) lane[k] = k * memory_cells;
+    const Native row = load_lanes(lane);
+    Native fx = broadcast(0.0), fy = fx, mz = fx;
     for (std::int32_t i = 0; i < memory_cells; ++i) {
-      const Pack from_lead = cell * Pack(i + 0.5), behind = from_lead - path, way = smaller(path, from_lead);
-      const BetweenCells b = between_cells(behind * per_cell - Pack(0.5));
-      const Indices at_cell = indices(row + b.first);
-      const Neighbours was_x = pick(px, at_cell), was_y = pick(py, at_cell);
-      const Pack at = x + reach * Pack(t.place[i]);
-      const Pack on_way = at + half_arm * smaller(Pack(t.h), way);
-      const Pack vx = growth_x * way * by_x, vy = growth_y * way * (by_y + turn * on_way);
-      Pack sticks_x = b.weight * was_x.at + b.weight_behind * was_x.behind - vx;
-      Pack sticks_y = b.weight * was_y.at + b.weight_behind * was_y.behind - vy;
-      const Pack most = bounds_of_strips(t, first, i),
-                 sticks = root(sticks_x * sticks_x + sticks_y * sticks_y);
-      const Mask slides = sticks > most;
-      const Pack still = rolled * most;
-      const Pack further{turns_further(turns.a, still.a, sticks.a, most.a, vx.a, vy.a),
-                         turns_further(turns.b, still.b, sticks.b, most.b, vx.b, vy.b)};
-      sticks_x = sticks_x - further * vx;
-      sticks_y = sticks_y - further * vy;
-      const Pack size = root(sticks_x * sticks_x + sticks_y * sticks_y);
-      const Pack ratio = select(slides, most / select(slides, size, 1.0), 1.0);
-      const Pack now_x = sticks_x * ratio, now_y = sticks_y * ratio;
-      fx += now_x;
-      fy += now_y;
-      mz += at * now_y - y * now_x;
-      double of[2][lanes];
-      store_pack(of[0], now_x);
-      store_pack(of[1], now_y);
-      for (std::int32_t k = 0; k < lanes; ++k) {
+      const Native from_lead = cell * broadcast(i + 0.5), way = smaller_of(path, from_lead);
+      const BetweenCells b = between_cells((from_lead - path) * per_cell - broadcast(0.5));
+      Native now_x, now_y;
+      take_between(b, indices(row + b.first), px, py, now_x, now_y);
+      const Native at = x + reach * broadcast(t.place[i]);
+      const Native on_way = at + half_arm * smaller_of(h, way);
+      const Native vx = growth_x * way * by_x, vy = growth_y * way * (by_y + turn * on_way);
+      now_x = now_x - vx;
+      now_y = now_y - vy;
+      const Native most = load_lanes(bound + i * native_lanes), most2 = most * most,
+                   sticks2 = now_x * now_x + now_y * now_y;
+      const NativeMask slides = less(most2, sticks2);
+      if (any_lane(slides)) {
+        const Further further = turns_further(turns, rolled2 * most2, root_of(sticks2) - most, vx, vy);
+        const Slid slid = slide(now_x, now_y, vx, vy, most, further);
+        now_x = choose(slides, slid.x * slid.ratio, now_x);
+        now_y = choose(slides, slid.y * slid.ratio, now_y);
+      }
+      fx = fx + now_x;
+      fy = fy + now_y;
+      mz = mz + (at * now_y - y * now_x);
+      double of[2][native_lanes];
+      store_lanes(of[0], now_x);
+      store_lanes(of[1], now_y);
+      for (std::int32_t k = 0; k < native_lanes; ++k) {
         px[k * memory_cells + i] = of[0][k];
         py[k * memory_cells + i] = of[1][k];
       }
     }
-    double force[3][lanes];
-    store_pack(force[0], fx * area);
-    store_pack(force[1], fy * area);
-    store_pack(force[2], mz * area);
+    const Native area = of_strips(strips, &RememberingStrip::area);
+    double force[3][native_lanes];
+    store_lanes(force[0], fx * area);
+    store_lanes(force[1], fy * area);
+    store_lanes(force[2], mz * area);
     for (std::int32_t k = 0; k < count; ++k) {
       double* const to = t.px + (first + k) * t.stride;
       for (std::int32_t i = 0; i < memory_cells; ++i) {

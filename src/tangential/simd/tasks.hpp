@@ -151,6 +151,7 @@ struct RememberingStrip {
   double px[tangential::memory_cells], py[tangential::memory_cells], share[tangential::memory_cells];
   double bound[tangential::memory_cells];  ///< bounds of the tractions at the end of the step [Pa]
   double had[tangential::memory_cells];    ///< those before it [Pa]
+  double bounds;                           ///< sum of the former [Pa]
   double centre, half_length;              ///< [m]
   double area;                             ///< area of a cell [m^2]
   double arm;                              ///< the factor on arms [-]
@@ -159,6 +160,15 @@ struct RememberingStrip {
   double growth_x, growth_y;               ///< 1 / L [Pa/m]
   double turns;                            ///< by which tractions turn faster as cells slide
   double own_x, own_y, own_turn;           ///< displacements beyond the patch's [m], [rad], or per length
+};
+
+/// Bounds of cells from the share r of the area where pressure is larger: x = r / (1 - q + q r), the bound is
+/// (1 - x) (middle + by_x x + by_x2 x^2).
+struct MemoryBoundsTask {
+  const double* parabola;  ///< 1 - the square of the cells' places
+  const double* larger;    ///< share of the area of larger pressure, at squares 0, 1, 2 .. of pressures
+  double share;            ///< q
+  double middle, by_x, by_x2;
 };
 
 /// Where a strip's tractions come from: a past strip of half the length `half_length`, in `px`, `py`; over h
