@@ -67,14 +67,13 @@ double yield_of_outline(const patch::Strips& region) {
     length += own;
     first += own * region.y[j];
     along += own * l * l;
-    across += own * region.y[j] * region.y[j];
+    across += own * (region.y[j] * region.y[j] + region.width[j] * region.width[j] / 12.0);
   }
   if (!(length > 0.0)) return 1.0;
   // area 2 Int l dy over that of the ellipse whose second moments are Int 2/3 l^3 dy and Int 2 l y^2 dy
   const double middle = first / length;
   const double moments = (4.0 / 3.0) * along * (4.0 * (across - length * middle * middle));
-  if (!(moments > 0.0)) return 1.0;
-  return std::sqrt(std::sqrt((2.0 / pi) * length * length / std::sqrt(moments)));
+  return std::sqrt(std::sqrt((2.0 / pi) * length * length / std::sqrt(std::max(moments, least))));
 }
 
 /// The same of a rotation, times G sqrt(ab)^3: 3/8 on a circle (Mindlin), others by the exact solver within
