@@ -38,7 +38,7 @@ struct ValleysOfFace {
     if (!surface::may_touch_twice(placed, face, own)) return false;
     if (eight_of(strip) != eight) {
       eight = eight_of(strip);
-      sharpest = valley_between(rail, rail.face[face], strip, strip, placed.distance - farthest_along,
+      sharpest = valley_between(rail, rail.face[face], eight, placed.distance - farthest_along,
                                 placed.distance + farthest_along);
     }
     return sharpest > least_valley * own;
@@ -108,7 +108,7 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   // to both sides, beyond the least overlap so far
   for (const double way : {-1.0, 1.0}) {
     const double end = here + way * second_within;
-    if (!(valley_between(rail, face, strip, strip, smaller(here, end), larger(here, end)) >
+    if (!(valley_between(rail, face, eight_of(strip), smaller(here, end), larger(here, end)) >
           least_valley * first.own))
       continue;
     // overlaps at places, by the wheel's curvature and the rail's fall

@@ -449,6 +449,9 @@ struct FollowedOverlaps {
     if (!(magnitude(other.x - first.x) > same)) return keep(strip, first, rows.row_of(first.x));
     StripOverX<double> over = seen(strip, first.overlap);
     const LargestOverlap valley = find_valley(over, {first.x, first.end}, other.x);
+    // no top is where the valley is: the ray there had another end on the wheel, or the overlap only falls
+    if (valley.x == first.x) return keep(strip, other, rows.row_of(other.x));
+    if (valley.x == other.x) return keep(strip, first, rows.row_of(first.x));
     const TwoTops<double> tops = share_tops<double>({first.x, other.x, valley.x},
                                                     {first.end.depth, other.end.depth, valley.end.depth});
     // a top that does not count leaves the other as if it were alone

@@ -196,7 +196,7 @@ void find_valleys(const VaryingRail& rail, const RailFace& face, double* valley)
   for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
     const double* const here = rail.outline + static_cast<std::int64_t>(k) * 8 * rail.stride;
     // the largest at places between the sections
-    double* const behind = valley + static_cast<std::int64_t>(k) * eights(rail.stride);
+    double* const behind = valley + static_cast<std::int64_t>(k) * valleys_of_section(rail.stride);
     for (int n = 1; n < places; ++n) {
       const double at = rail.distance[k] + (rail.distance[k + 1] - rail.distance[k]) * n / places;
       const SectionBlend blend = blend_at(rail, face, at, 2);
@@ -208,6 +208,8 @@ void find_valleys(const VaryingRail& rail, const RailFace& face, double* valley)
         sharpest = larger(sharpest, -bent / std::sqrt(dy * dy + dz * dz));
       }
     }
+    for (std::int32_t e = 0; e < eights(rail.stride); ++e)
+      behind[sharpest_of_face(rail)] = larger(behind[sharpest_of_face(rail)], behind[e]);
   }
 }
 
@@ -288,7 +290,7 @@ VaryingRailArrays cut_varying_rail(Arena& arena, std::int32_t sections, std::int
                                    std::int32_t most_strips) {
   VaryingRailArrays a;
   a.distance = arena.take(sections);
-  a.valley = arena.take(static_cast<std::int64_t>(sections) * eights(most_strips));
+  a.valley = arena.take(static_cast<std::int64_t>(sections) * valleys_of_section(most_strips));
   a.outline = arena.take(static_cast<std::int64_t>(sections) * 8 * most_strips);
   arena.each(most_strips, a.step, a.middle);
   a.wanted = arena.take(width_samples);
@@ -307,7 +309,7 @@ Fault make_varying_rail(const RailSection* sections, std::int32_t count, double 
   rail.outline = a.outline;
   rail.step = a.step;
   rail.valley = a.valley;
-  std::fill_n(a.valley, static_cast<std::int64_t>(count) * eights(rail.stride), 0.0);
+  std::fill_n(a.valley, static_cast<std::int64_t>(count) * valleys_of_section(rail.stride), 0.0);
   take_sections(sections, count, a.distance, rail);
   const double cosine = 1.0 / std::sqrt(1.0 + inclination * inclination), sine = inclination * cosine;
   for (std::int32_t f = 0; f < rail.faces; ++f) {
@@ -404,8 +406,8 @@ void look_along_face(const VaryingRail& rail, std::int32_t f, PlacedRail& placed
   const FaceExtent extent = extent_of(rail, face, placed.distance);
   placed.low[f] = larger(extent.begin, -farthest_along);
   placed.high[f] = smaller(extent.end, farthest_along);
-  placed.valley[f] = valley_between(rail, face, face.first, face.first + face.strips - 1,
-                                    placed.distance - farthest_along, placed.distance + farthest_along);
+  placed.valley[f] = valley_between(rail, face, sharpest_of_face(rail), placed.distance - farthest_along,
+                                    placed.distance + farthest_along);
   for (std::int32_t k = 0; k < track_places; ++k) {
     placed.place[f][k] = place_at(rail, face, placed.distance, place_apart * (k - places_to_a_side));
   }

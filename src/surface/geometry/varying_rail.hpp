@@ -54,8 +54,8 @@ struct VaryingRail {
   const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
                                     ///< their slopes along the track
   const double* step = nullptr;     ///< range of u across each strip [m]
-  /// Sharpest valley between each section and the next one of its face, of each eight strips: the largest
-  /// curvature along the track by which a strip rises out of its tangent, against its normal [1/m].
+  /// Sharpest valley between each section and the next one of its face, of each eight strips and of all: the
+  /// largest curvature along the track by which a strip rises out of its tangent, against its normal [1/m].
   const double* valley = nullptr;
 };
 
@@ -225,15 +225,19 @@ inline std::int32_t face_of(const VaryingRail& rail, std::int32_t strip) {
 inline std::int32_t eights(std::int32_t strips) { return (strips + 7) / 8; }
 inline std::int32_t eight_of(std::int32_t strip) { return strip / 8; }
 
-/// The sharpest valley between two distances along the track [1/m]. It is that of a face's strips from
-/// `first` to `last`, and of those in the same eights.
-inline double valley_between(const VaryingRail& rail, const RailFace& face, std::int32_t first,
-                             std::int32_t last, double from, double to) {
+/// Numbers of a section in VaryingRail::valley: those of the eights, then the sharpest of all.
+inline std::int32_t valleys_of_section(std::int32_t stride) { return eights(stride) + 1; }
+inline std::int32_t sharpest_of_face(const VaryingRail& rail) { return eights(rail.stride); }
+
+/// The sharpest valley of a face between two distances along the track: that of an eight, or the sharpest of
+/// the face [1/m].
+inline double valley_between(const VaryingRail& rail, const RailFace& face, std::int32_t eight, double from,
+                             double to) {
   double sharpest = 0.0;
   for (std::int32_t k = face.first_section; k + 1 < face.first_section + face.sections; ++k) {
     if (!(rail.distance[k + 1] > from && rail.distance[k] < to)) continue;
-    const double* const valley = rail.valley + static_cast<std::int64_t>(k) * eights(rail.stride);
-    for (std::int32_t e = eight_of(first); e <= eight_of(last); ++e) sharpest = larger(sharpest, valley[e]);
+    const std::int64_t section = static_cast<std::int64_t>(k) * valleys_of_section(rail.stride);
+    sharpest = larger(sharpest, rail.valley[section + eight]);
   }
   return sharpest;
 }
