@@ -480,8 +480,13 @@ struct Displaced {
     return work(exact.grid().dx, [&](const wrc_creepage& creepage) { return exact.step(creepage); });
   }
 
-  /// Exact: the error is of second order in the cell, as the border is a staircase.
-  double exactly() const { return (4.0 * by_cells(16) - by_cells(8)) / 3.0; }
+  /// Exact: the error is of second order in the cell, as the border is a staircase. Little spin slides at
+  /// that border alone: there a / 16 and a / 32 are within 0.1 % of the closed form on a circle, a / 8 and a
+  /// / 16 0.7 % low.
+  double exactly() const {
+    const std::uint32_t coarse = loop.x == 0.0 && loop.y == 0.0 ? 16 : 8;
+    return (4.0 * by_cells(2 * coarse) - by_cells(coarse)) / 3.0;
+  }
 };
 
 /// Largest difference of a wheel's force to that of the load over approach, over mu N, shifted forth and
