@@ -151,6 +151,23 @@ TEST_F(NaturalMotion, ATransposeIsFlagged) {
   EXPECT_EQ(step(), WRC_FLAG_NO_CONTACT);
 }
 
+TEST_F(NaturalMotion, ATurnAgainstTheTravelIsFlagged) {
+  for (const double y : {0.0, 3e-3, 6.5e-3}) {
+    wheel.y = y;
+    wheel.pitch_rate = rolling;
+    EXPECT_EQ(step(), WRC_OK) << error();
+    wheel.pitch_rate = -rolling;
+    EXPECT_EQ(step(), WRC_FLAG_CREEPAGES_LIMITED) << y;
+    ReferenceWheel::expect_words(error(), {"turns against its travel", "pitch_rate is -v / r0"});
+    EXPECT_GT(wrench.normal_force, 0.0);
+    // locked, spinning and creeping wheels turn as they may
+    for (const double turning : {0.0, 0.5 * rolling, 3.0 * rolling}) {
+      wheel.pitch_rate = turning;
+      EXPECT_EQ(step(), WRC_OK) << error();
+    }
+  }
+}
+
 /// What wheels do is not taken for a transpose: yawing, sliding with the nose aside, creeping, standing.
 TEST_F(NaturalMotion, RealMotionsAreNoTransposes) {
   wheel.angular_axes = WRC_AXES_TRACK;

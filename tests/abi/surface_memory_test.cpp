@@ -92,7 +92,7 @@ TEST_F(SurfaceMemory, TrialsLeaveNoTrace) {
   const wrc_wrench once = go(1e-3, false);
   wheel.velocity[1] = -0.3;
   go(5e-3, false);
-  wheel.velocity[0] = -2.0;
+  roll(-2.0);
   go(2e-4, false);
   roll(2.0);
   EXPECT_TRUE(same_bits(once, go(1e-3, false)));

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -78,7 +80,7 @@ struct TurnedGap {
     for (auto* a : {&length_squared, &peak_per_length, &centre, &line_load}) a->assign(n, 0.0);
     std::vector<double> workspace(static_cast<std::size_t>(pressure_doubles(count)));
     for (auto* a : {&numbers, &L, &shift, &deep}) a->resize(n);
-    start = {numbers.data(), L.data(), shift.data(), deep.data(), start.count};
+    start = {numbers.data(), L.data(), shift.data(), deep.data(), start.count, start.change, start.earlier};
     return solve_pressure(model_of(compliance), rail, overlaps, options, workspace.data(), start, from,
                           {length_squared.data(), peak_per_length.data(), centre.data(), line_load.data()});
   }
@@ -109,6 +111,54 @@ TEST(SurfacePressure, HertzsEllipseLiesAskewToTheStrips) {
       const double product = 0.2 * (a2 - b2) * std::sin(angle) * std::cos(angle);
       EXPECT_NEAR(moment / load, product, 2e-2 * std::fmax(a2, b2) / 5.0);
     }
+}
+
+/// Strips of a flange under yaw: where its face meets another, the place of the largest overlap moves by
+/// `jump` from strip to strip, and one strip's overlap is nearly flat along x.
+struct FlatStrip : TurnedGap {
+  FlatStrip(double flattest, double jump, double approach) : TurnedGap(1.0, 1.0, 0.0, 0.0) {
+    constexpr int strips = 48, highest = 20, flat = 22;
+    for (int i = 0; i < strips; ++i) {
+      const double y = (i - highest) * width, behind = 1.0 - std::exp(-(i - flat - 1) / 6.0);
+      strip.push_back(i);
+      place.push_back(y);
+      widths.push_back(width);
+      depth.push_back(approach - 6.0 * y * y);
+      curvature.push_back(i < flat ? 0.72 : i == flat ? flattest : 0.37 + 0.35 * behind);
+      middle_of(i < flat ? 0.0 : i == flat ? 0.4 * jump : (1.4 + 2.5 * behind) * jump);
+    }
+  }
+
+ private:
+  void middle_of(double x) {
+    middle.push_back(x);
+    ny.push_back(0.0);
+    nz.push_back(1.0);
+  }
+};
+
+// The map leads away from the solution there, and the iteration alone circles until its cap.
+TEST(SurfacePressure, AFlatStripIsSolved) {
+  const double compliance = test::steel.normal_compliance();
+  int late = 0;
+  for (const double flattest : {0.01, 0.05, 0.2})
+    for (const double jump : {4e-3, 7e-3, 12e-3})
+      for (const double approach : {100e-6, 200e-6, 300e-6, 400e-6}) {
+        SCOPED_TRACE(testing::Message()
+                     << "curvature " << flattest << " 1/m, " << jump << " m, " << approach << " m");
+        FlatStrip gap(flattest, jump, approach);
+        const PressureResult result = gap.solve_from_start(compliance, {.tolerance = 1e-5});
+        ASSERT_TRUE(result.converged);
+        late += result.iterations > 100 ? 1 : 0;
+        // It is a solution: the map hardly moves it.
+        double load = 0.0, again = 0.0;
+        for (const double q : gap.line_load) load += q;
+        gap.from = StartFrom::extrapolation;
+        EXPECT_EQ(gap.solve_from_start(compliance, {.tolerance = 2e-5}).iterations, 1);
+        for (const double q : gap.line_load) again += q;
+        EXPECT_NEAR(again, load, 1e-4 * load);
+      }
+  EXPECT_GT(late, 3);  // or they are no such cases
 }
 
 /// Derivatives of a solution: of a contact askew to strips that lie on an arc, by numbers that every strip
@@ -333,6 +383,35 @@ TEST(SurfacePressure, AWarmStartFollowsItsOverlaps) {
     EXPECT_LT(moved[followed], motion.left * moved[as_before]);
     for (const int way : {as_before, followed}) EXPECT_NEAR(load[way], load[anew], 1e-7 * load[anew]);
   }
+}
+
+// A change whose forerunner is not known extrapolates as with one of nothing.
+TEST(SurfacePressure, AStartNeedsOneChange) {
+  const double compliance = test::steel.normal_compliance(), deeper = 2e-6;
+  TurnedGap gap(1.0, 1.5, 0.0, 60e-6);
+  ASSERT_TRUE(gap.solve(compliance).converged);
+  const TurnedGap first = gap;
+  for (double& d : gap.depth) d += deeper;
+  ASSERT_TRUE(gap.solve(compliance).converged);
+  const auto growth = [](const std::vector<double>& now, const std::vector<double>& before) {
+    std::vector<double> by(now.size());
+    std::transform(now.begin(), now.end(), before.begin(), by.begin(), std::minus<>());
+    return by;
+  };
+  const auto longer = growth(gap.L, first.L), shifted = growth(gap.shift, first.shift),
+             deep = growth(gap.deep, first.deep);
+  const std::vector<double> nothing(longer.size());
+  for (double& d : gap.depth) d += deeper;
+  gap.from = StartFrom::solution;
+  gap.start.change = {longer.data(), shifted.data(), deep.data()};
+  TurnedGap with_nothing = gap, without_change = gap;
+  with_nothing.start.earlier = {nothing.data(), nothing.data(), nothing.data()};
+  without_change.start.change = {};
+  const PressureResult one = gap.solve_from_start(compliance, {.tolerance = 1e-3});
+  EXPECT_EQ(with_nothing.solve_from_start(compliance, {.tolerance = 1e-3}).residual, one.residual);
+  EXPECT_EQ(with_nothing.line_load, gap.line_load);
+  without_change.solve_from_start(compliance, {.tolerance = 1e-3});
+  EXPECT_NE(without_change.line_load, gap.line_load);
 }
 
 }  // namespace

@@ -30,9 +30,6 @@ constexpr std::int32_t first_iterations = 4;
 /// Iterations that find no solution by then are late. A strip's move that changes its sign from one to the
 /// next is no longer enforced: the length asked for lies between.
 constexpr std::int32_t late_iterations = 20;
-/// From here on `unaccelerated` iterations alternate with accelerated ones: where two solutions have just
-/// vanished the residual has a minimum, to which the acceleration returns and past which the map leads.
-constexpr std::int32_t alternating_iterations = 40, unaccelerated = 24, accelerated = 10;
 
 constexpr double asked_from = 1e-3;  ///< part of the area whose move lets strips enter
 constexpr double hardly_less = 0.7;  ///< part of the last move from which on acceleration does not pay
@@ -106,17 +103,6 @@ void find_smooth_part(const double* lengths, PressureScratch& w) {
     w.smooth_part[a] += w.upper[a] * w.smooth_part[a + 1];
     if (b < n) w.smooth_part[b] += w.upper[b] * w.smooth_part[b - 1];
   }
-}
-
-/// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
-double product(std::int32_t n, const double* a, const double* b) {
-  constexpr std::int32_t parts = 8;
-  double part[parts] = {};
-  std::int32_t i = 0;
-  for (; i + parts <= n; i += parts)
-    for (std::int32_t k = 0; k < parts; ++k) part[k] += a[i + k] * b[i + k];
-  for (std::int32_t k = 0; i < n; ++i, ++k) part[k] += a[i] * b[i];
-  return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
 
 /// Index in the ring buffer of the iterate `ago` iterations back.
@@ -246,12 +232,6 @@ void take_step(const StripSet& s, std::int32_t iteration, PressureScratch& w) {
   }
 }
 
-/// Is the iteration one of those that only follow the map?
-bool is_unaccelerated(std::int32_t iteration) {
-  return iteration >= alternating_iterations &&
-         (iteration - alternating_iterations) % (unaccelerated + accelerated) < unaccelerated;
-}
-
 /// Clears strips that are not in contact, and finds lambda of the others at their last length.
 void finish(const StripSet& s, const PressureScratch& w) {
   for (std::int32_t i = 0; i < s.count; ++i) {
@@ -261,6 +241,16 @@ void finish(const StripSet& s, const PressureScratch& w) {
 }
 
 }  // namespace
+
+double product(std::int32_t n, const double* a, const double* b) {
+  constexpr std::int32_t parts = 8;
+  double part[parts] = {};
+  std::int32_t i = 0;
+  for (; i + parts <= n; i += parts)
+    for (std::int32_t k = 0; k < parts; ++k) part[k] += a[i + k] * b[i + k];
+  for (std::int32_t k = 0; i < n; ++i, ++k) part[k] += a[i] * b[i];
+  return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
+}
 
 void precondition(const StripSet& s, double* step, PressureScratch& w) {
   // The map takes away 0.45 of an error of L that is rough along the rail, more on strips shorter than wide,
@@ -343,7 +333,7 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
 
     // Acceleration from scratch where it does not pay twice in a row, as while strips enter.
     slow = moved > hardly_less * moved_before ? slow + 1 : 0;
-    if (slow == 2 || is_unaccelerated(k)) remembered = slow = 0;
+    if (slow == 2) remembered = slow = 0;
     moved_before = moved;
 
     // Preconditioned and accelerated step. Beside lengths squared [m^4], shifts squared weigh by the mean L.

@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "surface/pressure/iteration.hpp"
+#include "surface/pressure/newton.hpp"
 #include "surface/pressure/pressure_scratch.hpp"
 #include "surface/pressure/start.hpp"
 
@@ -18,9 +19,9 @@ constexpr double farthest_start = 0.3;
 /// Ways to a solution that is not found from the overlaps: by that at overlaps so many times as deep, which
 /// is found roughly first. Beside a pose with two solutions, or where two have just vanished, most of these
 /// ways lead past the place that holds up the first.
-constexpr double detours[] = {1.0, 0.8, 1.2, 0.6, 1.5};
-constexpr double found_roughly = 1e-3;                               ///< tolerance at those overlaps
-constexpr std::int32_t most_iterations[] = {usual_iterations, 160};  ///< in all ways, then in all once more
+constexpr double detours[] = {1.0, 0.7, 1.4, 0.5,  2.0,  0.85, 1.15, 0.6,
+                              1.7, 0.4, 2.5, 0.92, 1.08, 0.77, 1.27};
+constexpr double found_roughly = 1e-3;  ///< tolerance at those overlaps
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
 bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StartFrom from,
@@ -86,6 +87,9 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
     if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
 }
 
+/// Strips that a limit counts at least: small contacts may take more iterations than others.
+constexpr double fewest_budgeted = 9.3;
+
 /// The options with the work that a solve of these overlaps may take.
 PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) {
   double overlapping = 0.0;
@@ -98,21 +102,25 @@ PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) 
 /// Iterations over the strips in contact that a solve may take: many may overlap where few are in contact.
 double most_in_contact(const PressureOptions& options) { return 1.9 * options.max_iterations; }
 
+/// Work that a solve with the present strips in contact may take.
+double allowed_work(const PressureOptions& options, const PressureScratch& w) {
+  const double most = budgeted_in_contact(w.active.count);
+  return smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
+}
+
 /// Is too little work left for another attempt, which takes several iterations?
 bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
-  const double several = 8.0 * w.active.count * w.active.count, most = budgeted_in_contact(w.active.count);
-  return w.work + several > smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
+  const double several = 8.0 * w.active.count * w.active.count;
+  return w.work + several > allowed_work(options, w);
 }
 
 /// Solves from the overlaps, in one way after the other until one finds the solution.
 PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlaps& o,
                                    const PressureOptions& options, PressureScratch& w) {
-  constexpr std::size_t ways = std::size(detours), attempts = ways * std::size(most_iterations);
   StripSet& s = w.fine;
   PressureResult result;
   std::int32_t spent = 0;
-  for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
-    const double by = detours[attempt % ways];
+  for (const double by : detours) {
     for (std::int32_t i = 0; i < s.count; ++i) s.depth[i] *= by;
     spent += start_from_overlaps(problem, o, options.max_work, w);
     if (by != 1.0) {
@@ -124,10 +132,14 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
         s.L[i] /= by;
       }
     }
-    result = iterate(problem, s,
-                     {options.tolerance, any_change, options.max_work, most_in_contact(options),
-                      most_iterations[attempt / ways]},
-                     w);
+    result =
+        iterate(problem, s, {options.tolerance, any_change, options.max_work, most_in_contact(options)}, w);
+    result.iterations = spent += result.iterations;
+    if (result.converged) return result;
+    keep_best(s, result.residual, w);
+    if (is_used_up(options, w)) break;
+    // Newton's method from the iterate that the map moves least.
+    result = solve_by_newton(problem, s, options.tolerance, allowed_work(options, w), w);
     result.iterations = spent += result.iterations;
     if (result.converged) return result;
     keep_best(s, result.residual, w);

@@ -1,5 +1,5 @@
 /// Working memory of a pressure solve (pressure.hpp), shared by its parts: active_set, edge_condition,
-/// iteration, start.
+/// iteration, newton, start.
 ///
 ///   symbol        array                unit    of
 ///   s, w          place, width         m       each strip: arc length of its middle, width

@@ -164,7 +164,9 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
 }
 
 void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart& start) {
-  const SolutionChange first = start.change, second = start.earlier;
+  const SolutionChange first = start.change;
+  // One that is not known counts as the later one, of which nothing is left beside that.
+  const SolutionChange second = start.earlier.depth ? start.earlier : first;
   start.change = start.earlier = {};
   if (!first.depth) return;
   // Products of the overlaps' growth by areas: in the later change (1), in the earlier one (2), and since

@@ -231,6 +231,17 @@ double rolling_speed_of(const RelativeMotion& motion, const LoadSums& sums) {
   return speed;
 }
 
+/// Flags a wheel that turns against its travel: both materials pass through the contact at nearly the same
+/// speed in opposite directions. No vehicle does that; an angular velocity of the wrong sign does.
+Fault turns_against_travel(const LoadSums& sums, double rolling_speed) {
+  const double sliding = magnitude(sums.sliding / sums.load);
+  const double most = geometry::largest_creepage * larger(magnitude(rolling_speed), geometry::floor_speed);
+  if (!(sliding > most)) return {};
+  return Fault::creepages_limited("sliding along the rail", {sliding, "m/s", 0.0, most},
+                                  "the wheel turns against its travel: has its angular velocity the wrong "
+                                  "sign? input.wheel.pitch_rate is -v / r0 rolling forwards");
+}
+
 /// All forces times a factor.
 void scale(double factor, Wrench& out) {
   const auto by = [factor](double& x) { x *= factor; };
@@ -290,8 +301,11 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
   keep_worst(fault, limits_along(solver.problem, s));
-  if (in.friction > 0.0 && reference.reverse_share > 0.0 && !solver.problem.memory)
-    keep_worst(fault, Fault::creepages_limited("rolling speed"));
+  if (in.friction > 0.0) {
+    keep_worst(fault, turns_against_travel(sums, s.sums.rolling_speed));
+    if (reference.reverse_share > 0.0 && !solver.problem.memory)
+      keep_worst(fault, Fault::creepages_limited("rolling speed"));
+  }
   // methods of whole patches share forces among strips by load: their slips may make the sum negative
   if (solver.problem.model.methods.region.solve) out.power = larger(out.power, 0.0);
   return fault;

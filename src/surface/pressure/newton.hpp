@@ -1,0 +1,14 @@
+/// Newton's method on the fixed-point residual, for the few solves that the iteration does not end: beside a
+/// strip whose overlap is nearly flat along x the map leads away from the solution.
+#pragma once
+
+#include "surface/pressure/iteration.hpp"
+
+namespace wrc::surface {
+
+/// Goes on from the lengths and shifts in `s`, at most to this work. Without a solution `s` has the iterate
+/// that the map moves least of those it went through, with its loads.
+PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, double tolerance, double max_work,
+                               PressureScratch& w);
+
+}  // namespace wrc::surface
