@@ -104,17 +104,10 @@ class Strips {
     strips.shear_modulus = strips.normal_shear_modulus = 82e9;
     strips.coefficients = &coefficients_;
     strips.grid = &grid_;
-    const RememberingInput step{strips,
-                                along_,
-                                number_,
-                                rail_,
-                                theory_,
-                                travel,
-                                rolled,
-                                direction,
-                                memory().remembered(),
-                                memory().count,
-                                memory().other()};
+    const RememberingInput step{strips,         along_,          number_,
+                                rail_,          theory_,         travel,
+                                rolled,         direction,       memory().remembered(),
+                                memory().count, memory().other()};
     const RememberingResult result = roll_remembering(step, Arena(aligned()), {fx_, fy_, mz_});
     memory().written = count;
     return result;

@@ -635,7 +635,7 @@ class Rememberer {
   double stored_ = 0.0;                         // in the tractions of its end [J]
   double takes_over_ = 0.0;                     // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
-  bool two_rows_ = false;               // has either step second places along the track?
+  bool two_rows_ = false;              // has either step second places along the track?
   Heirs heirs_[most_rail_faces] = {};  // with two rows
   Fault fault_;
 };
