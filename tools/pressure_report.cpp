@@ -138,10 +138,10 @@ void trace(double A, double B, double degrees, double approach) {
   const surface::StripSet& s = c.w.fine;
   for (std::int32_t i = 0; i < s.count; i += 4) {
     if (!(s.L[i] > 0.0)) continue;
-    const double l = std::sqrt(s.L[i]);
+    const double l = std::sqrt(s.L[i]), lambda = s.q[i] / s.L[i];
     std::printf("%7.2f %8.3f %8.4f %8.4f %8.4f %15.3f %8.2f %10.2f\n", 1e3 * s.place[i], 1e6 * s.depth[i],
-                1e3 * s.deepest_x[i], 1e3 * (s.deepest_x[i] + s.shift[i]), 1e3 * l, 1e-9 * s.lambda[i],
-                1e-3 * s.q[i], 1e-6 * s.lambda[i] * l);
+                1e3 * s.deepest_x[i], 1e3 * (s.deepest_x[i] + s.shift[i]), 1e3 * l, 1e-9 * lambda,
+                1e-3 * s.q[i], 1e-6 * lambda * l);
   }
 }
 

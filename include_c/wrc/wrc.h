@@ -976,8 +976,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead
  *    or behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for. Or a
  *    round wheel touches a rail at three places along the track, of which two carry the load.
- *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(); not with config.surface.memory. Or the wheel turns against
- *    its travel and slides at more than 10 times its speed of rolling. The sentence then asks for the sign of pitch_rate.
+ *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(). Or the wheel turns against its travel and slides at more
+ *    than 10 times its speed of rolling. The sentence then asks for the sign of pitch_rate. Neither with config.surface.memory.
  *  - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities take it.
  *  - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there.
  *  - _FORCE_JUMPS: a planar normal method on a patch of several lowest points.

@@ -92,12 +92,25 @@ TEST_F(SurfaceMemory, TrialsLeaveNoTrace) {
   const wrc_wrench once = go(1e-3, false);
   wheel.velocity[1] = -0.3;
   go(5e-3, false);
-  roll(-2.0);
+  wheel.velocity[0] = -2.0;
   go(2e-4, false);
   roll(2.0);
   EXPECT_TRUE(same_bits(once, go(1e-3, false)));
   commit();
   EXPECT_GT(apart(once, go(1e-3, false)), 1e-3) << "the commit counts";
+}
+
+/// Wheels spin or lock while the vehicle goes the other way: a step like others, not an input to be flagged.
+TEST_F(SurfaceMemory, ATurnAgainstTheTravelIsAStepLikeOthers) {
+  for (const double speed : {2.0, -2.0, 20.0}) {
+    roll(speed);
+    wheel.angular_velocity[1] = -wheel.angular_velocity[1];
+    go(1e-3, false);
+    // All slides, and friction acts against the travel.
+    EXPECT_NEAR(std::hypot(wrench.force[0] - standing.force[0], wrench.force[1] - standing.force[1]), limit,
+                0.05 * limit);
+    EXPECT_LT(speed * wrench.force[0], 0.0);
+  }
 }
 
 TEST_F(SurfaceMemory, IsPartOfTheState) {

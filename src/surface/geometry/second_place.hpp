@@ -131,7 +131,7 @@ inline LargestOverlap climb_second(StripOverX<double>& strip, double low, double
                                    const LargestOverlap& first) {
   // rays from one end to the next, as far as the place given
   LargestOverlap found = first;
-  for (const double way = from < first.x ? -1.0 : 1.0; found.x != from;) {
+  for (const double way = from < first.x ? -1.0 : 1.0; magnitude(from - found.x) > 0.0;) {
     const double left = magnitude(from - found.x);
     found.x = left > place_apart ? found.x + way * place_apart : from;
     depth_at(strip, found.x, found.end);

@@ -418,10 +418,14 @@ struct FollowedOverlaps {
       const StripOverlap<double>& at = first.overlap;
       const FirstLook look = look_beyond_valley(rail, surfaces.varying, gathered.strip[i],
                                                 {{first.x, first.end}, at.ny, at.nz, top.own});
+      // without room it is looked for, and flagged, at each height
+      if (look.depth > -1.0 && c.tops == c.capacity) {
+        o.full = true;
+        return CandidateAlong::no_other;
+      }
       top.doubt = 0.0F;
       top.other = CandidateAlong::no_other;
-      o.full = o.full || (look.depth > -1.0 && c.tops == c.capacity);
-      if (look.depth > -1.0 && c.tops < c.capacity) {
+      if (look.depth > -1.0) {
         top.other = static_cast<std::int16_t>(c.tops);
         c.top[c.tops++] =
             candidate_at(gathered.strip[i], {look.x, {first.end.piece, first.end.u, look.depth}}, at.ny,

@@ -7,8 +7,8 @@
 
 namespace wrc::surface {
 
-/// From the loads of solve_contact(): q and lambda of the strips, and in w.residual the moves that the
-/// fixed-point map asks for, q / lambda - L and (smoothed shift) - shift.
+/// From the loads of solve_contact(): q of the strips, and in w.residual the moves that the fixed-point map
+/// asks for, q / lambda - L and (smoothed shift) - shift.
 void edge_residual(const PressureProblem& problem, const StripSet& s, PressureScratch& w);
 
 }  // namespace wrc::surface

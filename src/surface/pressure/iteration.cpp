@@ -194,7 +194,7 @@ void extrapolate_loads(const StripSet& s, std::int32_t iteration, std::int32_t u
       q -= w.shares[a] * (s.q[i] - earlier.q[i]);
       step -= w.shares[a] * (now.f[i] - earlier.f[i]);
     }
-    // q ~ L^0.3 along the rest of the step.
+    // q ~ L^load_follows along the rest of the step.
     const double part = smaller(larger(step / s.L[i], -settled), settled);
     s.q[i] = larger(q * (1.0 + load_follows * part), 0.0);
   }
@@ -232,12 +232,10 @@ void take_step(const StripSet& s, std::int32_t iteration, PressureScratch& w) {
   }
 }
 
-/// Clears strips that are not in contact, and finds lambda of the others at their last length.
+/// Clears strips that are not in contact.
 void finish(const StripSet& s, const PressureScratch& w) {
-  for (std::int32_t i = 0; i < s.count; ++i) {
+  for (std::int32_t i = 0; i < s.count; ++i)
     if (w.active.count == 0 || !w.in_contact[i] || !(s.L[i] > 0.0)) s.L[i] = s.q[i] = 0.0;
-    if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
-  }
 }
 
 }  // namespace

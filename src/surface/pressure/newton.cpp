@@ -61,10 +61,8 @@ class Newton {
     result.iterations = looks_;
     // The last iterate kept, with its loads. Strips that are not in contact have none.
     go_back();
-    for (std::int32_t i = 0; i < count_; ++i) {
+    for (std::int32_t i = 0; i < count_; ++i)
       if (!w_.in_contact[i]) s_.L[i] = s_.q[i] = 0.0;
-      if (s_.L[i] > 0.0) s_.lambda[i] = s_.q[i] / s_.L[i];
-    }
     return result;
   }
 

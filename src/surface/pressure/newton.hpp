@@ -6,8 +6,8 @@
 
 namespace wrc::surface {
 
-/// Goes on from the lengths and shifts in `s`, at most to this work. Without a solution `s` has the iterate
-/// that the map moves least of those it went through, with its loads.
+/// Goes on from the lengths and shifts in `s`, at most to this work. Without a solution `s` has the last
+/// iterate, with its loads: the best but for jumps.
 PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, double tolerance, double max_work,
                                PressureScratch& w);
 

@@ -55,7 +55,7 @@ class Solver {
     for (double* const a :
          {pressure_.length_squared, pressure_.peak_per_length, pressure_.centre, pressure_.line_load})
       std::fill_n(a, n, 0.0);
-    for (std::int32_t i = 0; i < n; ++i) memory_.place[i] = rail_.s[on_rail(overlaps_.strip[i])];
+    for (std::int32_t i = 0; i < n; ++i) memory_.place[i] = rail_.s[overlaps_.strip[i]];
     // Runs of strips side by side, each cut into lobes; parts of several lobes count by their shares.
     for (Run run; run.end < n && !result_.fault.failed();) {
       run.first = run.end++;
@@ -107,7 +107,7 @@ class Solver {
     // Rows behind the ends go on with the last strip's centre and curvature, each a little higher.
     for (std::int32_t k = -beyond; k < n + beyond; ++k) {
       const std::int32_t inside = std::clamp(k, 0, n - 1), i = run.first + inside, away = k - inside;
-      memory_.y[k + beyond] = memory_.place[i] + away * rail_.width[on_rail(overlaps_.strip[i])];
+      memory_.y[k + beyond] = memory_.place[i] + away * rail_.width[overlaps_.strip[i]];
       if (away != 0) height[k] = height[inside] + (away < 0 ? -away : away) * steps_down;
       memory_.centre[k + beyond] = overlaps_.centre[i];
       memory_.curvature[k + beyond] = larger(overlaps_.curvature[i], least_curvature);
@@ -190,12 +190,12 @@ class Solver {
       all += q * patch.width[k];
       lost += q * patch.width[k];
       const auto border = [&](std::int32_t i) {
-        return memory_.place[i] + 0.5 * rail_.width[on_rail(overlaps_.strip[i])];
+        return memory_.place[i] + 0.5 * rail_.width[overlaps_.strip[i]];
       };
       // Both lists increase: strips of the rail before this one are done with.
       while (from < run.end && border(from) <= low) ++from;
       for (std::int32_t i = from; i < run.end; ++i) {
-        const double width = rail_.width[on_rail(overlaps_.strip[i])], begin = border(i) - width;
+        const double width = rail_.width[overlaps_.strip[i]], begin = border(i) - width;
         if (!(begin < high)) break;
         const double covered = smaller(high, border(i)) - larger(low, begin);
         if (!(covered > 0.0)) continue;

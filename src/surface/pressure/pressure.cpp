@@ -63,7 +63,7 @@ void store(const Overlaps& o, const PressureScratch& w, PressureStart& start, co
     start.shift[i] = s.shift[i];
     start.depth[i] = s.depth[i];
     p.length_squared[i] = s.L[i];
-    p.peak_per_length[i] = s.lambda[i];
+    p.peak_per_length[i] = s.L[i] > 0.0 ? s.q[i] / s.L[i] : 0.0;
     p.centre[i] = s.deepest_x[i] + s.shift[i];
     p.line_load[i] = s.q[i];
   }
@@ -83,8 +83,6 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
   std::copy_n(w.best.x, s.count, s.L);
   std::copy_n(w.best.x + s.count, s.count, s.shift);
   std::copy_n(w.best.q, s.count, s.q);
-  for (std::int32_t i = 0; i < s.count; ++i)
-    if (s.L[i] > 0.0) s.lambda[i] = s.q[i] / s.L[i];
 }
 
 /// Strips that a limit counts at least: small contacts may take more iterations than others.

@@ -104,7 +104,7 @@ struct PressureOptions {
 /// Arrays over the candidates (Overlaps), in the caller's memory.
 struct StripPressure {
   double* length_squared = nullptr;   ///< L [m^2]; 0: not in contact
-  double* peak_per_length = nullptr;  ///< lambda [Pa/m], where in contact
+  double* peak_per_length = nullptr;  ///< lambda [Pa/m]; 0: not in contact
   double* centre = nullptr;           ///< c [m]
   double* line_load = nullptr;        ///< q = lambda L [N/m]; N = pi/2 w q
 };

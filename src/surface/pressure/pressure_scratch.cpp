@@ -10,7 +10,7 @@ PressureScratch cut_pressure_scratch(Arena& arena, std::int32_t most) {
   const std::int64_t padded = simd::whole_packs(most) + simd::most_lanes;
   for (StripSet* s : {&w.fine, &w.coarse})
     arena.each(padded, s->place, s->width, s->depth, s->curvature, s->deepest_x, s->ny, s->nz, s->L, s->shift,
-               s->lambda, s->q);
+               s->q);
   // Rows of the elimination come in fours and end in right-hand sides; kernels fill whole packs of them.
   const std::int32_t size = (most + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);

@@ -7,7 +7,7 @@
 ///   W             deepest_x            m       each strip: x of the largest overlap
 ///   n             ny, nz               -       each strip: direction
 ///   L, c - W      L, shift             m^2, m  each strip: unknowns of the iteration
-///   lambda, q     lambda, q            Pa/m, N/m  each strip: peak per length, line load
+///   q             q                    N/m     each strip: line load
 ///   l             half_length          m       each strip, and each active strip
 ///   C w / l       active.factor        1/Pa    active strip: displacement by unit q over the influence J
 ///   w / (2 l)     active.half_width    -       active strip
@@ -44,7 +44,7 @@ struct StripSet {
   std::int32_t behind = 0;  ///< strips from here on are second places: no neighbours of those before
   bool skewed = false;      ///< deepest_x differs from strip to strip: shifts are unknowns, too
   double *place, *width, *depth, *curvature, *deepest_x, *ny, *nz;  ///< given
-  double *L, *shift, *lambda, *q;                                   ///< solution; c = deepest_x + shift
+  double *L, *shift, *q;                                            ///< solution; c = deepest_x + shift
 };
 
 /// Strips in contact, as sources of displacement; whole packs, those behind the last without effect.

@@ -301,10 +301,10 @@ Fault solve_overlaps(const HeightSolver& solver, double height, double tolerance
   keep_worst(fault, sum_regions(in, s, out));
   keep_worst(fault, extrapolated(solver.problem, s));
   keep_worst(fault, limits_along(solver.problem, s));
-  if (in.friction > 0.0) {
+  // with memory rest, reversal and all speeds are steps like others
+  if (in.friction > 0.0 && !solver.problem.memory) {
     keep_worst(fault, turns_against_travel(sums, s.sums.rolling_speed));
-    if (reference.reverse_share > 0.0 && !solver.problem.memory)
-      keep_worst(fault, Fault::creepages_limited("rolling speed"));
+    if (reference.reverse_share > 0.0) keep_worst(fault, Fault::creepages_limited("rolling speed"));
   }
   // methods of whole patches share forces among strips by load: their slips may make the sum negative
   if (solver.problem.model.methods.region.solve) out.power = larger(out.power, 0.0);

@@ -100,11 +100,10 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
     };
     put(i);
     // the strip's other place along the track
-    const std::int32_t other = overlaps.strip[i] ^ second_places, *const end =
-                                                                      overlaps.strip + overlaps.count;
-    if (const std::int32_t* const found = std::lower_bound<const std::int32_t*>(overlaps.strip, end, other);
-        found != end && *found == other)
-      put(found - overlaps.strip);
+    const std::int32_t other = overlaps.strip[i] ^ second_places;
+    const std::int32_t *const begin = overlaps.strip, *const end = begin + overlaps.count;
+    const std::int32_t* const found = std::lower_bound(begin, end, other);
+    if (found != end && *found == other) put(found - begin);
     OverlapSlopes o = overlap_slopes(model, rail, pose, distance, near);
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
