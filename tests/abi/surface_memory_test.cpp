@@ -341,41 +341,45 @@ TEST_F(MemoryAlongTrack, ACrossingIsTheSteadyOneOfShortlyBefore) {
 /// tractions where those on the ramp end, and nothing leaps where places begin or end.
 TEST_F(MemoryAlongTrack, PlacesAtTheEndOfARampKeepTheirTractions) {
   for (int k = -10; k <= 20; ++k) add_section(0.01 * k, 0.0, 0.1 * std::max(0.0, 0.1 - 0.01 * k) - 0.01);
-  create();
-  roll(2.0);
   wheel.y = 1e-3;
-  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
-  input.vertical_load = 60e3;
   constexpr double way = 0.2e-3;  // [m]
-  wrc_wrench before{};
-  int on_both = 0;
-  for (int k = 0; k < 150; ++k) {
-    input.distance = 20e-3 + way * k;
-    go(k == 0 ? 0.0 : way / 2.0, false);
-    commit();
-    limit = friction.coefficient * wrench.normal_force;
-    on_both += wrench.region_count > 1 ? 1 : 0;
-    // after two lengths nothing is left of the first step
-    if (k > 50) {
-      EXPECT_LT(apart(wrench, before), 0.03) << input.distance;
-    }
-    before = wrench;
-    if (k % 6 != 0) continue;
-    // trial steps 2 um apart, within which places begin and end
-    wrc_wrench last{}, last_but_one{};
-    for (int n = 0; n < 200; ++n) {
-      input.distance = 20e-3 + way * k + 2e-6 * n;
-      const wrc_wrench& now = go(1e-6 * n, false);
-      if (n > 1) {
-        EXPECT_LT(std::hypot(now.force[0] - 2.0 * last.force[0] + last_but_one.force[0],
-                             now.force[1] - 2.0 * last.force[1] + last_but_one.force[1]),
-                  1e-3 * limit)
-            << input.distance;
+  for (const double direction : {1.0, -1.0}) {
+    SCOPED_TRACE(direction);
+    create();
+    roll(2.0 * direction);
+    input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+    input.vertical_load = 60e3;
+    const double begin = direction > 0.0 ? 20e-3 : 50e-3;
+    wrc_wrench before{};
+    int on_both = 0;
+    for (int k = 0; k < 150; ++k) {
+      const double distance = input.distance = begin + direction * way * k;
+      go(k == 0 ? 0.0 : way / 2.0, false);
+      commit();
+      limit = friction.coefficient * wrench.normal_force;
+      on_both += wrench.region_count > 1 ? 1 : 0;
+      // after two lengths nothing is left of the first step
+      if (k > 50) {
+        EXPECT_LT(apart(wrench, before), 0.03) << distance;
       }
-      last_but_one = std::exchange(last, now);
+      before = wrench;
+      if (k % 6 != 0) continue;
+      // trial steps 2 um apart, within which places begin and end
+      wrc_wrench last{}, last_but_one{};
+      for (int n = 0; n < 200; ++n) {
+        input.distance = distance + direction * 2e-6 * n;
+        const wrc_wrench& now = go(1e-6 * n, false);
+        if (n > 1) {
+          EXPECT_LT(std::hypot(now.force[0] - 2.0 * last.force[0] + last_but_one.force[0],
+                               now.force[1] - 2.0 * last.force[1] + last_but_one.force[1]),
+                    1e-3 * limit)
+              << input.distance;
+        }
+        last_but_one = std::exchange(last, now);
+      }
     }
+    EXPECT_GT(on_both, 15);
   }
-  EXPECT_GT(on_both, 15);
 }
 
 /// A state taken between both places at the end of a ramp has the tractions of both.

@@ -1,4 +1,4 @@
-/// Strips that remember give back no more than was put in (surface/rolling/remembering.hpp).
+/// Strips that remember (surface/rolling/remembering.hpp): energy, parts of patches, rows of places.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,12 +69,29 @@ class Strips {
       along_[count] = 1e-4 * std::sin(300.0 * y);
       number_[count++] = j;
     }
+    const double travel = std::pow(10.0, number(-6.0, -1.5)),
+                 rolled = one_of(3) ? 0.0 : travel * number(0.0, 2.0);
+    const RememberingResult result = roll(count, travel, rolled, one_of(2) ? -1.0 : 1.0);
+    double work = 0.0;
+    for (std::int32_t k = 0; k < count; ++k) {
+      work -= travel * (fx_[k] * slip_x_[k] + fy_[k] * slip_y_[k] + mz_[k] * spin_[k]);
+      EXPECT_TRUE(std::isfinite(fx_[k]) && std::isfinite(fy_[k]) && std::isfinite(mz_[k]));
+    }
+    if (!one_of(4))
+      memory().turn_over();  // trial steps are not kept
+    else
+      return {0.0, 0.0};
+    return {work, result.dissipated};
+  }
+
+ protected:
+  tangential::Memory& memory() { return *reinterpret_cast<tangential::Memory*>(memory_.data()); }
+
+  /// Rolls `count` strips of the arrays below.
+  RememberingResult roll(std::int32_t count, double travel, double rolled, double direction) {
     SurfaceRollingInput strips;
     strips.count = count;
-    RailStrips rail;
-    rail.s = rail_place_;
-    rail.ranges = 1;
-    rail.range[0] = {0, most, 0.0, 0.0, 0.0};
+    rail_.s = rail_place_;
     strips.place = place_;
     strips.width = width_;
     strips.half_length = half_length_;
@@ -87,33 +104,24 @@ class Strips {
     strips.shear_modulus = strips.normal_shear_modulus = 82e9;
     strips.coefficients = &coefficients_;
     strips.grid = &grid_;
-    const double travel = std::pow(10.0, number(-6.0, -1.5)),
-                 rolled = one_of(3) ? 0.0 : travel * number(0.0, 2.0);
-    auto& memory = *reinterpret_cast<tangential::Memory*>(memory_.data());
-    const RememberingInput step{strips,
-                                along_,
-                                number_,
-                                rail,
-                                theory_,
-                                travel,
-                                rolled,
-                                one_of(2) ? -1.0 : 1.0,
-                                memory.remembered(),
-                                memory.count,
-                                memory.other()};
+    const RememberingInput step{strips,         along_,          number_,
+                                rail_,          theory_,         travel,
+                                rolled,         direction,       memory().remembered(),
+                                memory().count, memory().other()};
     const RememberingResult result = roll_remembering(step, Arena(aligned()), {fx_, fy_, mz_});
-    memory.written = count;
-    double work = 0.0;
-    for (std::int32_t k = 0; k < count; ++k) {
-      work -= travel * (fx_[k] * slip_x_[k] + fy_[k] * slip_y_[k] + mz_[k] * spin_[k]);
-      EXPECT_TRUE(std::isfinite(fx_[k]) && std::isfinite(fy_[k]) && std::isfinite(mz_[k]));
-    }
-    if (!one_of(4))
-      memory.turn_over();  // trial steps are not kept
-    else
-      return {0.0, 0.0};
-    return {work, result.dissipated};
+    memory().written = count;
+    return result;
   }
+
+  RailStrips rail_ = [] {
+    RailStrips rail;
+    rail.ranges = 1;
+    rail.range[0] = {0, most, 0.0, 0.0, 0.0};
+    return rail;
+  }();
+  double place_[most], width_[most], half_length_[most], peak_[most], curvature_[most], slip_x_[most],
+      slip_y_[most], spin_[most], friction_[most], along_[most], number_[most], rail_place_[most], fx_[most],
+      fy_[most], mz_[most];
 
  private:
   static std::size_t bytes_of_scratch() {
@@ -133,9 +141,6 @@ class Strips {
   tangential::MarchGrid grid_;
   std::vector<double> memory_, scratch_;
   double centre_ = 0.0, second_ = 0.5, load_ = 1.0;
-  double place_[most], width_[most], half_length_[most], peak_[most], curvature_[most], slip_x_[most],
-      slip_y_[most], spin_[most], friction_[most], along_[most], number_[most], rail_place_[most], fx_[most],
-      fy_[most], mz_[most];
 };
 
 TEST(SurfaceRemembering, GivesBackNoMoreThanWasPutIn) {
@@ -151,6 +156,106 @@ TEST(SurfaceRemembering, GivesBackNoMoreThanWasPutIn) {
   }
   EXPECT_GT(exchanged, 0.0);
   EXPECT_GE(worst, -1e-9 * exchanged) << "energy gained";
+}
+
+/// Strips that a test gives one by one.
+struct GivenStrips : Strips {
+  using Strips::memory, Strips::roll, Strips::rail_, Strips::rail_place_, Strips::fx_;
+  std::int32_t count = 0;
+
+  /// A strip with this number, under creepages, and spin about `place` = 0.
+  void add(std::int32_t number, double place, double width, double half_length, double along, double spin) {
+    place_[count] = place;
+    width_[count] = width;
+    half_length_[count] = half_length;
+    peak_[count] = 2e11 * half_length;
+    curvature_[count] = 2.2;
+    slip_x_[count] = 1e-3 - spin * place;
+    slip_y_[count] = 0.0;
+    spin_[count] = spin;
+    friction_[count] = 0.3;
+    along_[count] = along;
+    number_[count++] = number;
+  }
+};
+
+/// The valley's lowest point lies within the last strip, which is wide, or mirrored the first. So one patch
+/// has a part of each strip.
+TEST(SurfaceRemembering, AStripThatAValleyCutsIsOfBothPatches) {
+  constexpr double unit = 0.5e-3, largest = 5e-3;
+  const double widths[] = {1.0, 1.0, 0.5, 1.5}, places[] = {-2.0, -1.0, 0.0, 1.0},
+               loads[] = {0.9, 1.0, 0.05, 0.1};
+  double force[4];
+  for (const bool mirrored : {false, true}) {
+    GivenStrips strips;
+    for (int i = 0; i < 4; ++i) {
+      const int from = mirrored ? 3 - i : i;
+      strips.add(i, (mirrored ? -unit : unit) * places[from], unit * widths[from],
+                 largest * std::sqrt(loads[from]), 0.0, 0.0);
+    }
+    // far enough to slide everywhere
+    strips.roll(strips.count, 0.05, 5e-3, 1.0);
+    for (int i = 0; i < 4; ++i) {
+      double& same = force[mirrored ? 3 - i : i];
+      if (!mirrored) same = strips.fx_[i];
+      EXPECT_NEAR(strips.fx_[i], same, 1e-6 * std::abs(same)) << i;
+      const tangential::PastStrip& strip = strips.memory().other()[i];
+      for (int cell = 0; cell < tangential::memory_cells; ++cell) {
+        const double bound = strip.bound[std::min(cell, tangential::memory_cells - 1 - cell)];
+        EXPECT_LE(std::hypot(strip.px[cell], strip.py[cell]), (1.0 + 1e-9) * bound) << i << " " << cell;
+      }
+    }
+  }
+}
+
+/// A place at the end of a ramp becomes the first row of its face. Forces lost on the ramp are none of its
+/// own, whether or not another face is in contact.
+TEST(SurfaceRemembering, FacesRenumberTheirRowsByThemselves) {
+  constexpr int of_face = 8;
+  double alone[of_face];
+  for (const bool other_face : {false, true}) {
+    GivenStrips strips;
+    strips.rail_.ranges = 2;
+    strips.rail_.range[0] = {0, of_face, 0.0, 0.0, 0.0};
+    strips.rail_.range[1] = {of_face, Strips::most - of_face, 0.0, 0.0, 0.0};
+    for (int i = 0; i < Strips::most; ++i) strips.rail_place_[i] = 0.5e-3 * i + (i < of_face ? 0.0 : 1.0);
+    const auto add_row = [&](int first, int count, int row, double along) {
+      for (int i = first; i < first + count; ++i)
+        strips.add(i + row * second_places, strips.rail_place_[i] + row * rows_apart, 0.5e-3, 4e-3, along,
+                   0.0);
+    };
+    constexpr double rolled = 1e-3;
+    add_row(0, of_face, 0, 0.0);
+    if (other_face) add_row(of_face, of_face, 0, 0.0);
+    add_row(0, of_face, 1, 10e-3);
+    strips.roll(strips.count, rolled, rolled, 1.0);
+    strips.memory().turn_over();
+    strips.count = 0;
+    add_row(0, of_face, 0, 10e-3 - rolled);
+    if (other_face) add_row(of_face, of_face, 0, 0.0);
+    strips.roll(strips.count, rolled, rolled, 1.0);
+    for (int i = 0; i < of_face; ++i) {
+      if (!other_face) alone[i] = strips.fx_[i];
+      EXPECT_NEAR(strips.fx_[i], alone[i], 1e-9 * std::abs(alone[i])) << i;
+    }
+  }
+}
+
+/// Energy that the half-spaces store by their turning counts alike below and above 1.5 lengths.
+TEST(SurfaceRemembering, EnergyGoesOnWhereSteadyRollingBegins) {
+  GivenStrips strips;
+  double longest = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    const double y = 0.5e-3 * (i - 7.5), half_length = 4e-3 * std::sqrt(1.0 - y * y / 20e-6);
+    longest = std::max(longest, 2.0 * half_length);
+    strips.add(i, y, 0.5e-3, half_length, 0.0, 1.0);
+  }
+  const auto dissipated = [&](double lengths) {
+    const double rolled = lengths * longest;
+    return strips.roll(strips.count, rolled, rolled, 1.0).dissipated;
+  };
+  const double below = dissipated(1.5 - 1e-6);
+  EXPECT_NEAR(dissipated(1.5 + 1e-6), below, 1e-4 * below);
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ constexpr double least_force = 1e-290;  // [N]
 // factor on changes, over the largest traction, that shorten the way under the same conditions [-].
 constexpr double settles = 100.0, change_counts = 400.0;
 
+// A strip's only place in both steps is the same one within this, and half the distance rolled [m].
+constexpr double same_place = 4e-3;
+
 /// Numbers of strips that are remembered.
 struct PastNumbers {
   const PastStrip* past;
@@ -53,7 +56,7 @@ Scratch cut(Arena& arena, std::int32_t most) {
              s.region.peak);
   s.region.capacity = most;
   arena.each(most, s.shared, s.of_part, s.steady, s.past, s.past_of_part);
-  // steady forces are asked for between the parts' solution and their energy
+  // steady forces are asked for when all parts are solved
   Arena asked = arena;
   s.rolling = asked.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   arena.each(most, s.strips, s.written);
@@ -87,23 +90,24 @@ class Rememberer {
   struct Part {
     std::int32_t first = 0, end = 0;
     double share = 0.0;
+    bool cut = false;  ///< at a valley
     PartMeans means;
     std::int32_t number = 0;
   };
 
-  /// Parts that carry load and have friction. One that is alone is found once.
+  /// Parts that carry load and have friction. One that is alone is found once: `scratch_.load`, which has the
+  /// loads of the part found last, stays its own.
   template <class Take>
   void for_each_part(Take&& take) {
     if (alone_.end > 0) return take(alone_);
-    // all of them are counted: strips of one without load are found again
-    std::int32_t all = 0;
+    std::int32_t all = 0;  // those without load or friction, too
     Part part;
     parts_.for_each(
         [&](std::int32_t first, std::int32_t end, double share, const LobeCut* low, const LobeCut* high) {
           const PartMeans m = parts_.take_part(first, end, low, high);
           ++all;
           if (!(m.load > 0.0 && m.friction > 0.0)) return;
-          part = {first, end, share, m, part.end > 0 ? part.number + 1 : 0};
+          part = {first, end, share, low || high, m, part.end > 0 ? part.number + 1 : 0};
           take(part);
         });
     if (all == 1) alone_ = part;
@@ -173,7 +177,7 @@ class Rememberer {
         while (k[r] < k_end[r] && rail_strip(then[k[r]]) < strip) ++k[r];
         past[r] = k[r] < k_end[r] && rail_strip(then[k[r]]) == strip ? k[r] : -1;
       }
-      pair_places(now, past);
+      pair_places(now, past, heirs_[face_of(strip)]);
     }
   }
 
@@ -183,12 +187,15 @@ class Rememberer {
     return std::abs(along - in_.direction * in_.past[past].centre + 0.5 * in_.rolled);
   }
 
+  /// Places of a face by their row in the committed step, then by that of now.
+  using Heirs = std::int32_t[2][2];
+
   /// The past of a strip's places in both rows, -1 where there is none: of two ways to pair them the one of
   /// less distance along the track. One place then and one now, farther apart, are two.
-  void pair_places(const std::int64_t (&now)[2], const std::int64_t (&past)[2]) {
+  void pair_places(const std::int64_t (&now)[2], const std::int64_t (&past)[2], Heirs& heirs) {
     const auto has = [&](int a, int b) { return now[a] >= 0 && past[b] >= 0; };
     const auto off = [&](int a, int b) { return has(a, b) ? apart(in_.along[now[a]], past[b]) : 0.0; };
-    const double most = 4e-3 + 0.5 * in_.rolled;  // [m]
+    const double most = same_place + 0.5 * in_.rolled;
     const bool two_now = now[0] >= 0 && now[1] >= 0, two_past = past[0] >= 0 && past[1] >= 0;
     // the sum of both distances, or which is nearer to the one place of the other step
     bool crossed = !has(0, 0) && !has(1, 1);
@@ -202,24 +209,23 @@ class Rememberer {
       const int b = crossed ? 1 - a : a;
       if (!has(a, b) || (!two_now && !two_past && off(a, b) > most)) continue;
       scratch_.past[now[a]] = in_.past + past[b];
-      ++heirs_[b][a];
+      ++heirs[b][a];
     }
   }
 
   /// The row that a row of the committed step is now, by most of its places; -1: all have left, and other
-  /// places are in that row. Strips that left belong to it.
-  int row_now(int row) const {
+  /// places are in that row. Strips that left belong to it. Faces renumber their rows by themselves.
+  static int row_now(int row, const Heirs& heirs) {
     const int other = 1 - row;
-    if (heirs_[row][0] + heirs_[row][1] == 0) return heirs_[other][row] > 0 ? -1 : row;
-    return heirs_[row][other] > heirs_[row][row] ? other : row;
+    if (heirs[row][0] + heirs[row][1] == 0) return heirs[other][row] > 0 ? -1 : row;
+    return heirs[row][other] > heirs[row][row] ? other : row;
   }
 
-  /// The face of a strip in contact.
-  const FaceStrips& face_of(std::int32_t j) const {
-    const std::int32_t strip = rail_strip(in_.number[j]);
-    std::int32_t r = 0;
-    while (strip >= in_.rail.range[r].first + in_.rail.range[r].count) ++r;
-    return in_.rail.range[r];
+  /// Number of the face that a strip of the rail belongs to.
+  std::int32_t face_of(std::int32_t strip) const {
+    std::int32_t face = 0;
+    while (strip >= in_.rail.range[face].first + in_.rail.range[face].count) ++face;
+    return face;
   }
 
   /// The strip in contact that a strip of the committed step is the past of, or -1. `from`: the first one
@@ -261,9 +267,10 @@ class Rememberer {
       square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
     }
     tangential::LeftStrips left;
-    const FaceStrips& face = face_of(part.first);
+    const std::int32_t number = face_of(rail_strip(in_.number[part.first]));
+    const FaceStrips& face = in_.rail.range[number];
     const int row = is_second(in_.number[part.first]) ? 1 : 0;
-    const int row_of[2] = {row_now(0), row_now(1)};
+    const int row_of[2] = {row_now(0, heirs_[number]), row_now(1, heirs_[number])};
     std::int32_t from = 0;  // the first strip in contact with that number or a larger one
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
@@ -329,7 +336,7 @@ class Rememberer {
 
   /// Does a part, the one in `contact_`, have all of all strips? Then theirs are written in place.
   bool is_whole(const Part& part) const {
-    return part.share == 1.0 && part.first == 0 && contact_.region.count == strips_.count;
+    return part.share == 1.0 && !part.cut && contact_.region.count == strips_.count;
   }
 
   /// The part's step, before it. One that is alone begins once.
@@ -502,17 +509,22 @@ class Rememberer {
     for (std::int32_t j = 0; j < strips_.count; ++j)
       tangential::tend_to(scratch_.steady[j], takes_over_, written()[j]);
     for_each_part([&](const Part& part) {
-      // energy of the cells and of the half-spaces
+      // energy of the cells and of the half-spaces, whose moment is about the part's centre
       fill_region(part);
+      const tangential::PatchNumbers& numbers = numbers_of(part);
       double force[3] = {}, stored = 0.0;
       for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
         const PastStrip& strip = written()[j];
         const tangential::RememberingStrip& cells = scratch_.shared[j];
-        for (int i = 0; i < 3; ++i) force[i] += scratch_.inside[k] * strip.force[i];
+        const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k] - numbers.centre_y;
+        const double turn = strip.force[2] / cells.arm + (x * strip.force[1] - y * strip.force[0]);
+        force[0] += scratch_.inside[k] * strip.force[0];
+        force[1] += scratch_.inside[k] * strip.force[1];
+        force[2] += scratch_.inside[k] * numbers.arm * turn;
         const double area = contact_.region.width[k] * strips_.half_length[j] * (2.0 / memory_cells);
         stored += tangential::stored_in(strip, area, cells.growth_x, cells.growth_y);
       });
-      stored_ += part.share * (stored + tangential::stored_by(numbers_of(part).yield, force));
+      stored_ += part.share * (stored + tangential::stored_by(numbers.yield, force));
     });
   }
 
@@ -623,8 +635,8 @@ class Rememberer {
   double stored_ = 0.0;                         // in the tractions of its end [J]
   double takes_over_ = 0.0;                     // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
-  bool two_rows_ = false;          // has either step second places along the track?
-  std::int32_t heirs_[2][2] = {};  // places by their row in the committed step, then by that of now
+  bool two_rows_ = false;              // has either step second places along the track?
+  Heirs heirs_[most_rail_faces] = {};  // with two rows
   Fault fault_;
 };
 

@@ -2,7 +2,8 @@
 /// committed step to the next (tangential/methods/patch_memory.hpp has the law).
 ///
 ///  - A strip's past is found by its number: it is the same strip in every step. Of two places along the track
-///    (second_place.hpp) it is the nearer one's. A strip that was not in contact begins without tractions. Tractions of one that leaves are gone, and the half-spaces yield by that.
+///    (second_place.hpp) it is the nearer one's. A strip that was not in contact begins without tractions.
+///    Tractions of one that leaves are gone, and the half-spaces yield by that.
 ///    Faces of a rail are separate bodies: strips that left one face do not make another face yield.
 ///  - A strip's displacement over the step is its own: slip velocities of the rigid bodies times the time.
 ///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both

@@ -57,9 +57,9 @@ Yield yield_at_rest(double a, double b, double shear_modulus, double poisson) {
           scale * ((1.0 - poisson) * all + poisson * (all - along_x))};
 }
 
-/// Factor on the yield at rest of an outline that is no ellipse, over that of the ellipse of its area. The
-/// ellipse of its second moments is larger, and yields less. Its own yield lies half way (half-spaces, wheels
-/// with one hump and with two: within 1 %).
+/// Yield at rest of an outline that is no ellipse, over that of the ellipse of its area [-]. The ellipse of
+/// its second moments is larger, and yields less. The outline's yield lies half way between both: within 1 %
+/// of half-spaces, on wheels with one hump and with two.
 double yield_of_outline(const patch::Strips& region) {
   double length = 0.0, first = 0.0, along = 0.0, across = 0.0;
   for (std::int32_t j = 0; j < region.count; ++j) {
@@ -382,8 +382,8 @@ void PatchStep::set_strips() {
 
 void PatchStep::set_bounds() {
   // Cells turn the faster, the less of the patch slides.
-  const double fx = before_[0] + left_[0], fy = before_[1] + left_[1];
-  const double used2 = (fx * fx + fy * fy) / std::max(numbers_.limit * numbers_.limit, least);
+  const double before2 = before_[0] * before_[0] + before_[1] * before_[1];
+  const double used2 = before2 / std::max(numbers_.limit * numbers_.limit, least);
   const double turns = factors_.turns * std::max(0.0, 1.0 - used2 * used2 * used2);
   // Bounds over that of the middle: 1 - x^2 - (2/3) q (1 - x^3) of an ellipse, 1 - x - (1/2) q (1 - x^2) of a
   // cone, both over 1 - x. Then [Pa]: the whole is the friction limit.

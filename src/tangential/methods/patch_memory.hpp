@@ -146,7 +146,7 @@ class PatchStep {
   /// Bounds of the cells, and how much faster they turn, by this patch alone.
   void set_bounds();
   /// On a rail: strips that two partitions share take their bounds, growths and displacements per length,
-  /// which are the same in all patches they are of. Strips of the patch have left.
+  /// which are the same in all patches they are of. `left`: forces of strips that the patch has lost.
   void take_shared(const RememberingStrip* const* shared, const LeftStrips& left);
 
   double length() const { return strips_.length > 0.0 ? strips_.length : numbers_.length; }

@@ -26,6 +26,7 @@ inline void memory_bounds_kernel(const MemoryBoundsTask& t, double load, double 
     const Native rank = at + (square - bin) * (behind - at), x = rank / (rest + share * rank);
     store_lanes(to.bound + i, mu * ((one - x) * (middle + x * (by_x + x * by_x2))));
   }
+  static_assert(half == 8, "the sum below has four numbers");
   double sum[half / 2];
   for (std::int32_t i = 0; i < half / 2; ++i) sum[i] = to.bound[i] + to.bound[i + half / 2];
   to.bounds = 2.0 * ((sum[0] + sum[2]) + (sum[1] + sum[3]));
@@ -318,13 +319,25 @@ inline Native of_strips(const StripsOfLanes& strips, const double RememberingStr
   return load_lanes(of);
 }
 
+/// Writes the tractions of a vector's strips, strip by strip, and their forces.
+inline void store_marched(const MemoryMarchTask& t, std::int32_t first, const double* px, const double* py,
+                          const double (&force)[3][native_lanes]) {
+  for (std::int32_t k = 0; k < native_lanes && first + k < t.strips; ++k) {
+    double* const to = t.px + (first + k) * t.stride;
+    for (std::int32_t i = 0; i < memory_cells; ++i) {
+      to[i] = px[k * memory_cells + i];
+      to[memory_cells + i] = py[k * memory_cells + i];
+    }
+    for (std::int32_t n = 0; n < 3; ++n) t.force[(first + k) * t.stride + n] = force[n][k];
+  }
+}
+
 /// Steady rolling, cell by cell from the leading edge on: each cell's traction begins with that of the cells
 /// ahead, a length h before. Where h is less than a cell, a cell's traction p depends on itself with a weight
 /// w. The p in the disk nearest to q + w p is that nearest to q / (1 - w): that of a length of a whole cell,
 /// with the arms of h.
 inline void memory_march_kernel(const MemoryMarchTask& t) {
   for (std::int32_t first = 0; first < t.strips; first += native_lanes) {
-    const std::int32_t count = t.strips - first < native_lanes ? t.strips - first : native_lanes;
     const StripsOfLanes strips = strips_of_lanes(t, first);
     const Native h = broadcast(t.h), half = of_strips(strips, &RememberingStrip::half_length);
     const Native cell = half * broadcast(2.0 / memory_cells), path = larger_of(h, cell);
@@ -385,14 +398,7 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
     store_lanes(force[0], fx * area);
     store_lanes(force[1], fy * area);
     store_lanes(force[2], mz * area);
-    for (std::int32_t k = 0; k < count; ++k) {
-      double* const to = t.px + (first + k) * t.stride;
-      for (std::int32_t i = 0; i < memory_cells; ++i) {
-        to[i] = px[k * memory_cells + i];
-        to[memory_cells + i] = py[k * memory_cells + i];
-      }
-      for (std::int32_t n = 0; n < 3; ++n) t.force[(first + k) * t.stride + n] = force[n][k];
-    }
+    store_marched(t, first, px, py, force);
   }
 }
 
