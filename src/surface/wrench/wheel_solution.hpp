@@ -1,9 +1,9 @@
 /// A wheel on a rail on its way to the wrench: the problem, and the results of the stages at one height.
 ///
-/// Memory: one block, of which the rail's strips and the stages' results come first. Behind them lies the list
-/// of candidates along the track, which heights share and derivatives do not read. The rest is scratch, handed
-/// to each stage as an Arena by value, so that a stage cuts where the one before has: derivatives cut from the
-/// list on.
+/// Memory: one block, of which the rail's strips and the stages' results come first. Behind them lies the
+/// list of candidates along the track, which heights share and derivatives do not read. The rest is scratch,
+/// handed to each stage as an Arena by value, so that a stage cuts where the one before has: derivatives cut
+/// from the list on.
 #pragma once
 
 #include <algorithm>
