@@ -96,14 +96,13 @@ double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, co
 }
 
 /// The change of height at which hills carry the load asked for, as they carried `load` in the earlier
-/// solution; 0 where that is not known [m], [N].
+/// solution, by secants from first touch on; 0 where that is not known [m], [N].
 double change_by_hills(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier,
                        double load, double farthest) {
   constexpr int most_steps = 5;
   constexpr double close = 1e-9;  // [m]
   const double asked = problem.in.vertical_load, before = earlier_hill_load(problem, s, earlier);
   if (!(load > 0.0 && before > 0.0)) return 0.0;
-  // secants of the straightened load, the first from the height of first touch
   const double target = straightened(before * asked / load);
   double last = -approach_of(s, -farthest), last_value = -target, change = last + usual_approach(asked);
   for (int n = 0; n < most_steps && magnitude(change - last) > close; ++n) {
@@ -357,7 +356,6 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
 }  // namespace
 
 double predicted_height(const HeightSolver& solver, double height, double load) {
-  // a rail that changes may have fallen away from the wheel, or risen into it
   const WheelProblem& problem = solver.problem;
   const bool along = changes(problem.model.varying);
   const double farthest = along ? 1e-3 : 0.1e-3, apart = along ? 0.3e-3 : 0.0;  // [m]
@@ -367,7 +365,6 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
   if (along) {
     const double usual = usual_approach(problem.in.vertical_load);
-    // where other strips touch now, the height is that of a usual approach to the nearest
     if (s.overlaps.count == 0) return first_touch(problem, solver.scratch) + usual;
     const double touch = -approach_of(s, -farthest);
     double change = change_by_hills(problem, s, earlier, load, farthest);

@@ -26,7 +26,7 @@ struct WorkSizes {
   bool varying;         ///< the rail or the wheel is not the same everywhere
   const SurfaceMethods& methods;
   std::int32_t rail_strips = most_strips_of_a_rail;  ///< most of the rail
-  std::int32_t placed = 0;                           ///< of them placed anew at each distance
+  std::int32_t placed = 0;                           ///< those placed anew at each distance
   std::int32_t candidates = 0;                       ///< tops along the track
 };
 WorkSizes work_sizes(const SurfaceModel& model);
