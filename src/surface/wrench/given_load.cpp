@@ -47,6 +47,7 @@ class HillLoad {
     if (!(depth > 0.0) || place - last_ > 1.5 * width) close();
     last_ = place;
     if (!(depth > 0.0)) return;
+    // half of the strip's outline, but for a factor of all
     const double area = width * root(depth / larger(curvature, flattest));
     area_ += area;
     volume_ += area * depth * down;
@@ -85,6 +86,7 @@ double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, co
   std::int32_t i = 0;
   for (std::int32_t b = 0; b < earlier.count; ++b) {
     const auto strip = static_cast<std::int32_t>(earlier.strip[b]), j = on_rail(strip);
+    // strips that the wheel has left lie as the rail does
     while (i < o.count && o.strip[i] < strip) ++i;
     const bool shared = i < o.count && o.strip[i] == strip;
     const double down =
@@ -96,13 +98,15 @@ double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, co
 }
 
 /// The change of height at which hills carry the load asked for, as they carried `load` in the earlier
-/// solution, by secants from first touch on; 0 where that is not known [m], [N].
+/// solution; 0 where that is not known [m], [N].
 double change_by_hills(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier,
                        double load, double farthest) {
+  // the straightened load is nearly straight: few secants find it
   constexpr int most_steps = 5;
   constexpr double close = 1e-9;  // [m]
   const double asked = problem.in.vertical_load, before = earlier_hill_load(problem, s, earlier);
   if (!(load > 0.0 && before > 0.0)) return 0.0;
+  // secants of the straightened load, the first from the height of first touch
   const double target = straightened(before * asked / load);
   double last = -approach_of(s, -farthest), last_value = -target, change = last + usual_approach(asked);
   for (int n = 0; n < most_steps && magnitude(change - last) > close; ++n) {
@@ -356,6 +360,7 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
 }  // namespace
 
 double predicted_height(const HeightSolver& solver, double height, double load) {
+  // a rail that changes may have fallen away from the wheel, or risen into it
   const WheelProblem& problem = solver.problem;
   const bool along = changes(problem.model.varying);
   const double farthest = along ? 1e-3 : 0.1e-3, apart = along ? 0.3e-3 : 0.0;  // [m]
@@ -365,8 +370,10 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
   if (along) {
     const double usual = usual_approach(problem.in.vertical_load);
+    // where other strips touch now, the height is that of a usual approach to the nearest
     if (s.overlaps.count == 0) return first_touch(problem, solver.scratch) + usual;
     const double touch = -approach_of(s, -farthest);
+    // between light touch and twice the usual approach
     double change = change_by_hills(problem, s, earlier, load, farthest);
     change = smaller(larger(change, -farthest), farthest);
     return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);

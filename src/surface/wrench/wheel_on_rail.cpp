@@ -222,8 +222,10 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   if (jump.status != WRC_OK) problem.memory->count = 0;
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
   problem.rail.candidates = cut_candidates(arena, sizes.candidates);
+  // the outline lies in the scratch: nothing reads it once the overlaps are found
   Arena scratch = arena;
   solution.overlaps.outline = cut_overlap_scratch(scratch, sizes.wheel_pieces, sizes.rail_strips);
+  // heights of a search lie near each other
   if (in.load_prescribed) problem.rail.candidates.below = 0.35e-3;
 
   // from an earlier solution where there is one: a load is searched from its height, else below first touch
