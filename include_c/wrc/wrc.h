@@ -91,7 +91,7 @@
  *    never call the system. All iterations are capped. "rt hard, long" is the same and may take a millisecond and more.
  *    "rt init" functions may allocate and take milliseconds.
  *  - "rt hard" functions use at most 80 kB of stack. A contact takes 0.20 MB, with profiles 0.46 MB,
- *    on a rail that varies or with a wheel that is not round 0.54 MB; a saved state 0.08 MB.
+ *    on a rail that changes along the track 0.51 MB; a saved state 0.08 MB.
  *  - The host's floating-point environment is set aside by every call that computes, and restored.
  *
  * @par On Windows

@@ -71,9 +71,14 @@ StripArrays cut_varying_strips(Arena& arena, std::int32_t most) {
   StripArrays a;
   arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.gain);
   a.angle = nullptr;
-  a.candidates.capacity = most;
-  a.candidates.top = arena.take<CandidateAlong>(most);
   return a;
+}
+
+CandidatesAlong cut_candidates(Arena& arena, std::int32_t most) {
+  CandidatesAlong candidates;
+  candidates.capacity = most;
+  candidates.top = arena.take<CandidateAlong>(most);
+  return candidates;
 }
 
 RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most, const StripArrays& a) {

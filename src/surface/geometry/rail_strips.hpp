@@ -141,12 +141,12 @@ struct CandidatesAlong {
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz;
   double* angle;  ///< as RailStrips; nullptr: of rails that vary
-  // further arrays of rails that vary: cut_varying_strips()
-  double* gain;  ///< as PlacedRail
-  CandidatesAlong candidates;
+  double* gain;   ///< as PlacedRail, of rails that vary: cut_varying_strips()
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most);
+/// An empty list of at most so many tops.
+CandidatesAlong cut_candidates(Arena& arena, std::int32_t most);
 
 /// The whole curve, cut into at most `most` strips, in arrays for as many.
 RailStrips cut_rail(const Curve& rail, const StripWidths& widths, std::int32_t most,

@@ -465,7 +465,6 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
   static_cast<RailStrips&>(placed) = {rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}};
   placed.distance = distance;
   placed.gain = a.gain;
-  placed.candidates = a.candidates;
   std::fill_n(a.gain, rail.strips, 0.0);
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];

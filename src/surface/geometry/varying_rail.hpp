@@ -179,7 +179,7 @@ struct PlacedRail : RailStrips {
   PlaceWeights end[most_rail_faces][2];  ///< at low and high
   double valley[most_rail_faces];        ///< sharpest valley of each face there (VaryingRail) [1/m]
   const double* gain = nullptr;          ///< largest growth of a strip's overlap along the track [m]
-  mutable CandidatesAlong candidates;    ///< the call's, once they have been looked for
+  mutable CandidatesAlong candidates;    ///< the call's, in memory that its caller gives
 };
 
 /// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].

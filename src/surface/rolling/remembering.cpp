@@ -90,7 +90,7 @@ class Rememberer {
   struct Part {
     std::int32_t first = 0, end = 0;
     double share = 0.0;
-    bool cut = false;  ///< at a valley
+    bool cut_at_valley = false;
     PartMeans means;
     std::int32_t number = 0;
   };
@@ -336,7 +336,7 @@ class Rememberer {
 
   /// Does a part, the one in `contact_`, have all of all strips? Then theirs are written in place.
   bool is_whole(const Part& part) const {
-    return part.share == 1.0 && !part.cut && contact_.region.count == strips_.count;
+    return part.share == 1.0 && !part.cut_at_valley && contact_.region.count == strips_.count;
   }
 
   /// The part's step, before it. One that is alone begins once.

@@ -36,6 +36,90 @@ double approach_of(const WheelSolution& s, double least = 0.0) {
   return most;
 }
 
+/// Load of overlaps as of hills, in proportion to V / sqrt(A), V the volume of a hill and A its outline's
+/// area. Hertz's contact has that law.
+class HillLoad {
+ public:
+  /// Adds the next strip: its place along the arc and its width [m], its overlap, and the downward share of
+  /// its normal.
+  void add(double place, double width, double depth, double curvature, double down) {
+    constexpr double flattest = 0.05;  // [1/m]
+    if (!(depth > 0.0) || place - last_ > 1.5 * width) close();
+    last_ = place;
+    if (!(depth > 0.0)) return;
+    // half of the strip's outline, but for a factor of all
+    const double area = width * root(depth / larger(curvature, flattest));
+    area_ += area;
+    volume_ += area * depth * down;
+  }
+  double load() {
+    close();
+    return load_;
+  }
+
+ private:
+  void close() {
+    if (area_ > 0.0) load_ += volume_ / root(area_);
+    area_ = volume_ = 0.0;
+  }
+
+  double load_ = 0.0, area_ = 0.0, volume_ = 0.0, last_ = -1e300;
+};
+
+/// HillLoad of overlaps, with the wheel further down by `lowered` [m].
+double hill_load(const WheelProblem& problem, const WheelSolution& s, double lowered) {
+  const Overlaps& o = s.overlaps;
+  HillLoad hills;
+  for (std::int32_t i = 0; i < o.count; ++i) {
+    const double down = downwards(s.motion, o.ny[i], o.nz[i]);
+    hills.add(row_place(problem.rail, o.strip[i]), problem.rail.width[on_rail(o.strip[i])],
+              o.depth[i] + down * lowered, o.curvature[i], down);
+  }
+  return hills.load();
+}
+
+/// HillLoad of an earlier solution, its overlaps as curved and as steep as those of `s`.
+double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier) {
+  const Overlaps& o = s.overlaps;
+  const RailStrips& rail = problem.rail;
+  HillLoad hills;
+  std::int32_t i = 0;
+  for (std::int32_t b = 0; b < earlier.count; ++b) {
+    const auto strip = static_cast<std::int32_t>(earlier.strip[b]), j = on_rail(strip);
+    // strips that the wheel has left lie as the rail does
+    while (i < o.count && o.strip[i] < strip) ++i;
+    const bool shared = i < o.count && o.strip[i] == strip;
+    const double down =
+        shared ? downwards(s.motion, o.ny[i], o.nz[i]) : downwards(s.motion, -rail.tz[j], rail.ty[j]);
+    hills.add(row_place(rail, strip), rail.width[j], earlier.depth[b],
+              shared ? o.curvature[i] : 1.0 / problem.model.wheel_radius, down);
+  }
+  return hills.load();
+}
+
+/// The change of height at which hills carry the load asked for, as they carried `load` in the earlier
+/// solution; 0 where that is not known [m], [N].
+double change_by_hills(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier,
+                       double load, double farthest) {
+  // the straightened load is nearly straight: few secants find it
+  constexpr int most_steps = 5;
+  constexpr double close = 1e-9;  // [m]
+  const double asked = problem.in.vertical_load, before = earlier_hill_load(problem, s, earlier);
+  if (!(load > 0.0 && before > 0.0)) return 0.0;
+  // secants of the straightened load, the first from the height of first touch
+  const double target = straightened(before * asked / load);
+  double last = -approach_of(s, -farthest), last_value = -target, change = last + usual_approach(asked);
+  for (int n = 0; n < most_steps && magnitude(change - last) > close; ++n) {
+    const double value = straightened(hill_load(problem, s, change)) - target;
+    const double slope = (value - last_value) / (change - last);
+    if (!(slope > 0.0)) break;
+    last = change;
+    last_value = value;
+    change -= value / slope;
+  }
+  return change;
+}
+
 /// Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach [N/m]; 0 where nothing overlaps.
 double hertz_stiffness(const WheelSolution& s, double load) {
   const double approach = approach_of(s);
@@ -284,6 +368,16 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
   find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
+  if (along) {
+    const double usual = usual_approach(problem.in.vertical_load);
+    // where other strips touch now, the height is that of a usual approach to the nearest
+    if (s.overlaps.count == 0) return first_touch(problem, solver.scratch) + usual;
+    const double touch = -approach_of(s, -farthest);
+    // between light touch and twice the usual approach
+    double change = change_by_hills(problem, s, earlier, load, farthest);
+    change = smaller(larger(change, -farthest), farthest);
+    return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);
+  }
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;
@@ -299,12 +393,7 @@ double predicted_height(const HeightSolver& solver, double height, double load) 
   const double asked = straightened(problem.in.vertical_load);
   const double slope = solver.start.stiffness * hertz_stiffness(s, load) / (1.5 * root(asked));
   if (slope > 0.0) change += (asked - straightened(load)) / slope;
-  change = smaller(larger(change, -farthest), farthest);
-  if (!along) return height + change;
-  // Where other strips touch now, the height is that of a usual approach to the nearest.
-  if (o.count == 0) return first_touch(problem, solver.scratch) + usual_approach(problem.in.vertical_load);
-  const double touch = -approach_of(s, -farthest), usual = usual_approach(problem.in.vertical_load);
-  return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);
+  return height + smaller(larger(change, -farthest), farthest);
 }
 
 double usual_approach(double load) { return 105e-6 * straightened(1e-5 * load); }

@@ -10,7 +10,7 @@ namespace wrc::surface {
 double usual_approach(double load);
 
 /// Height at which the load given is expected [m]: from that of the solution that the solver starts from, as
-/// far as its overlaps have grown since, and its load [N] is another.
+/// far as its overlaps have grown since, and its load [N] is another. Along the track by hills of overlaps.
 double predicted_height(const HeightSolver& solver, double height, double load);
 
 /// The wrench at the height that carries the load given, searched from `guess` [m].

@@ -211,8 +211,9 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   Arena arena(workspace);
   const WorkSizes sizes = work_sizes(model);
   StripArrays sections{};
-  if (sizes.varying) sections = cut_varying_strips(arena, sizes.rail_strips);
+  if (sizes.placed > 0) sections = cut_varying_strips(arena, sizes.placed);
   WheelSolution solution = cut_solution(arena, sizes, state.kept);
+  const Arena behind_results = arena;
   WheelProblem problem{model, in, {}};
   problem.memory = state.memory;
   const Fault jump = problem.memory ? look_for_jump(in, *state.steps) : Fault{};
@@ -220,6 +221,10 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   const std::int64_t remembered = problem.memory ? problem.memory->count : 0;
   if (jump.status != WRC_OK) problem.memory->count = 0;
   const Fault outside = place_rail(model, in.distance, sections, problem.rail);
+  problem.rail.candidates = cut_candidates(arena, sizes.candidates);
+  // the outline lies in the scratch: nothing reads it once the overlaps are found
+  Arena scratch = arena;
+  solution.overlaps.outline = cut_overlap_scratch(scratch, sizes.wheel_pieces, sizes.rail_strips);
   // heights of a search lie near each other
   if (in.load_prescribed) problem.rail.candidates.below = 0.35e-3;
 
@@ -263,9 +268,9 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   }
 
   if (jacobian)
-    keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::place, arena, *jacobian));
+    keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::place, behind_results, *jacobian));
   if (by_track && varies(model))
-    keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::track, arena, *by_track));
+    keep_worst(fault, differentiate_wrench(problem, solution, JacobianBy::track, behind_results, *by_track));
   if (problem.memory) problem.memory->count = remembered;  // the committed step stays as it was
 
   // numbers of the wrench that no region has, and places of strips along the profile, without those of rows

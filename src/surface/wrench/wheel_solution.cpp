@@ -10,8 +10,15 @@
 
 namespace wrc::surface {
 WorkSizes work_sizes(const SurfaceModel& model) {
-  return {model.wheel.curve.pieces, model.grid->cells, model.most_overlapping, varies(model), model.methods,
-          model.rail_strips};
+  const std::int32_t strips = model.rail_strips;
+  return {model.wheel.curve.pieces,
+          model.grid->cells,
+          model.most_overlapping,
+          varies(model),
+          model.methods,
+          strips,
+          model.varying.faces > 0 ? strips : 0,
+          changes(model.varying) ? strips : 0};
 }
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes) {
@@ -48,9 +55,6 @@ WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactAr
   static_cast<ContactArrays&>(s.strips) = results;
   s.strips.candidate = arena.take<std::int32_t>(most);
   s.strips.x = arena.take(most);
-  // the outline lies in the scratch: nothing reads it once the overlaps are found
-  Arena scratch = arena;
-  s.overlaps.outline = cut_overlap_scratch(scratch, sizes.wheel_pieces, sizes.rail_strips);
   return s;
 }
 
@@ -74,11 +78,13 @@ WheelWorkBytes wheel_work_bytes(const WorkSizes& sizes) {
   const std::int32_t most = sizes.strips;
   // behind the results of a solve ...
   Arena results;
-  if (sizes.varying) cut_varying_strips(results, sizes.rail_strips);
+  cut_varying_strips(results, sizes.placed);
   cut_solution(results, sizes, {});
 
-  // ... the stages' scratch, all from the same mark on
-  Arena overlaps = results, pressure = results, rolling = results, remembered = results, jacobian = results;
+  // ... the stages' scratch, at heights behind the candidates
+  Arena height = results;
+  cut_candidates(height, sizes.candidates);
+  Arena overlaps = height, pressure = height, rolling = height, remembered = height, jacobian = results;
   cut_wheel_overlaps(overlaps, sizes);
   pressure.take(sizes.methods.planar.solve ? planar_pressure_doubles(most, sizes.methods.planar)
                                            : pressure_doubles(most));

@@ -1,7 +1,9 @@
 /// A wheel on a rail on its way to the wrench: the problem, and the results of the stages at one height.
 ///
-/// Memory: one block, of which the rail's strips and the stages' results come first; the rest is scratch,
-/// handed to each stage as an Arena by value, so that a stage cuts where the one before has.
+/// Memory: one block, of which the rail's strips and the stages' results come first. Behind them lies the
+/// list of candidates along the track, which heights share and derivatives do not read. The rest is scratch,
+/// handed to each stage as an Arena by value, so that a stage cuts where the one before has: derivatives cut
+/// from the list on.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +26,8 @@ struct WorkSizes {
   bool varying;         ///< the rail or the wheel is not the same everywhere
   const SurfaceMethods& methods;
   std::int32_t rail_strips = most_strips_of_a_rail;  ///< most of the rail
+  std::int32_t placed = 0;                           ///< those placed anew at each distance
+  std::int32_t candidates = 0;                       ///< tops along the track
 };
 WorkSizes work_sizes(const SurfaceModel& model);
 
@@ -72,11 +76,12 @@ struct RollingScratch {
 };
 
 WheelOverlaps cut_wheel_overlaps(Arena& arena, const WorkSizes& sizes);
-/// The columns of its strips are those of `results`. The outline lies behind, in the scratch.
+/// The columns of its strips are those of `results`. The outline is cut in the scratch of heights.
 WheelSolution cut_solution(Arena& arena, const WorkSizes& sizes, const ContactArrays& results);
 RollingScratch cut_rolling(Arena& arena, const WorkSizes& sizes);
 
-/// Bytes of a solve: results, and behind them the scratch of each stage in the same memory.
+/// Bytes of a solve: results, and behind them the scratch of each stage in the same memory, of those at
+/// heights with the candidates.
 struct WheelWorkBytes {
   std::int64_t results, overlaps, pressure, rolling, derivatives;
 
