@@ -270,6 +270,45 @@ TEST_F(AlongTrack, ABladeBesideTheStockRailCarriesItsShare) {
   EXPECT_GT(region.normal_force, 0.3 * alone);
 }
 
+/// A wheel that left a blade since its mark: what a contact has done besides has no part in the result.
+TEST_F(AlongTrack, ABladeLeftSinceTheMarkLeavesNoTrace) {
+  add(0.0);
+  add(10.0, 1e-4);
+  for (const double distance : {4.0, 6.0}) {
+    wrc_rail_section& blade = add(distance, 7e-5 - 2e-5 * (distance - 4.0));
+    blade.surface = 1;
+    blade.y = 0.2e-3 * (distance - 4.0);
+  }
+  give();
+  wheel.y = 3e-3;
+  create_under(60e3);
+  input.start = WRC_START_MARK;
+  input.distance = 4.5;
+  ASSERT_EQ(step(), WRC_OK);
+  EXPECT_EQ(wrench.region_count, 2);
+  ASSERT_EQ(wrc_contact_mark(contact), WRC_OK);
+  uint64_t bytes = 0;
+  ASSERT_EQ(wrc_contact_state_size(model, &bytes), WRC_OK);
+  std::vector<char> state(bytes);
+  ASSERT_EQ(wrc_contact_save(contact, state.data(), bytes), WRC_OK);
+  const auto beyond = [&] {
+    input.distance = 7.0;
+    EXPECT_EQ(step(), WRC_OK) << error();
+    return wrench;
+  };
+  const wrc_wrench once = beyond();
+  for (const double visited : {0.0, 5.9, 2.0}) {
+    take(side);  // a contact that has seen nothing, and elsewhere the blade or the rail alone
+    if (visited > 0.0) {
+      input.distance = visited;
+      ASSERT_EQ(step(), WRC_OK);
+    }
+    ASSERT_EQ(wrc_contact_restore(contact, state.data(), bytes), WRC_OK) << error();
+    const wrc_wrench again = beyond();
+    EXPECT_EQ(std::memcmp(&once, &again, sizeof once), 0) << visited;
+  }
+}
+
 /// Where a second rail begins, higher by a step, the wheel climbs it by its circle: it meets the edge from
 /// root(2 r step) before it. Nothing leaps over a micrometre, and contact at the edge is flagged.
 TEST_F(AlongTrack, AWheelClimbsTheEndOfASurface) {

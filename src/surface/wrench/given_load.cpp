@@ -78,7 +78,15 @@ double hill_load(const WheelProblem& problem, const WheelSolution& s, double low
   return hills.load();
 }
 
-/// HillLoad of an earlier solution, its overlaps as curved and as steep as those of `s`.
+/// Is the strip one of a face that is there? Other strips have no place or width.
+bool is_there(const RailStrips& rail, std::int32_t strip) {
+  for (std::int32_t r = 0; r < rail.ranges; ++r)
+    if (strip >= rail.range[r].first && strip < rail.range[r].first + rail.range[r].count) return true;
+  return false;
+}
+
+/// HillLoad of an earlier solution, its overlaps as curved and as steep as those of `s`; 0 where it pressed a
+/// face that is not there any more.
 double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier) {
   const Overlaps& o = s.overlaps;
   const RailStrips& rail = problem.rail;
@@ -86,6 +94,7 @@ double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, co
   std::int32_t i = 0;
   for (std::int32_t b = 0; b < earlier.count; ++b) {
     const auto strip = static_cast<std::int32_t>(earlier.strip[b]), j = on_rail(strip);
+    if (!is_there(rail, j)) return 0.0;
     // strips that the wheel has left lie as the rail does
     while (i < o.count && o.strip[i] < strip) ++i;
     const bool shared = i < o.count && o.strip[i] == strip;
