@@ -15,7 +15,7 @@
 #   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
 #                      bits, examples, FMUs and package, under wine.
 #                      Leaves out: what compiles the library again to compare its results
-#   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, three of the longest tests
+#   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, four of the longest tests
 #                      under sanitizers, golden hashes from every compiler and optimisation and on aarch64 under qemu, kernel
 #                      symbols at every optimisation, clang-tidy over everything, run.sh's own build, static and fetched library,
 #                      packages from two clones, a method, member, field, status added to a copy, every struct made larger in a copy
@@ -86,7 +86,7 @@ and what that leaves out"
     part sanitize tree sanitize -DWRC_AVX512=OFF -R '^abi_' -LE '^long$' -- abi_tests
     ;;
   ci)
-    left="clang's build, most of mingw's tests, thread sanitizer, three of the longest tests under sanitizers, other compilers and processors, clang-tidy over everything, static and \
+    left="clang's build, most of mingw's tests, thread sanitizer, four of the longest tests under sanitizers, other compilers and processors, clang-tidy over everything, static and \
 fetched library, packages from two clones, growth built on a copy (./test.sh all)"
     part release tree release -LE '^rebuild$' -- all tools/all long_tests
     part sanitize tree sanitize -DWRC_AVX512=ON -LE '^rebuild$' -- all long_tests
