@@ -4,7 +4,7 @@
     fit.py LIBRARY [--start zero|fitted] [--keep N] [--power WEIGHT] FILE.csv ... [--only TERM ...]
 
 LIBRARY is build/release/tools/libcalibration_errors.so, or libsurface_errors.so for
-src/surface/rolling/surface_calibration.hpp, or libmemory_errors.so for src/tangential/methods/patch_memory.hpp; the files are made by make_patches. From `zero` (the
+src/surface/rolling/surface_calibration.hpp, or libmemory_errors.so for src/tangential/methods/patch_numbers.hpp; the files are made by make_patches. From `zero` (the
 default) all constants take part; with --keep the least needed ones are taken out, one after the other, until N are
 left. From `fitted` only the constants that are not zero in the header take part: a change elsewhere (tables of
 linear theory, normal method) wants no more than that. --only: of those, the columns with these numbers, from 0 on.

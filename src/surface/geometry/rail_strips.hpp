@@ -22,6 +22,8 @@ inline std::int32_t on_rail(std::int32_t strip) { return strip & (second_places 
 struct FaceStrips {
   std::int32_t first, count;
   double top, leftmost, rightmost;  ///< smallest z, smallest and largest y [m]
+
+  bool has(std::int32_t strip) const { return strip >= first && strip < first + count; }
 };
 
 /// Strips by increasing arc length, touching each other within a range; a strip of no range is not there.

@@ -371,7 +371,7 @@ struct FollowedOverlaps {
     };
     for (std::int32_t k = 0; k < c.count; ++k) {
       const CandidateAlong& top = c.top[k];
-      if (top.strip < range.first || top.strip >= range.first + range.count) continue;
+      if (!range.has(top.strip)) continue;
       if (!may_touch(top) && !(top.other >= 0 && may_touch(c.top[top.other]))) continue;
       if (gathered.count == FollowedStrips::most) finish();
       candidate[gathered.count] = k;

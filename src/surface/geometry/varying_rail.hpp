@@ -54,8 +54,9 @@ struct VaryingRail {
   const double* outline = nullptr;  ///< eight lists over the strips for each section: y, z, dy/du, dz/du, and
                                     ///< their slopes along the track
   const double* step = nullptr;     ///< range of u across each strip [m]
-  /// Sharpest valley between each section and the next one of its face, of each eight strips and of all: the
-  /// largest curvature along the track by which a strip rises out of its tangent, against its normal [1/m].
+  /// Sharpest valley between each section and the next one of its face, of each eight strips and of all. It
+  /// is the largest curvature along the track by which a strip rises out of its tangent, against its normal
+  /// [1/m].
   const double* valley = nullptr;
 };
 

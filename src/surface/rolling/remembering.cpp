@@ -275,7 +275,7 @@ class Rememberer {
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
       const std::int32_t of_rail = rail_strip(strip.y);
-      if (of_rail < face.first || of_rail >= face.first + face.count) continue;
+      if (!face.has(of_rail)) continue;
       while (from < strips_.count && in_.number[from] < strip.y) ++from;
       double lost = 1.0;
       if (const std::int32_t j = heir_of(k, from); j >= 0) {

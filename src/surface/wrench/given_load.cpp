@@ -81,7 +81,7 @@ double hill_load(const WheelProblem& problem, const WheelSolution& s, double low
 /// Is the strip one of a face that is there? Other strips have no place or width.
 bool is_there(const RailStrips& rail, std::int32_t strip) {
   for (std::int32_t r = 0; r < rail.ranges; ++r)
-    if (strip >= rail.range[r].first && strip < rail.range[r].first + rail.range[r].count) return true;
+    if (rail.range[r].has(strip)) return true;
   return false;
 }
 
