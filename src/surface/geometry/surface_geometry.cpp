@@ -319,12 +319,9 @@ struct FollowedOverlaps {
     }
   }
 
-  /// By how much the overlap along a direction has grown since the candidates were looked for.
-  double growth(double ny, double nz) const {
-    return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
-  }
-  /// The depth of a candidate in this pose, to its doubt and that of the move [m].
-  double depth_now(const CandidateAlong& top) const { return top.depth + growth(top.ny, top.nz); }
+  /// Growth of overlaps and depth of a candidate in this pose [m].
+  double growth(double ny, double nz) const { return rail.candidates.growth(ny, nz, pose.y, pose.z); }
+  double depth_now(const CandidateAlong& top) const { return rail.candidates.depth(top, pose.y, pose.z); }
 
   /// Follows the strips that have gathered, their second tops too, and keeps their places.
   void finish() {
