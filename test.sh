@@ -4,14 +4,13 @@
 #                      ones; golden hashes of every instruction set, two ways of calling; format, code written twice,
 #                      references in comments, figures of the house, one definition a name.
 #                      Leaves out: what the next ones add
-#   ./test.sh          10 minutes. Besides: the long tests; golden hashes of all ways of calling; the interface, but for long tests
-#                      and kernels for AVX-512, under the address and undefined-behaviour sanitizers; proofs of real time,
-#                      accuracy, examples, installed tree, instruction counts, clang-tidy, growth of structs,
-#                      manual, main job.
+#   ./test.sh          7 minutes. Besides: tests of a minute each; golden hashes of all ways of calling; the interface, but for long
+#                      tests and kernels for AVX-512, under the address and undefined-behaviour sanitizers; proofs of real time,
+#                      accuracy, examples, installed tree, instruction counts, growth of structs, manual, main job.
 #                      Leaves out: clang's and mingw's builds, report programs, tests of generators and calibrations, the Python
 #                      package, FMUs, hosts, packages, the library inside another project, headers under all compilers, symbols of
-#                      unoptimised kernels, hostile input and the fuzzer; under the sanitizers slow tests, unit tests, golden
-#                      hashes and examples
+#                      unoptimised kernels, clang-tidy, hostile input and the fuzzer; under the sanitizers slow tests, unit tests,
+#                      golden hashes and examples
 #   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
 #                      bits, examples, FMUs and package, under wine.
 #                      Leaves out: what compiles the library again to compare its results
@@ -75,12 +74,12 @@ mingw() {
 mkdir -p build
 case $tier in
   quick)
-    left="long tests, other ways of calling, tests of generators, sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy, manual, main job (./test.sh), \
+    left="long tests, other ways of calling, tests of generators, sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, manual, main job (./test.sh), \
 and what that leaves out"
     part release tree release -L '^quick$' -- wrc unit_tests reference_tests abi_tests golden_hash
     ;;
   default)
-    left="builds of clang and mingw, report programs, tests of generators and calibrations, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, hostile input, fuzzer \
+    left="builds of clang and mingw, report programs, tests of generators and calibrations, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, clang-tidy, hostile input, fuzzer \
 (./test.sh ci), and what that leaves out"
     part release tree release -LE '^(long|rebuild)$'
     part sanitize tree sanitize -DWRC_AVX512=OFF -R '^abi_' -LE '^long$' -- abi_tests
