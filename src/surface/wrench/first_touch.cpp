@@ -113,29 +113,41 @@ double fall_to_candidates(const WheelProblem& problem, const RelativeMotion& mot
   return fall;
 }
 
-/// First touch on a rail that varies along the track: from the height at which the outline meets its places,
-/// by the nearest of the candidates there. `height`: any.
-double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
-  constexpr int most_steps = 16;
-  constexpr double close = 1e-8, reach = 0.8e-3, near = 20e-6;  // [m]
-  constexpr double least_down = 0.1;
-  // the outline goes down to the rail's places, and candidates are looked for there
+/// Strips whose mean normals point down by less are not lowered onto along the track [-].
+constexpr double least_down_along = 0.1;
+
+/// Lowers the wheel on a rail that varies along the track to where its outline meets the rail's places, looks
+/// for candidates there, and returns the height of the nearest by first looks. `height`: any.
+double height_by_first_looks(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
+  constexpr double reach = 0.8e-3;  // [m]
   const SurfaceModel& model = problem.model;
   RelativeMotion motion = motion_at_height(model, problem.in, height);
   find_outline(*model.kernels, problem.rail, model.wheel, motion.pose, overlaps.outline);
   height += fall_along(problem, motion, overlaps.outline) - model.out_of_round.largest;
   motion = motion_at_height(model, problem.in, height);
   look_for_candidates(model, problem.rail, motion.pose, reach, overlaps.outline, overlaps);
-  // first to the nearest by first looks, then by Newton's method
-  if (const double fall = fall_to_candidates(problem, motion, least_down); fall < farthest_touch)
-    height += fall;
+  const double fall = fall_to_candidates(problem, motion, least_down_along);
+  return fall < farthest_touch ? height + fall : height;
+}
+
+/// The distance from overlaps found with a margin to first touch [m]; where they are further away than that,
+/// to candidates, which have been followed by now, or any strips.
+double fall_along_from(const WheelProblem& problem, const RelativeMotion& motion, double margin,
+                       WheelOverlaps& o) {
+  double fall = fall_of(o, motion, least_down_along);
+  if (!(fall < margin)) fall = smaller(fall, fall_to_candidates(problem, motion, least_down_along));
+  return fall < farthest_touch ? fall : fall_to_strips(problem, motion, least_down_along, o);
+}
+
+/// First touch on a rail that varies along the track: by first looks, then by Newton's method. `height`: any.
+double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
+  constexpr int most_steps = 16;
+  constexpr double close = 1e-8, near = 20e-6;  // [m]
+  height = height_by_first_looks(problem, height, overlaps);
   for (int n = 0; n < most_steps; ++n) {
-    motion = motion_at_height(model, problem.in, height);
+    const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
     find_wheel_overlaps(problem, motion, near, overlaps);
-    double fall = fall_of(overlaps, motion, least_down);
-    // strips that are further away: candidates, which have been followed by now, or any
-    if (!(fall < near)) fall = smaller(fall, fall_to_candidates(problem, motion, least_down));
-    if (!(fall < farthest_touch)) fall = fall_to_strips(problem, motion, least_down, overlaps);
+    const double fall = fall_along_from(problem, motion, near, overlaps);
     height += fall;
     if (std::abs(fall) < close) break;
   }
@@ -187,6 +199,21 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
     if (std::abs(fall) < close) break;
   }
   return height;
+}
+
+double tops_below_touch(const WheelProblem& problem, double below, RelativeMotion& motion,
+                        WheelOverlaps& overlaps) {
+  constexpr int most_steps = 8;
+  constexpr double close =
+      0.2e-3;  // [m]: first looks are as near, and tops on the way there within the margin
+  double height = height_by_first_looks(problem, problem.in.wheel.position[2], overlaps) + below;
+  for (int n = 0;; ++n) {
+    motion = motion_at_height(problem.model, problem.in, height);
+    find_wheel_overlaps(problem, motion, tops_apart, overlaps, true);
+    const double off = fall_along_from(problem, motion, tops_apart, overlaps) + below;
+    if (std::abs(off) < close || n == most_steps) return height;
+    height += off;
+  }
 }
 
 double height_at_border(const WheelProblem& problem, double height, RelativeMotion& motion,
