@@ -46,28 +46,56 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
   return (top - lowest) / motion.cosine;
 }
 
-/// Least vertical distance between the wheel's outline and a surface's strips at a place along the track [m].
-/// The outline is raised there by the wheel's circle. Each eighth strip counts.
-double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
-                     const PlaceWeights& place) {
-  constexpr std::int32_t every = 8;
-  const SurfaceModel& model = problem.model;
-  const double rise = 0.5 * place.x * place.x / model.wheel_radius;
-  double nearest = 1e300;
+/// Some strips of a surface under the wheel's outline, each with a knot of the outline near its place.
+struct StripsBelow {
+  static constexpr std::int32_t every = 16, most = most_strips_of_a_rail / every + 1;
+
+  std::int32_t count = 0;
+  std::int32_t strip[most], knot[most];
+};
+
+/// Vertical distance of a place on the rail below a chord of the outline [m], from the knot given on; 1e300
+/// where the outline is not seen. Leaves the knot behind the chord.
+double fall_to_place(const OverlapScratch& outline, std::int32_t knots, double y, double z, std::int32_t& k) {
+  while (k + 1 < knots && outline.y[k] < y) ++k;
+  while (k > 1 && outline.y[k - 1] > y) --k;
+  const double left = outline.y[k - 1], right = outline.y[k];
+  if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
+    return 1e300;
+  const double share = (y - left) / (right - left);
+  return z - outline.z[k - 1] - share * (outline.z[k] - outline.z[k - 1]);
+}
+
+/// Each sixteenth strip of a surface that may be nearer to the wheel anywhere along the track than `nearest`
+/// [m].
+StripsBelow strips_below(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
+                         double nearest) {
+  // a strip gains along its normal, and the wheel's outline is round
+  constexpr double steepest = 0.2, doubt = 0.3e-3;  // [-], [m]
+  const PlacedRail& rail = problem.rail;
+  StripsBelow some;
   std::int32_t k = 1;
-  for (std::int32_t j = range.first; j < range.first + range.count; j += every) {
-    const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
-    // height of the outline above the strip, on a chord
-    while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
-    while (k > 1 && outline.y[k - 1] > y) --k;
-    const double left = outline.y[k - 1], right = outline.y[k];
-    if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
-      continue;
-    const double share = (y - left) / (right - left);
-    const double above = outline.z[k - 1] + share * (outline.z[k] - outline.z[k - 1]);
-    nearest = smaller(nearest, z - above + rise);
+  for (std::int32_t j = range.first; j < range.first + range.count; j += StripsBelow::every) {
+    const double fall = fall_to_place(outline, problem.model.wheel.knots, rail.y[j], rail.z[j], k);
+    if (fall < 1e300 && fall - rail.gain[j] / larger(rail.ty[j], steepest) > nearest + doubt) continue;
+    some.strip[some.count] = j;
+    some.knot[some.count++] = k;
   }
-  return nearest;
+  return some;
+}
+
+/// Least vertical distance between the wheel's outline and strips at a place along the track [m]. The outline
+/// is raised there by the wheel's circle.
+double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, StripsBelow& strips,
+                     const PlaceWeights& place) {
+  const SurfaceModel& model = problem.model;
+  double nearest = 1e300;
+  for (std::int32_t i = 0; i < strips.count; ++i) {
+    const std::int32_t j = strips.strip[i];
+    const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
+    nearest = smaller(nearest, fall_to_place(outline, model.wheel.knots, y, z, strips.knot[i]));
+  }
+  return nearest + 0.5 * place.x * place.x / model.wheel_radius;
 }
 
 /// Least vertical distance over the rail's places along the track [m], to some tenths of a millimetre.
@@ -75,23 +103,31 @@ double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline,
 double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
   constexpr double apart = 2.0 * place_apart, far = places_to_a_side * place_apart + apart;  // [m]
   const VaryingRail& varying = problem.model.varying;
-  const RailStrips strips = strips_before(problem.model, motion.pose, problem.rail);
+  const RailStrips ranges = strips_before(problem.model, motion.pose, problem.rail);
   double nearest = 1e300;
-  for (std::int32_t r = 0; r < strips.ranges; ++r) {
-    const FaceStrips& range = strips.range[r];
+  for (std::int32_t r = 0; r < ranges.ranges; ++r) {
+    const FaceStrips& range = ranges.range[r];
     const std::int32_t face = face_of(varying, range.first);
-    // a face that ends between two places counts at both
     const double low = problem.rail.low[face], high = problem.rail.high[face];
+    StripsBelow strips = strips_below(problem, outline, range, nearest);
+    const auto look = [&](const PlaceWeights& place) {
+      nearest = smaller(nearest, fall_at_place(problem, outline, strips, place));
+    };
+    // below the axle first, as most strips are then farther away than the nearest; a face that ends between
+    // two places counts at both
+    const PlaceWeights& below_axle = problem.rail.place[face][places_to_a_side];
+    const auto is_there = [&](const PlaceWeights& place) {
+      return place.x >= low - place_apart && place.x <= high + place_apart;
+    };
+    if (is_there(below_axle)) look(below_axle);
+    strips = strips_below(problem, outline, range, nearest);
     for (const PlaceWeights& place : problem.rail.place[face])
-      if (place.x >= low - place_apart && place.x <= high + place_apart)
-        nearest = smaller(nearest, fall_at_place(problem, outline, range, place));
+      if (is_there(place)) look(place);
     for (const double way : {-1.0, 1.0}) {
       double x = far;
       while (x < farthest_along + place_apart) {
         if (way * x >= low - apart && way * x <= high + apart)
-          nearest = smaller(
-              nearest, fall_at_place(problem, outline, range,
-                                     place_at(varying, varying.face[face], problem.rail.distance, way * x)));
+          look(place_at(varying, varying.face[face], problem.rail.distance, way * x));
         x += apart;
       }
     }
