@@ -18,7 +18,7 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
   }
   // sections end somewhere: beyond, the nearest one stands for the rail
   const double inside = smaller(larger(distance, varying.begin), varying.end);
-  rail = place_strips(*surfaces.kernels, varying, inside, surfaces.wheel_radius, arrays);
+  rail = place_strips(*surfaces.kernels, varying, inside, arrays);
   if (has_check_rail(varying)) {
     // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
     FaceStrips& check = rail.range[0];
@@ -192,15 +192,16 @@ CandidateAlong candidate_at(std::int32_t strip, const LargestOverlap& at, double
 }
 
 /// Adds strips of one face to the candidates, if they may be deep enough anywhere along the track. They are
-/// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along.
+/// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along. `gain`:
+/// find_gains().
 void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                   const Overlaps& o, std::int32_t first, std::int32_t count) {
+                   const double* gain, const Overlaps& o, std::int32_t first, std::int32_t count) {
   const Kernels& kernels = *surfaces.kernels;
   const VaryingRail& varying = surfaces.varying;
   const std::int32_t face = face_of(varying, o.strip[first]);
   // a first look by the parabolas, at strips that gain along the track
   const auto stays = [&](std::int32_t i) {
-    return hardly_gains(rail, face, o.strip[first + i], o.centre[first + i]);
+    return hardly_gains(gain[o.strip[first + i]], rail, face, o.centre[first + i]);
   };
   std::int32_t still = 0;
   while (still < count && stays(still)) ++still;
@@ -212,8 +213,8 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
   std::int32_t climbing[FollowedStrips::most];
   for (std::int32_t i = 0; i < count; ++i) {
     const std::int32_t k = first + i, strip = o.strip[k];
-    const FirstLook look = stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]}
-                                    : FirstLook{looks.x[i], looks.depth[i]};
+    const FirstLook look =
+        stays(i) ? FirstLook{o.centre[k], o.depth[k] + gain[strip]} : FirstLook{looks.x[i], looks.depth[i]};
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
     // far from the axle the parabola does not hold: rays look for the place
     if (!(magnitude(look.x) > near_axle)) continue;
@@ -507,7 +508,7 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
   const Kernels& kernels = *surfaces.kernels;
   const RailStrips strips = changing_ranges(surfaces.varying, strips_before(surfaces, pose, rail));
   const double wider = reach + surfaces.out_of_round.largest;
-  Overlaps o = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, memory);
+  Overlaps o = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, scratch.gain, scratch, memory);
   for (;;) {
     // as many strips of a face as the kernels take
     for (std::int32_t first = 0; first < o.count;) {
@@ -516,12 +517,12 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
       while (end < o.count && end - first < FollowedStrips::most &&
              face_of(surfaces.varying, o.strip[end]) == face)
         ++end;
-      look_for_some(surfaces, rail, pose, o, first, end - first);
+      look_for_some(surfaces, rail, pose, scratch.gain, o, first, end - first);
       first = end;
     }
     if (!o.full) break;
     o.count = 0;
-    find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, o);
+    find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, scratch.gain, scratch, o);
   }
   c.tops = c.count;
 }
@@ -545,8 +546,10 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   }
   // candidates anew where those known are of another height
   const CandidatesAlong& c = rail.candidates;
-  if (!candidates_hold(c, pose, margin))
+  if (!candidates_hold(c, pose, margin)) {
+    find_gains(*surfaces.kernels, varying, surfaces.wheel_radius, rail, scratch.gain);
     look_for_candidates(surfaces, rail, pose, margin + c.below, scratch, memory);
+  }
   const double moved = larger(magnitude(pose.y - c.at_y), magnitude(pose.z - c.at_z));
   // face by face, in the order of the strips
   for (std::int32_t r = 0; r < strips.ranges && !o.full; ++r) {

@@ -35,7 +35,7 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
 RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& pose, const RailStrips& strips);
 
 /// Looks for the candidates of a rail that changes along the track, in a pose: strips whose overlap is deeper
-/// than -reach anywhere along the track. `memory` is scratch.
+/// than -reach anywhere along the track. `scratch` has gains of the strips, `memory` is scratch, too.
 void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                          double reach, const OverlapScratch& scratch, const Overlaps& memory) noexcept;
 

@@ -77,7 +77,7 @@ StripsBelow strips_below(const WheelProblem& problem, const OverlapScratch& outl
   std::int32_t k = 1;
   for (std::int32_t j = range.first; j < range.first + range.count; j += StripsBelow::every) {
     const double fall = fall_to_place(outline, problem.model.wheel.knots, rail.y[j], rail.z[j], k);
-    if (fall < 1e300 && fall - rail.gain[j] / larger(rail.ty[j], steepest) > nearest + doubt) continue;
+    if (fall < 1e300 && fall - outline.gain[j] / larger(rail.ty[j], steepest) > nearest + doubt) continue;
     some.strip[some.count] = j;
     some.knot[some.count++] = k;
   }
@@ -159,6 +159,7 @@ double height_by_first_looks(const WheelProblem& problem, double height, WheelOv
   const SurfaceModel& model = problem.model;
   RelativeMotion motion = motion_at_height(model, problem.in, height);
   find_outline(*model.kernels, problem.rail, model.wheel, motion.pose, overlaps.outline);
+  find_gains(*model.kernels, model.varying, model.wheel_radius, problem.rail, overlaps.outline.gain);
   height += fall_along(problem, motion, overlaps.outline) - model.out_of_round.largest;
   motion = motion_at_height(model, problem.in, height);
   look_for_candidates(model, problem.rail, motion.pose, reach, overlaps.outline, overlaps);
