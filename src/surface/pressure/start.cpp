@@ -7,9 +7,6 @@ namespace {
 
 constexpr double coarse_tolerance = 0.3;  ///< for the solution on pairs, part of the area
 constexpr std::int32_t fewest_pairs = 12;
-/// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
-/// overlaps are nearer, and lead to another solution less often where there are two.
-constexpr double farthest_followed = 0.5;
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
@@ -132,10 +129,88 @@ double extrapolated(const RimGrowth& rim, double L, ShareOfChange first, ShareOf
   return rim.length_squared(way);
 }
 
+/// Contact by Hertz's theory of a hill of overlap over strips of one row, from `first` up to `end`.
+///
+/// Overlap D - A x^2 - 2 C x y - B y^2 touches within P x^2 + 2 R x y + Q y^2 = D, of the same axes. On the
+/// axes the form of the contact is that of the overlap over rho and over 1 - rho, of which rho is that of the
+/// longer axis: rho = (K - E) / (e^2 K).
+void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
+  // the top, and moments over the strips' places of the overlap and of where it is deepest
+  std::int32_t top = first;
+  double volume = 0.0, y1 = 0.0, y2 = 0.0, x1 = 0.0, xy = 0.0;
+  for (std::int32_t i = first; i < end; ++i) {
+    if (s.depth[i] > s.depth[top]) top = i;
+    const double weight = s.width[i] * s.depth[i], y = s.place[i] - s.place[first];
+    volume += weight;
+    y1 += weight * y;
+    y2 += weight * y * y;
+    x1 += weight * s.deepest_x[i];
+    xy += weight * y * s.deepest_x[i];
+  }
+  const double D = s.depth[top], spread = y2 - y1 * y1 / volume;
+  const double turn = spread > 0.0 ? (xy - x1 * y1 / volume) / spread : 0.0;  // of the deepest places [-]
+  // along the track, and across along the line of the deepest places: a parabola of volume 4/3 D b per length
+  const double A = 0.5 * s.curvature[top], b = 0.75 * volume / D, own_B = D / (b * b), C = -A * turn,
+               B = own_B + A * turn * turn;
+  const double mean = 0.5 * (A + B), differ = 0.5 * (A - B), h = root(differ * differ + C * C);
+  // rho / (1 - rho) = (P2 / P1)^(5/16), the axes' curvatures, fits within 0.01
+  const double least = 1e-3;
+  const double P1 = larger(mean - h, least * mean), P2 = mean + h, g = root(P2 / P1), g4 = root(root(g));
+  const double odds = root(g) * root(g4), rho = odds / (1.0 + odds);
+  const double Q1 = P1 / rho, Q2 = P2 * (1.0 + odds), middle = 0.5 * (Q1 + Q2);
+  constexpr double of_round = 2.625;  // limit of equal axes
+  const double f = h > 1e-4 * mean ? 0.5 * (Q2 - Q1) / h : of_round;
+  const double P = middle + f * differ, Q = middle - f * differ, R = f * C;
+  // on strips, by their own overlaps and curvatures
+  const double along = A / P, across = own_B / (Q - R * R / P);
+  for (std::int32_t i = first; i < end; ++i) {
+    s.L[i] = larger(2.0 * along / across * (s.depth[i] - (1.0 - across) * D), 0.0) / s.curvature[i];
+    s.shift[i] = (s.deepest_x[i] - s.deepest_x[top]) * (f * along - 1.0);
+  }
+}
+
+/// Lengths and shifts of hills of overlap: runs of one row, parted at valleys.
+void touch_hills(const StripSet& s) {
+  constexpr double parted = 0.8;  // depth of a valley over the tops
+  const auto goes_on = [&](std::int32_t i) {
+    return i + 1 < s.count && i + 1 != s.behind && s.depth[i + 1] > 0.0 &&
+           s.place[i + 1] - s.place[i] < 0.75 * (s.width[i] + s.width[i + 1]);
+  };
+  for (std::int32_t i = 0; i < s.count;) {
+    s.L[i] = s.shift[i] = 0.0;
+    if (!(s.depth[i] > 0.0)) {
+      ++i;
+      continue;
+    }
+    std::int32_t first = i, low = i;
+    double top = s.depth[i];
+    for (;; ++i) {
+      const double depth = s.depth[i];
+      if (depth < s.depth[low]) low = i;
+      if (s.depth[low] < parted * top && s.depth[low] < parted * depth) {
+        touch_hill(s, first, low);
+        first = low;
+        low = i;
+        top = depth;
+      }
+      if (depth > top) {
+        top = depth;
+        low = i;
+      }
+      if (!goes_on(i)) break;
+    }
+    touch_hill(s, first, ++i);
+  }
+}
+
 }  // namespace
 
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
                                  PressureScratch& w, std::int32_t most) {
+  if (problem.along_track) {
+    touch_hills(w.fine);
+    return 0;
+  }
   // Few strips: half of the overlap's own squared half length, 2 d / kappa. Hertz's a^2 = R d between
   // spheres.
   const StripSet& s = w.fine;
@@ -209,7 +284,7 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   }
 }
 
-bool follow_overlaps(PressureScratch& w) {
+bool follow_overlaps(double farthest, PressureScratch& w) {
   const StripSet& s = w.fine;
   // Mean growth of the overlaps in contact [m], by the areas of their strips.
   double longest = 0.0, deepest = 0.0, weights = 0.0, mean = 0.0;
@@ -239,7 +314,7 @@ bool follow_overlaps(PressureScratch& w) {
     area += s.width[i] * limited;
     s.L[i] = limited;
   }
-  return moved <= farthest_followed * area;
+  return moved <= farthest * area;
 }
 
 }  // namespace wrc::surface
