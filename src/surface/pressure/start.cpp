@@ -7,6 +7,7 @@ namespace {
 
 constexpr double coarse_tolerance = 0.3;  ///< for the solution on pairs, part of the area
 constexpr std::int32_t fewest_pairs = 12;
+constexpr std::int32_t most_by_hills = 64;  ///< strips of contacts that are like Hertz's
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
@@ -207,7 +208,7 @@ void touch_hills(const StripSet& s) {
 
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
                                  PressureScratch& w, std::int32_t most) {
-  if (problem.along_track) {
+  if (problem.along_track && w.fine.count <= most_by_hills) {
     touch_hills(w.fine);
     return 0;
   }

@@ -6,8 +6,9 @@
 namespace wrc::surface {
 
 /// Start from the overlaps w.fine has, into its L and shift: of a solution on pairs of strips, which is half
-/// the resolution and a quarter of the work per iteration. On a rail that changes along the track by Hertz's
-/// theory of their hills. Returns the iterations spent, at most `most`.
+/// the resolution and a quarter of the work per iteration. On a rail that changes along the track, where
+/// at most most_by_hills overlap, by Hertz's theory of their hills. Returns the iterations spent, at most
+/// `most`.
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps, double max_work,
                                  PressureScratch& w, std::int32_t most = usual_iterations);
 
