@@ -57,18 +57,18 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 namespace {
 
 simd::FollowRailTask follow_task(const SurfaceGeometry& surfaces, const PlacedRail& rail,
-                                 const RelativePose& pose, std::int32_t face, bool tops_alone) {
+                                 const RelativePose& pose, std::int32_t face, double deep_enough) {
   const VaryingRail& varying = surfaces.varying;
   return {&varying,      &varying.face[face], &surfaces.wheel.curve, &pose,
-          rail.distance, rail.low[face],      rail.high[face],       tops_alone};
+          rail.distance, rail.low[face],      rail.high[face],       deep_enough};
 }
 
 }  // namespace
 
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& s, bool tops_alone) {
+                 FollowedStrips& s, double deep_enough) {
   const std::int32_t face = face_of(surfaces.varying, s.strip[0]);
-  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, tops_alone), s);
+  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, deep_enough), s);
 }
 
 namespace {
@@ -219,7 +219,11 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
     if (climbs(i)) put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
-  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, true), far);
+  const double deep_enough = -rail.candidates.reach - surfaces.out_of_round.largest;
+  constexpr double between = 1e-3;  // [m]: more than overlaps grow between the places of a first look
+  const double worth_climbing = deep_enough - looks_within - second_looks_within - between;
+  if (far.count > 0)
+    kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, worth_climbing), far);
   for (std::int32_t i = 0, k = 0; i < count && k < far.count; ++i) {
     if (!climbs(i)) continue;
     found[i] = {far.x[k], {far.piece[k], far.u[k], far.depth[k]}};
@@ -228,7 +232,6 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
 
   // those that may be deep enough, in the order of the strips
   CandidatesAlong& c = rail.candidates;
-  const double deep_enough = -c.reach - surfaces.out_of_round.largest;
   ValleysOfFace valleys(rail, varying, face);
   for (std::int32_t i = 0; i < count; ++i) {
     const RayEnd<double>& end = found[i].end;
@@ -329,7 +332,7 @@ struct FollowedOverlaps {
     FollowedStrips& g = gathered;
     const std::int32_t count = g.count;
     if (count == 0) return;
-    follow_rail(surfaces, rail, pose, g, tops_alone);
+    follow_rail(surfaces, rail, pose, g, deep_enough());
     for (std::int32_t i = 0; i < count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
     // tops beside those that were followed, from a first look or from where they were last
     FollowedStrips others;
@@ -345,7 +348,7 @@ struct FollowedOverlaps {
       top[second_tops] = other;
       number[i] = second_tops++;
     }
-    if (second_tops > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
+    if (second_tops > 0) follow_rail(surfaces, rail, pose, others, deep_enough());
     for (std::int32_t i = 0; i < second_tops; ++i) note_place(others, i, rail.candidates.top[top[i]]);
     // kept strip by strip, as rows go on from one to the next
     for (std::int32_t i = 0; i < count; ++i) {
@@ -382,6 +385,12 @@ struct FollowedOverlaps {
   }
 
  private:
+  /// Depth of a top from which on its whole contact counts [m]: its parabola is hardly higher.
+  double deep_enough() const {
+    constexpr double none = 1.0, higher = 10e-6;
+    return tops_alone ? none : -margin - surfaces.out_of_round.largest - higher;
+  }
+
   /// Where a candidate is followed from.
   LargestOverlap known_place(const CandidateAlong& top) const {
     return {top.x, {top.piece, top.u, top.ray + growth(top.ny, top.nz)}};

@@ -1,6 +1,7 @@
 #include "surface/pressure/start.hpp"
 
 #include "base/number.hpp"
+#include "surface/pressure/smoothing.hpp"
 
 namespace wrc::surface {
 namespace {
@@ -130,13 +131,16 @@ double extrapolated(const RimGrowth& rim, double L, ShareOfChange first, ShareOf
   return rim.length_squared(way);
 }
 
-/// Contact by Hertz's theory of a hill of overlap over strips of one row, from `first` up to `end`.
-///
-/// Overlap D - A x^2 - 2 C x y - B y^2 touches within P x^2 + 2 R x y + Q y^2 = D, of the same axes. On the
-/// axes the form of the contact is that of the overlap over rho and over 1 - rho, of which rho is that of the
-/// longer axis: rho = (K - E) / (e^2 K).
-void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
-  // the top, and moments over the strips' places of the overlap and of where it is deepest
+/// A hill of overlap as D - A x^2 - 2 C x y - B y^2, y across from the line where strips are deepest.
+struct Hill {
+  std::int32_t top;   ///< the strip where it is deepest
+  double D, A, turn;  ///< there [m], [1/m]; slope of the deepest places by y [-]
+  double own_B;       ///< B - C^2 / A: curvature along the line of the deepest places [1/m]
+};
+
+/// The hill over strips of one row, from `first` up to `end`: by its top, its volume, and the line of least
+/// squares through the deepest places.
+Hill hill_over(const StripSet& s, std::int32_t first, std::int32_t end) {
   std::int32_t top = first;
   double volume = 0.0, y1 = 0.0, y2 = 0.0, x1 = 0.0, xy = 0.0;
   for (std::int32_t i = first; i < end; ++i) {
@@ -149,24 +153,36 @@ void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
     xy += weight * y * s.deepest_x[i];
   }
   const double D = s.depth[top], spread = y2 - y1 * y1 / volume;
-  const double turn = spread > 0.0 ? (xy - x1 * y1 / volume) / spread : 0.0;  // of the deepest places [-]
-  // along the track, and across along the line of the deepest places: a parabola of volume 4/3 D b per length
-  const double A = 0.5 * s.curvature[top], b = 0.75 * volume / D, own_B = D / (b * b), C = -A * turn,
-               B = own_B + A * turn * turn;
+  // a parabola of the half width b has the volume 4/3 D b
+  const double b = 0.75 * volume / D;
+  return {top, D, 0.5 * s.curvature[top], spread > 0.0 ? (xy - x1 * y1 / volume) / spread : 0.0, D / (b * b)};
+}
+
+/// Lengths and shifts of a hill's strips by Hertz's theory.
+///
+/// The contact is P x^2 + 2 R x y + Q y^2 < D, of the same axes as the overlap. On the axes its curvatures
+/// are those of the overlap over rho on the longer one, over 1 - rho on the other, rho = (K - E) / (e^2 K).
+void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
+  constexpr double least = 1e-3;      // curvature of the longer axis over the mean
+  constexpr double of_round = 2.625;  // limit of f for equal axes
+  const Hill hill = hill_over(s, first, end);
+  const double A = hill.A, C = -A * hill.turn, B = hill.own_B - C * hill.turn;
   const double mean = 0.5 * (A + B), differ = 0.5 * (A - B), h = root(differ * differ + C * C);
-  // rho / (1 - rho) = (P2 / P1)^(5/16), the axes' curvatures, fits within 0.01
-  const double least = 1e-3;
-  const double P1 = larger(mean - h, least * mean), P2 = mean + h, g = root(P2 / P1), g4 = root(root(g));
-  const double odds = root(g) * root(g4), rho = odds / (1.0 + odds);
-  const double Q1 = P1 / rho, Q2 = P2 * (1.0 + odds), middle = 0.5 * (Q1 + Q2);
-  constexpr double of_round = 2.625;  // limit of equal axes
-  const double f = h > 1e-4 * mean ? 0.5 * (Q2 - Q1) / h : of_round;
+  const double longer = larger(mean - h, least * mean), shorter = mean + h;
+  // rho / (1 - rho) = (shorter / longer)^(5/16): rho to 0.005 for axes up to 5 to 1
+  const double quotient = root(shorter / longer), odds = root(quotient) * root(root(root(quotient)));
+  const double on_longer = longer * (1.0 + odds) / odds, on_shorter = shorter * (1.0 + odds);
+  const double middle = 0.5 * (on_longer + on_shorter);
+  const double f = h > 1e-4 * mean ? 0.5 * (on_shorter - on_longer) / h : of_round;
   const double P = middle + f * differ, Q = middle - f * differ, R = f * C;
-  // on strips, by their own overlaps and curvatures
-  const double along = A / P, across = own_B / (Q - R * R / P);
+  // on strips by their own overlaps and curvatures: L = (D - (Q - R^2 / P) y^2) / P, and the centre's slope
+  // -R / P
+  const double along = A / P, across = hill.own_B / (Q - R * R / P);
   for (std::int32_t i = first; i < end; ++i) {
-    s.L[i] = larger(2.0 * along / across * (s.depth[i] - (1.0 - across) * D), 0.0) / s.curvature[i];
-    s.shift[i] = (s.deepest_x[i] - s.deepest_x[top]) * (f * along - 1.0);
+    const double rest = s.depth[i] - (1.0 - across) * hill.D;
+    s.L[i] = larger(2.0 * along / across * rest, 0.0) / s.curvature[i];
+    const double shift = (s.deepest_x[i] - s.deepest_x[hill.top]) * (f * along - 1.0);
+    s.shift[i] = smaller(larger(shift, -longest_shift), longest_shift);
   }
 }
 
