@@ -118,6 +118,7 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   kernels.surface.outline(task);
   Overlaps o = memory;
   o.count = 0;
+  // rays of a range are crossed as far above it as its strips may gain
   double widest[most_rail_faces];
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
     const FaceStrips& range = rail.range[r];

@@ -219,6 +219,7 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
     if (climbs(i)) put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
+  // rays climb on where that may make them deep enough
   const double deep_enough = -rail.candidates.reach - surfaces.out_of_round.largest;
   constexpr double between = 1e-3;  // [m]: more than overlaps grow between the places of a first look
   const double worth_climbing = deep_enough - looks_within - second_looks_within - between;

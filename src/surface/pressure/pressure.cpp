@@ -18,7 +18,7 @@ constexpr double farthest_start = 0.3;
 
 /// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
 /// overlaps are nearer, and lead to another solution less often where there are two. The second is for marks
-/// on a rail that changes along the track.
+/// on a rail that changes along the track, where contact moves over the strips from step to step.
 constexpr double farthest_followed = 0.5, farthest_along_track = 0.1;
 
 /// Ways to a solution that is not found from the overlaps: by that at overlaps so many times as deep, which
@@ -173,7 +173,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
                                 model.lambda_length,
                                 model.along_track};
   PressureResult result;
-  // marks are a step apart, in which contact moves over the strips of a rail that changes
+  // how far the last solution, or a marked one, may be moved to be a start
   const double farthest = model.along_track && start.change.depth ? farthest_along_track : farthest_followed;
   if (from == StartFrom::solution) extrapolate_start(rail, o, start);
   bool started = load_strips(rail, o, start, from, w);

@@ -138,9 +138,10 @@ struct Hill {
   double own_B;       ///< B - C^2 / A: curvature along the line of the deepest places [1/m]
 };
 
-/// The hill over strips of one row, from `first` up to `end`: by its top, its volume, and the line of least
-/// squares through the deepest places.
+/// The hill over strips of one row, from `first` up to `end`: by its top, its volume 4/3 D b, b its half
+/// width, and the line of least squares through the deepest places.
 Hill hill_over(const StripSet& s, std::int32_t first, std::int32_t end) {
+  // moments over the strips' places of the overlap, and of where it is deepest
   std::int32_t top = first;
   double volume = 0.0, y1 = 0.0, y2 = 0.0, x1 = 0.0, xy = 0.0;
   for (std::int32_t i = first; i < end; ++i) {
@@ -152,8 +153,8 @@ Hill hill_over(const StripSet& s, std::int32_t first, std::int32_t end) {
     x1 += weight * s.deepest_x[i];
     xy += weight * y * s.deepest_x[i];
   }
+  // least squares for the line; a parabola's half width b follows from the volume
   const double D = s.depth[top], spread = y2 - y1 * y1 / volume;
-  // a parabola of the half width b has the volume 4/3 D b
   const double b = 0.75 * volume / D;
   return {top, D, 0.5 * s.curvature[top], spread > 0.0 ? (xy - x1 * y1 / volume) / spread : 0.0, D / (b * b)};
 }
@@ -162,14 +163,16 @@ Hill hill_over(const StripSet& s, std::int32_t first, std::int32_t end) {
 ///
 /// The contact is P x^2 + 2 R x y + Q y^2 < D, of the same axes as the overlap. On the axes its curvatures
 /// are those of the overlap over rho on the longer one, over 1 - rho on the other, rho = (K - E) / (e^2 K).
+/// The fit rho / (1 - rho) = (shorter / longer)^(5/16) is right to 0.005 for axes up to 5 to 1.
 void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
   constexpr double least = 1e-3;      // curvature of the longer axis over the mean
   constexpr double of_round = 2.625;  // limit of f for equal axes
+  // the form A, B, C of the overlap [1/m], and its curvatures mean -+ h on the axes
   const Hill hill = hill_over(s, first, end);
   const double A = hill.A, C = -A * hill.turn, B = hill.own_B - C * hill.turn;
   const double mean = 0.5 * (A + B), differ = 0.5 * (A - B), h = root(differ * differ + C * C);
   const double longer = larger(mean - h, least * mean), shorter = mean + h;
-  // rho / (1 - rho) = (shorter / longer)^(5/16): rho to 0.005 for axes up to 5 to 1
+  // curvatures of the contact on the same axes, and its form P, Q, R [1/m]
   const double quotient = root(shorter / longer), odds = root(quotient) * root(root(root(quotient)));
   const double on_longer = longer * (1.0 + odds) / odds, on_shorter = shorter * (1.0 + odds);
   const double middle = 0.5 * (on_longer + on_shorter);
@@ -199,6 +202,7 @@ void touch_hills(const StripSet& s) {
       ++i;
       continue;
     }
+    // a run: a valley below both tops beside it ends one hill and begins the next
     std::int32_t first = i, low = i;
     double top = s.depth[i];
     for (;; ++i) {

@@ -113,8 +113,7 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
     const auto look = [&](const PlaceWeights& place) {
       nearest = smaller(nearest, fall_at_place(problem, outline, strips, place));
     };
-    // below the axle first, as most strips are then farther away than the nearest; a face that ends between
-    // two places counts at both
+    // most strips are farther away than the nearest below the axle; a face counts at places beside its ends
     const PlaceWeights& below_axle = problem.rail.place[face][places_to_a_side];
     const auto is_there = [&](const PlaceWeights& place) {
       return place.x >= low - place_apart && place.x <= high + place_apart;
@@ -162,6 +161,7 @@ double height_by_first_looks(const WheelProblem& problem, double height, WheelOv
   height += fall_along(problem, motion, overlaps.outline) - model.out_of_round.largest;
   motion = motion_at_height(model, problem.in, height);
   look_for_candidates(model, problem.rail, motion.pose, reach, overlaps.outline, overlaps);
+  // down or up to the nearest of them
   const double fall = fall_to_candidates(problem, motion, least_down_along);
   return fall < farthest_touch ? height + fall : height;
 }
@@ -243,6 +243,7 @@ double tops_below_touch(const WheelProblem& problem, double below, RelativeMotio
   constexpr double close =
       0.2e-3;  // [m]: first looks are as near, and tops on the way there within the margin
   double height = height_by_first_looks(problem, problem.in.wheel.position[2], overlaps) + below;
+  // tops there say where first touch is; few steps, as the nearest strip hardly changes
   for (int n = 0;; ++n) {
     motion = motion_at_height(problem.model, problem.in, height);
     find_wheel_overlaps(problem, motion, tops_apart, overlaps, true);
