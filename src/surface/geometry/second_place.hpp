@@ -105,7 +105,7 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   StripAlong along{rail, f, strip, first.ny, first.nz};
   const double top = along.at(here), t = (here - along.begin) * along.per;
   const double slope = along.per * along.n.slope(t, t * t);
-  // to both sides, beyond the least overlap so far
+  // to both sides
   for (const double way : {-1.0, 1.0}) {
     const double end = here + way * second_within;
     if (!(valley_between(rail, face, eight_of(strip), smaller(here, end), larger(here, end)) >
@@ -128,7 +128,7 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
       // where it comes from above 0, a top is at the end of that
       const double square = once * once - 4.0 * twice * uphill_before;
       if (!(square > 0.0)) continue;
-      // of the slope's two roots that where it falls, without a difference of like numbers
+      // the root at which it falls, without a difference of like numbers
       const double falls = once < 0.0 ? 2.0 * uphill_before / (root(square) - once)
                                       : (once + root(square)) / (-2.0 * smaller(twice, -1e-12));
       // not the top where the look begins
