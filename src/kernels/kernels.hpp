@@ -103,8 +103,8 @@ struct TangentialKernels {
   void (*surface_strips)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_fields)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_slopes)(const SurfaceStripsSlopesTask& task);
-  /// Bounds of a strip's cells, up to a factor that a patch shares.
-  void (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
+  /// Bounds of a strip's cells, up to a factor that a patch shares; returns their sum.
+  double (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
   /// Adds the tractions that a past strip brings.
   void (*memory_bring)(const MemoryBringTask& task, RememberingStrip& to);
   /// Tractions alone, or with the sums.
