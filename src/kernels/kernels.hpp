@@ -111,6 +111,9 @@ struct TangentialKernels {
   void (*memory_pass)(const MemoryPassTask& task);
   void (*memory_pass_sums)(const MemoryPassTask& task, MemoryPassSums& sums);
   void (*memory_march)(const MemoryMarchTask& task);
+  /// Tractions of a strip's cells: a share of others, and the sums of their squares.
+  void (*memory_tend)(const double* others, double share, double* to);
+  void (*memory_squares)(const double* tractions, double& along_x, double& along_y);
   void (*layered_march)(const LayeredMarchTask& task, Sums& sums);
   void (*layered_march_fields)(const LayeredMarchTask& task, Sums& sums);
 };

@@ -40,11 +40,21 @@ struct Run {
   std::int32_t first_patch, end_patch;
 };
 
+/// A strip of the committed step, that of now whose past it is, or -1, and the share of its force that is
+/// lost.
+struct LostForce {
+  std::int64_t past;
+  std::int32_t heir;
+  double share;
+};
+
 /// What a patch needs beside its yield.
 struct PatchPlace {
   double at;      ///< middle of its load, arc length [m]
   double square;  ///< square of a half width beyond which strips lie beside the patch [m^2]
 };
+
+static_assert(tangential::PatchStep::most_lobes == LobeCuts::capacity + 1);
 
 /// Patches of so many strips: each run has one, and more where valleys divide it. Of runs there are no more
 /// than strips.
@@ -65,15 +75,17 @@ struct Scratch {
   Run* runs;
   tangential::YieldingPatch* patches;
   PatchPlace* places;  ///< those of the patches
+  LostForce* lost;
 };
 
-Scratch cut(Arena& arena, std::int32_t most) {
+Scratch cut(Arena& arena, std::int32_t most, std::int64_t past) {
   Scratch s{};
   arena.each(most, s.line_load, s.y, s.ahead_x, s.ahead_y, s.ahead_turn, s.cells_x, s.cells_y, s.cells_turn,
              s.lever_x, s.lever_y, s.asked_x, s.asked_y, s.asked_spin, s.follows, s.within, s.region.y,
              s.region.width, s.region.centre, s.region.half_length, s.region.peak);
   s.region.capacity = most;
   arena.each(most, s.strips, s.steady, s.past, s.runs);
+  arena.each(past, s.lost);
   arena.each(patches_of(most), s.patches, s.places);
   s.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   return s;
@@ -85,7 +97,7 @@ class Rememberer {
       : in_(in),
         strips_(in.strips),
         forces_(forces),
-        scratch_(cut(arena, in.strips.count)),
+        scratch_(cut(arena, in.strips.count, in.past_count)),
         parts_{in.strips, in.along, scratch_.line_load, nullptr, joint} {
     contact_.shear_modulus = strips_.shear_modulus;
     contact_.linear_theory = &in.linear_theory;
@@ -96,8 +108,10 @@ class Rememberer {
   RememberingResult roll() {
     begin();
     find_patches();
-    if (!from_now_)
+    if (!from_now_) {
+      find_lost();
       for (std::int32_t k = 0; k < runs_; ++k) roll_run(scratch_.runs[k]);
+    }
     add_steady();
     return {fault_, finish()};
   }
@@ -121,8 +135,9 @@ class Rememberer {
     find_past();
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
-      strip = {};
       strip.y = in_.number[j];
+      std::fill_n(strip.slip, 3, 0.0);
+      strip.way = 0.0;
       strip.centre = in_.along[j];
       strip.half_length = strips_.half_length[j];
       longest_ = std::max(longest_, 2.0 * strip.half_length);
@@ -135,8 +150,19 @@ class Rememberer {
     }
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
-    takes_over_ = tangential::forgotten(in_.rolled, longest_);
+    takes_over_ = tangential::forgotten(in_.rolled / std::max(longest_, tangential::least_divisor));
     from_now_ = takes_over_ == 1.0;
+    if (from_now_) clear_cells(0, count);
+  }
+
+  /// No tractions of strips that are not rolled.
+  void clear_cells(std::int32_t first, std::int32_t end) const {
+    for (std::int32_t j = first; j < end; ++j) {
+      PastStrip& strip = written()[j];
+      std::fill_n(strip.force, 3, 0.0);
+      std::fill_n(strip.px, memory_cells, 0.0);
+      std::fill_n(strip.py, memory_cells, 0.0);
+    }
   }
 
   static std::int32_t rail_strip(double number) { return on_rail(static_cast<std::int32_t>(number)); }
@@ -260,8 +286,8 @@ class Rememberer {
     std::int32_t patches = 0;
     parts_.for_each_run([&](std::int32_t first, std::int32_t end, LobeCuts cuts) {
       // patches that all have their place, whatever runs are still to come
-      const std::int32_t lobes = cuts.count + 1, behind = strips_.count - end;
-      if (patches + (lobes * (lobes + 1)) / 2 + behind > patches_of(strips_.count)) cuts.count = 0;
+      const std::int32_t most = ((cuts.count + 1) * (cuts.count + 2)) / 2, behind = strips_.count - end;
+      if (patches + most + behind > patches_of(strips_.count)) cuts.count = 0;
       const std::int32_t from = patches;
       for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
         Patch& patch = scratch_.patches[patches] = {};
@@ -270,7 +296,7 @@ class Rememberer {
           return static_cast<std::int32_t>(cut - cuts.of.data()) + 1;
         };
         patch.first_lobe = low ? lobe(low) : 0;
-        patch.end_lobe = high ? lobe(high) : lobes;
+        patch.end_lobe = high ? lobe(high) : cuts.count + 1;
         take_strips(first, end, low, high, patch);
         add_patch(patch, scratch_.places[patches]);
         ++patches;
@@ -279,10 +305,12 @@ class Rememberer {
       for (std::int32_t k = from; k < patches; ++k)
         carries = carries || scratch_.patches[k].numbers.limit > 0.0;
       // without load or friction nothing is remembered
-      if (carries)
+      if (carries) {
         scratch_.runs[runs_++] = {first, end, from, patches};
-      else
+      } else {
         patches = from;
+        clear_cells(first, end);
+      }
     });
     patches_ = patches;
   }
@@ -332,17 +360,14 @@ class Rememberer {
     place.square = 10.0 * square / load;
     // the patch as a region of its own, with the widths within
     take_region(patch.first, patch.end, scratch_.y + patch.first);
-    double *const first = scratch_.region.width + patch.first, *const last =
-                                                                   scratch_.region.width + patch.end - 1;
-    *first *= patch.inside_first;
-    if (last != first) *last *= patch.inside_last;
+    double* const width = scratch_.region.width;
+    for (const std::int32_t j : {patch.first, patch.end - 1}) width[j] = patch.inside(j) * strips_.width[j];
     patch.numbers = tangential::patch_numbers(contact_, fault_);
     patch.numbers.centre_y += at;
     for (std::int32_t j = patch.first; j < patch.end; ++j)
       if (scratch_.past[j]) add_past(patch.inside(j), *scratch_.past[j], j, patch, patch.before);
     tangential::add_to_strips(contact_, patch, tangential::fitted_memory, scratch_.strips + patch.first);
-    *first = strips_.width[patch.first];
-    *last = strips_.width[patch.end - 1];
+    for (const std::int32_t j : {patch.first, patch.end - 1}) width[j] = strips_.width[j];
     // Slips of the strips; beside the patch's mean along x, and by spin, with the factor on arms
     const double arm = patch.numbers.arm, follows = tangential::follows(patch.numbers, in_.rolled);
     for_each_strip(patch, [&](std::int32_t j, double weight) {
@@ -363,6 +388,23 @@ class Rememberer {
     patch.add_force(part, force, in_.direction * past.centre, strips_.place[j], to);
   }
 
+  /// Strips of the committed step whose forces, or parts of them, no strip bears any more.
+  void find_lost() {
+    std::int32_t from = 0;  // the first strip in contact with that number or a larger one
+    for (std::int64_t k = 0; k < in_.past_count; ++k) {
+      const PastStrip& strip = in_.past[k];
+      while (from < strips_.count && in_.number[from] < strip.y) ++from;
+      const std::int32_t heir = heir_of(k, from);
+      double share = 1.0;
+      if (heir >= 0) {
+        // what the bounds of its cells do not bear
+        const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
+        share -= std::min(1.0, borne_by_cells(heir) / std::max(had, least_force));
+      }
+      if (share > 0.0) scratch_.lost[lost_++] = {k, heir, share};
+    }
+  }
+
   /// Forces beside a patch, on its face, that strips no longer bear. At a distance r beyond the half width b
   /// a force displaces the half-space as b / r, and turns it as (b / r)^2.
   void find_left(Patch& patch, const PatchPlace& place) const {
@@ -370,24 +412,18 @@ class Rememberer {
     const FaceStrips& face = in_.rail.range[number];
     const int row = is_second(in_.number[patch.first]) ? 1 : 0;
     const int row_of[2] = {row_now(0, heirs_[number]), row_now(1, heirs_[number])};
-    double turn = 0.0;      // moment from the patch's place [N m]
-    std::int32_t from = 0;  // the first strip in contact with that number or a larger one
-    for (std::int64_t k = 0; k < in_.past_count; ++k) {
-      const PastStrip& strip = in_.past[k];
+    double turn = 0.0;  // moment from the patch's place [N m]
+    for (std::int64_t k = 0; k < lost_; ++k) {
+      const LostForce& of = scratch_.lost[k];
+      const PastStrip& strip = in_.past[of.past];
       const std::int32_t of_rail = rail_strip(strip.y);
       if (!face.has(of_rail)) continue;
-      while (from < strips_.count && in_.number[from] < strip.y) ++from;
-      double lost = 1.0;
-      if (const std::int32_t j = heir_of(k, from); j >= 0) {
-        if (is_second(in_.number[j]) != (row > 0)) continue;
-        // share of the force outside the patch, and beyond the bounds of the strip's cells
-        lost = j >= patch.first && j < patch.end ? 1.0 - patch.inside(j) : 1.0;
-        if (!(lost > 0.0)) continue;
-        const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
-        lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
-      } else if (row_of[is_second(strip.y) ? 1 : 0] != row) {
-        continue;
-      }
+      const int row_then = is_second(strip.y) ? 1 : 0;
+      if ((of.heir < 0 ? row_of[row_then] : (is_second(in_.number[of.heir]) ? 1 : 0)) != row) continue;
+      // the share outside the patch
+      double lost = of.share;
+      if (of.heir >= patch.first && of.heir < patch.end) lost *= 1.0 - patch.inside(of.heir);
+      if (!(lost > 0.0)) continue;
       const double y = row_place(in_.rail, of_rail + row * second_places) - place.at;
       const double near = y * y > place.square ? std::sqrt(place.square / (y * y)) : 1.0;
       const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
@@ -447,7 +483,7 @@ class Rememberer {
   /// Share of steady rolling in the way under the same conditions, as long as it will be in the next step.
   double settled(double before) const {
     const double step = in_.rolled / longest_;
-    return tangential::forgotten(before + step + std::min(step, 0.5 * before), 1.0);
+    return tangential::forgotten(before + step + std::min(step, 0.5 * before));
   }
 
   /// Slips at which the steady forces of the strips are asked, those of the bodies and of the yield, and the
@@ -525,12 +561,12 @@ class Rememberer {
   /// Little or nothing before the step is seen: the cells tend to those of steady rolling.
   void take_steady_cells() {
     for (std::int32_t j = 0; j < strips_.count; ++j)
-      tangential::tend_to(scratch_.steady[j], takes_over_, written()[j]);
+      tangential::tend_to(kernels(), scratch_.steady[j], takes_over_, written()[j]);
     // energy of the cells and of the half-spaces, whose moments are about the patches' centres
     for (std::int32_t j = 0; j < strips_.count; ++j) {
       const tangential::RememberingStrip& cells = scratch_.strips[j];
       if (cells.arm > 0.0)
-        stored_ += tangential::stored_in(written()[j], cells.area, cells.growth_x, cells.growth_y);
+        stored_ += tangential::stored_in(kernels(), written()[j], cells.area, cells.growth_x, cells.growth_y);
     }
     for (std::int32_t k = 0; k < patches_; ++k) {
       const Patch& patch = scratch_.patches[k];
@@ -595,7 +631,7 @@ class Rememberer {
     const double rate = settles * step * settled(before), share = rate / (1.0 + rate);
     if (!(share > 0.0)) return;
     const PastStrip& steady = scratch_.steady[j];
-    tangential::tend_to(steady, share, strip);
+    tangential::tend_to(kernels(), steady, share, strip);
     for (int i = 0; i < 3; ++i) strip.added[i] += share * (steady.added[i] - strip.added[i]);
   }
 
@@ -626,6 +662,7 @@ class Rememberer {
   }
 
   PastStrip* written() const { return in_.written; }
+  const simd::TangentialKernels& kernels() const { return contact_.grid->kernels->tangential; }
 
   const RememberingInput& in_;
   const SurfaceRollingInput& strips_;
@@ -634,6 +671,7 @@ class Rememberer {
   StripsInParts parts_;
   tangential::RollingContact contact_;
   std::int32_t runs_ = 0, patches_ = 0;
+  std::int64_t lost_ = 0;
   double longest_ = 0.0;     // strip [m]
   double last_ = 0.0;        // length of the step's last part [m]
   double energy_ = 0.0;      // could be given back before the step [J]
@@ -647,7 +685,7 @@ class Rememberer {
 
 }  // namespace
 
-void count_remembering(Arena& arena, std::int32_t most) { cut(arena, most); }
+void count_remembering(Arena& arena, std::int32_t most) { cut(arena, most, most); }
 
 RememberingResult roll_remembering(const RememberingInput& in, Arena arena,
                                    const SurfaceRollingForces& forces) noexcept {

@@ -6,7 +6,7 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells, half = cells / 2;
+constexpr std::int32_t cells = memory_cells;
 
 constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
 
@@ -27,23 +27,18 @@ PastStrip turned(const PastStrip& strip, double direction) {
   return s;
 }
 
-void tend_to(const PastStrip& __restrict steady, double share, PastStrip& __restrict strip) {
-  const double own = 1.0 - share;
-  for (std::int32_t i = 0; i < cells; ++i) strip.px[i] = own * strip.px[i] + share * steady.px[i];
-  for (std::int32_t i = 0; i < cells; ++i) strip.py[i] = own * strip.py[i] + share * steady.py[i];
-  for (int i = 0; i < 3; ++i) strip.force[i] = own * strip.force[i] + share * steady.force[i];
+void tend_to(const simd::TangentialKernels& kernels, const PastStrip& steady, double share,
+             PastStrip& strip) {
+  kernels.memory_tend(steady.px, share, strip.px);
+  for (int i = 0; i < 3; ++i) strip.force[i] = (1.0 - share) * strip.force[i] + share * steady.force[i];
 }
 
-double stored_in(const PastStrip& strip, double area, double growth_x, double growth_y) {
-  // 1/2 L p^2; the sums of both halves do not wait for one another
-  double x2[2] = {}, y2[2] = {};
-  for (std::int32_t i = 0; i < half; ++i) {
-    x2[0] += strip.px[i] * strip.px[i];
-    y2[0] += strip.py[i] * strip.py[i];
-    x2[1] += strip.px[half + i] * strip.px[half + i];
-    y2[1] += strip.py[half + i] * strip.py[half + i];
-  }
-  return 0.5 * area * ((x2[0] + x2[1]) / growth_x + (y2[0] + y2[1]) / growth_y);
+double stored_in(const simd::TangentialKernels& kernels, const PastStrip& strip, double area, double growth_x,
+                 double growth_y) {
+  // 1/2 L p^2
+  double x2, y2;
+  kernels.memory_squares(strip.px, x2, y2);
+  return 0.5 * area * (x2 / growth_x + y2 / growth_y);
 }
 
 double stored_by(const double yield[3], const double force[3]) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/kernels.hpp"
 #include "tangential/simd/tasks.hpp"
 
 namespace wrc::tangential {
@@ -51,9 +52,10 @@ struct Memory {
 };
 
 /// Gives a strip's cells that share of those in steady rolling.
-void tend_to(const PastStrip& steady, double share, PastStrip& strip);
+void tend_to(const simd::TangentialKernels& kernels, const PastStrip& steady, double share, PastStrip& strip);
 /// Energy stored in the tractions of a strip's cells [J].
-double stored_in(const PastStrip& strip, double area, double growth_x, double growth_y);
+double stored_in(const simd::TangentialKernels& kernels, const PastStrip& strip, double area, double growth_x,
+                 double growth_y);
 /// Energy stored in the half-spaces under these forces of a patch [J].
 double stored_by(const double yield[3], const double force[3]);
 /// A strip's cells, times `scale`.

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int32_t cells = memory_cells, half = cells / 2;
 
-// Lengths of the longest strip: a step from which on steady rolling takes over, and one that is none; parts
+// Lengths of the longest strip: a step that is none; parts
 // of a step, from its end on.
-constexpr double forgets_from = 1.5, least_step = 1e-9;
+constexpr double least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
@@ -96,6 +96,9 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Y
       y_(patches->numbers.centre_y) {
   set_strips();
   find_groups();
+  for (std::int32_t l = 0; l < lobes_; ++l)
+    for (std::int32_t k = 0; k < lobes_; ++k) std::fill_n(yield_[l][k][0], 9, 0.0);
+  for (std::int32_t k = 0; k < count; ++k) add_yield(patches[k]);
   if (strips_.number) let_strips_leave();
 }
 
@@ -284,24 +287,41 @@ void PatchStep::force_of_patch(const YieldingPatch& patch, const double (*of_lob
     patch.add_force(1.0, of_lobes[l], x_, y_, of);
 }
 
+void PatchStep::add_yield(const YieldingPatch& patch) {
+  // T S T' of the patch, T its motion by a displacement, to that of its lobes by forces on them
+  const double arm = patch.numbers.arm, x = patch.numbers.centre_x - x_, y = patch.numbers.centre_y - y_;
+  const double* const of = patch.numbers.yield;
+  const double turn = of[2] * arm * arm;
+  const double s[3][3] = {{of[0] + turn * y * y, -(turn * x * y), turn * y},
+                          {-(turn * x * y), of[1] + turn * x * x, -(turn * x)},
+                          {turn * y, -(turn * x), turn}};
+  for (std::int32_t l = patch.first_lobe; l < patch.end_lobe; ++l)
+    for (std::int32_t k = patch.first_lobe; k < patch.end_lobe; ++k)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) yield_[l][k][i][j] += patch.share * s[i][j];
+}
+
+void PatchStep::find_motions() {
+  // those of the lobes: means of the patches' by their shares
+  for (std::int32_t l = 0; l < lobes_; ++l) std::fill_n(motion_[l], 3, 0.0);
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    const YieldingPatch& p = patches_[k];
+    double motion[3];
+    motion_by(p, p.local, motion);
+    for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
+      for (int i = 0; i < 3; ++i) motion_[l][i] += p.share * motion[i];
+  }
+}
+
 void PatchStep::aim(simd::MemoryPassTask& task, const Group& group) const {
-  // the group's strips, and their motion: the mean of the patches' by their shares
   task.strips = group.end - group.first;
   task.from = strips_.strips + group.first;
   task.px = strips_.written[group.first].px;
   task.force = strips_.written[group.first].force;
-  for (double& part : task.local) part = 0.0;
-  for (std::int32_t k = 0; k < patch_count_; ++k) {
-    const YieldingPatch& p = patches_[k];
-    double share = 0.0;
-    if (group.lobe >= p.first_lobe && group.lobe < p.end_lobe) share = group.share;
-    if (group.share < 1.0 && group.lobe + 1 >= p.first_lobe && group.lobe + 1 < p.end_lobe)
-      share += 1.0 - group.share;
-    if (!(share > 0.0)) continue;
-    double motion[3];
-    motion_by(p, p.local, motion);
-    for (int i = 0; i < 3; ++i) task.local[i] += (p.share * share) * motion[i];
-  }
+  std::copy_n(motion_[group.lobe], 3, task.local);
+  if (group.share == 1.0) return;
+  const double* const next = motion_[group.lobe + 1];
+  for (int i = 0; i < 3; ++i) task.local[i] += (1.0 - group.share) * (next[i] - task.local[i]);
 }
 
 void PatchStep::sum_lobes(simd::MemoryPassTask& task, LobeSums& sums) const {
@@ -326,46 +346,38 @@ void PatchStep::sum_lobes(simd::MemoryPassTask& task, LobeSums& sums) const {
   }
 }
 
-void PatchStep::take_newton_step(LobeSums& sums) {
-  // Motions m of the lobes, forces f - K dm: dm = sum of T (shift + S (F - F') - local) - T S T' K dm over
-  // the patches, by shares. T is the motion by a patch's displacement.
+template <std::int32_t known>
+void PatchStep::take_newton_step(double yields, LobeSums& sums) {
+  // Motions m of the lobes, their forces f - K dm: dm is the sum of T (shift + S (F - F') - local) over the
+  // patches, by shares, less the yield by K dm.
   constexpr std::int32_t most = 3 * most_lobes;
-  const std::int32_t n = 3 * lobes_;
+  const std::int32_t lobes = known > 0 ? known : lobes_, n = 3 * lobes;
   double m[most][most + 1];
-  for (std::int32_t i = 0; i < n; ++i) {
-    std::fill_n(m[i], n + 1, 0.0);
-    m[i][i] = 1.0;
-  }
+  for (std::int32_t l = 0; l < lobes; ++l)
+    for (int i = 0; i < 3; ++i) {
+      double* const row = m[3 * l + i];
+      std::fill_n(row, n + 1, 0.0);
+      for (std::int32_t q = 0; q < lobes; ++q)
+        for (int p = 0; p < 3; ++p) {
+          const double yield = yields * yield_[l][q][i][p];
+          for (std::int32_t k = 0; k < lobes; ++k)
+            for (int j = 0; j < 3; ++j) row[3 * k + j] += yield * sums.slope[q][k][p][j];
+        }
+      row[3 * l + i] += 1.0;
+    }
   for (std::int32_t at = 0; at < patch_count_; ++at) {
     const YieldingPatch& p = patches_[at];
     double force[3], rest[3], motion[3];
     force_of_patch(p, sums.force, force);
     for (int i = 0; i < 3; ++i) rest[i] = p.shift[i] + p.yield[i] * (force[i] - p.before[i]) - p.local[i];
     motion_by(p, rest, motion);
-    // T S T'
-    const double arm = p.numbers.arm, x = p.numbers.centre_x - x_, y = p.numbers.centre_y - y_;
-    const double turn = p.yield[2] * arm * arm;
-    const double s[3][3] = {{p.yield[0] + turn * y * y, -(turn * x * y), turn * y},
-                            {-(turn * x * y), p.yield[1] + turn * x * x, -(turn * x)},
-                            {turn * y, -(turn * x), turn}};
-    for (std::int32_t k = 0; k < lobes_; ++k) {
-      double slope[3][3] = {};
-      for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j) slope[i][j] += sums.slope[l][k][i][j];
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const double by = p.share * (s[i][0] * slope[0][j] + s[i][1] * slope[1][j] + s[i][2] * slope[2][j]);
-          for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l) m[3 * l + i][3 * k + j] += by;
-        }
-    }
     for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
       for (int i = 0; i < 3; ++i) m[3 * l + i][n] += p.share * motion[i];
   }
   solve(n, m);
   // the displacements of the patches by those forces
-  for (std::int32_t l = 0; l < lobes_; ++l)
-    for (std::int32_t k = 0; k < lobes_; ++k)
+  for (std::int32_t l = 0; l < lobes; ++l)
+    for (std::int32_t k = 0; k < lobes; ++k)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) sums.force[l][i] -= sums.slope[l][k][i][j] * m[3 * k + j][n];
   for (std::int32_t at = 0; at < patch_count_; ++at) {
@@ -374,6 +386,7 @@ void PatchStep::take_newton_step(LobeSums& sums) {
     force_of_patch(p, sums.force, force);
     for (int i = 0; i < 3; ++i) p.local[i] = p.shift[i] + p.yield[i] * (force[i] - p.before[i]);
   }
+  find_motions();
 }
 
 void PatchStep::solve_part(const double of_part[3], double h, double travel, const Part& part) {
@@ -392,10 +405,16 @@ void PatchStep::solve_part(const double of_part[3], double h, double travel, con
       p.local[i] = p.shift[i] = of_part[i] + carried * p.rest[i];
     }
   }
+  find_motions();
   for (int solution = part.to_come > 0.0 ? 1 : 0; solution < solutions; ++solution) {
     LobeSums sums;
     sum_lobes(task, sums);
-    take_newton_step(sums);
+    if (lobes_ == 1)
+      take_newton_step<1>(yields, sums);
+    else if (lobes_ == 2)
+      take_newton_step<2>(yields, sums);
+    else
+      take_newton_step<0>(yields, sums);
   }
   // tractions, and the forces of the strips
   for (std::int32_t g = 0; g < group_count_; ++g) {
@@ -486,7 +505,8 @@ double PatchStep::stored() const {
   }
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     const RememberingStrip& at = strips_.strips[j];
-    sum += stored_in(strips_.written[j], at.area, at.growth_x, at.growth_y);
+    sum +=
+        stored_in(contact_.grid->kernels->tangential, strips_.written[j], at.area, at.growth_x, at.growth_y);
   }
   return sum;
 }
@@ -536,7 +556,7 @@ double last_part(double length) { return usual_parts[0] * std::max(length, least
 
 double follows(const PatchNumbers& numbers, double rolled, const MemoryFactors& factors) {
   const double length = std::max(numbers.length, least_divisor);
-  return 1.0 - (1.0 - forgotten(rolled, length)) * natural_exp(-rolled / (factors.follows * 0.5 * length));
+  return 1.0 - (1.0 - forgotten(rolled / length)) * natural_exp(-rolled / (factors.follows * 0.5 * length));
 }
 
 double per_length(double size, double length) {
@@ -547,10 +567,6 @@ double per_length(double size, double length) {
 
 bool hardly_rolls(double rolled, double length) {
   return rolled <= least_step * std::max(length, least_divisor);
-}
-double forgotten(double rolled, double length) {
-  return smooth_step((rolled / std::max(length, least_divisor) - forgets_from) /
-                     (all_forgotten - forgets_from));
 }
 
 }  // namespace wrc::tangential

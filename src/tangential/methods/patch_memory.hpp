@@ -35,6 +35,7 @@
 
 #include <cstdint>
 
+#include "base/number.hpp"
 #include "tangential/methods/past_strip.hpp"
 #include "tangential/methods/yielding_patch.hpp"
 #include "tangential/rolling_contact.hpp"
@@ -119,7 +120,11 @@ class PatchStep {
   void bring(double h, bool first);
   void place_strips(double done);
   void sum_lobes(simd::MemoryPassTask& task, LobeSums& sums) const;
-  void take_newton_step(LobeSums& sums);
+  /// `known`: number of lobes, or 0.
+  template <std::int32_t known>
+  void take_newton_step(double yields, LobeSums& sums);
+  void add_yield(const YieldingPatch& patch);
+  void find_motions();
   void aim(simd::MemoryPassTask& task, const Group& group) const;
   void force_of_patch(const YieldingPatch& patch, const double (*of_lobes)[3], double of[3]) const;
   void motion_by(const YieldingPatch& patch, const double displaced[3], double motion[3]) const;
@@ -136,6 +141,8 @@ class PatchStep {
   double x_, y_;  // place that motions are about [m]
   Group groups_[2 * most_lobes];
   std::int32_t group_count_ = 0, lobes_ = 1;
+  double yield_[most_lobes][most_lobes][3][3];  // motions of lobes by forces on them
+  double motion_[most_lobes][3];                // displacements of the lobes' cells
 };
 
 /// Displacements of the patch's centre for creepages about the origin, and back.
@@ -157,9 +164,14 @@ double last_part(double length);
 /// Lengths of the longest strip: a step of which nothing before is seen.
 inline constexpr double all_forgotten = 2.0;
 
+/// Lengths from which on steady rolling takes over.
+inline constexpr double forgets_from = 1.5;
+
+/// Share of steady rolling in a path of so many lengths: 1 where nothing before is seen.
+inline double forgotten(double lengths) {
+  return smooth_step((lengths - forgets_from) * (1.0 / (all_forgotten - forgets_from)));
+}
+
 /// Is a path none? `length`: of the longest strip [m].
 bool hardly_rolls(double rolled, double length);
-/// Share of steady rolling in such a path: 1 where nothing before is seen.
-double forgotten(double rolled, double length);
-
 }  // namespace wrc::tangential

@@ -68,7 +68,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   add_to_strips(contact, whole, factors, memory.scratch());
   PatchStep patch(contact, strips_of(memory), &whole, 1);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
-  const double takes_over = forgotten(rolled, numbers.length);
+  const double takes_over = forgotten(rolled / std::max(numbers.length, least_divisor));
   const bool rests = hardly_rolls(rolled, numbers.length), from_now = takes_over == 1.0;
   // Cells at the end of the step, and the displacements per length at which strip FASTSIM is asked
   double shift[3] = {}, last = 0.0, cells_force[3] = {};
@@ -100,7 +100,8 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
       std::copy_n(cells_force, 3, of_cells);
     else if (takes_over > 0.0)
       for (std::int32_t j = 0; j < contact.region.count; ++j)
-        tend_to(memory.list(2)[j], takes_over, memory.other()[memory.written + j]);
+        tend_to(contact.grid->kernels->tangential, memory.list(2)[j], takes_over,
+                memory.other()[memory.written + j]);
     refer_to_origin(numbers, of_cells);
     const double share = follows(numbers, rolled, factors);
     const double of_strips[3] = {forces.fx, forces.fy, forces.mz};

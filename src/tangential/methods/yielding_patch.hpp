@@ -22,8 +22,8 @@ struct YieldingPatch {
 
   /// Share of a strip's width within the patch; j is one of its strips.
   double inside(std::int32_t j) const {
-    if (j == first) return inside_first;
-    return j == end - 1 ? inside_last : 1.0;
+    if (j > first) return j == end - 1 ? inside_last : 1.0;
+    return first == end - 1 ? inside_first + inside_last - 1.0 : inside_first;
   }
   /// Force of a strip's cells, `of`, whose moment is about the place x, y: adds `part` of it to `to`.
   void add_force(double part, const double of[3], double x, double y, double to[3]) const {

@@ -304,6 +304,27 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
     sum_passed_strips<false>(t, sums);
 }
 
+/// TangentialKernels::memory_tend: gives the tractions of a strip's cells, along x and then y, a share of
+/// others.
+inline void memory_tend_kernel(const double* others, double share, double* to) {
+  const Native of_others = broadcast(share), own = broadcast(1.0 - share);
+  for (std::int32_t i = 0; i < 2 * memory_cells; i += native_lanes)
+    store_lanes(to + i, own * load_lanes(to + i) + of_others * load_lanes(others + i));
+}
+
+/// TangentialKernels::memory_squares: sum of the squares of these tractions.
+inline void memory_squares_kernel(const double* tractions, double& along_x, double& along_y) {
+  StripCells x, y;
+  for (std::int32_t k = 0; k < vectors; ++k) {
+    const Native px = load_lanes(tractions + k * native_lanes),
+                 py = load_lanes(tractions + memory_cells + k * native_lanes);
+    x.of[k] = px * px;
+    y.of[k] = py * py;
+  }
+  along_x = sum_of_cells(x);
+  along_y = sum_of_cells(y);
+}
+
 /// Strips of the lanes of a vector; lanes without a strip have the first.
 struct StripsOfLanes {
   const RememberingStrip* at[native_lanes];
