@@ -76,7 +76,8 @@
  *    usable. wrc_status.h lists them.
  *  - Results have `flags`: bit 1 << flag for each flag that was met, WRC_FLAG_BIT(). The status is the gravest of them.
  *  - wrc_contact_last_error() says in a sentence why: function, member, value, unit, allowed range, likely cause.
- *  - A member's comment says what it is, its range and unit, then [its default]. A result has its unit in brackets.
+ *  - A member's comment says what it is, its range and unit, then [its default]. A result has its unit in brackets. A pointer
+ *    that is [required] has no default. It may be NULL where it is not read, as with a count of 0.
  *  - A struct that is read has defaults: wrc_config config = wrc_config_default(). Hosts that load the library at run time, and
  *    other languages, set struct_size and call wrc_config_init(). Where neither exists, all defaults are zero.
  *  - Structs grow. Those that begin with struct_size want sizeof the struct there, results too: wrc_wrench w = {sizeof w}.
@@ -1017,15 +1018,15 @@ WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_w
                                                wrc_wrench_derivatives* derivatives);
 
 /** wrc_contact_wrench() for many contacts, in order, on the calling thread. A host with threads gives each its own range of contacts,
- * with the same results.
+ * with the same results. A contact that fails has zeros in its result and a sentence of its own; the others are solved.
  * @param contacts count of them, each once
- * @param count how many
+ * @param count how many; 0: nothing is done
  * @param inputs the first input; element i lies i * input_stride bytes behind it
  * @param input_stride [bytes]; 0: the same input for all
  * @param[out] wrenches the first result; element i lies i * wrench_stride bytes behind it
  * @param wrench_stride [bytes]
- * @param[out] statuses count of them; NULL: not wanted
- * @return the gravest status. @rt hard @thread contact, all of them */
+ * @param[out] statuses count of them, one for each contact, as wrc_contact_wrench() returns it; NULL: not wanted
+ * @return the gravest status of all; WRC_ERROR_NULL (contacts, inputs or wrenches). @rt hard @thread contact, all of them */
 WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
                                          uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
                                          int32_t* statuses);

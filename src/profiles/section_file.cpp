@@ -190,7 +190,7 @@ Fault read_table(const std::string& path, const std::vector<std::vector<double>>
   for (const std::vector<double>& row : rows) {
     const std::string name = stem + "_" + std::to_string(static_cast<std::int64_t>(row[0])) + ".txt";
     std::string file = folder_of(path) + name;
-    if (!exists(file)) file = folder_of(path) + stem + "/" + name;
+    if (!exists(file)) file = folder_of(path).append(stem).append("/").append(name);
     if (!exists(file))
       return unusable(sentence("section ", row[0], " at ", row[1], " m has no file ") + name, why);
     MeasuredSection section;

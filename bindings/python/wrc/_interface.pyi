@@ -77,13 +77,13 @@ class Status(s.Choice):
     ERROR_GAP = -6
     """the undeformed gap cannot be used"""
     ERROR_LOAD = -7
-    """the gap cannot carry the prescribed load or approach"""
+    """gap or profiles cannot carry the prescribed load or approach"""
     ERROR_BUFFER = -8
     """the memory handed over is too small or misaligned"""
     ERROR_MEMORY = -9
     """memory could not be allocated"""
     ERROR_SEQUENCE = -10
-    """a stage was called before the stage whose result it needs"""
+    """a call came before the one whose result it needs"""
     ERROR_UNSUPPORTED = -11
     """the requested method, version or combination does not exist"""
     ERROR_FILE = -12
@@ -441,7 +441,9 @@ class DamageQuantity(s.Choice):
     WORK = 0
     """frictional work [J], +-8e12; over the distance it is T-gamma"""
     WEAR_T_GAMMA = 1
-    """volume worn by the T-gamma law [m^3], +-8e6; spread like the work"""
+    """volume worn by the T-gamma law [m^3], +-8e6; spread like the work. The law is of wheels: bins of a rail
+        get the volume of the wheel
+    """
     WEAR_SHEFFIELD = 2
     """the same by Sheffield's law, of each strip's T-gamma over its area"""
     WEAR_ARCHARD = 3
@@ -3749,7 +3751,7 @@ class SurfacePassage(s.Struct):
         frictional energy.
     """
     rail_from: float
-    """rail_from [m]: distance along the rail at the beginning (-1e9 .. 1e9; default 0)"""
+    """rail_from [m]: distance along the rail at the beginning, growing forwards (-1e9 .. 1e9; default 0)"""
     rail_to: float
     """rail_to [m]: the same at the end (-1e9 .. 1e9; default 0)"""
     wheel_from: float
@@ -4190,8 +4192,7 @@ def linear_coefficients(a_over_b: float, psi: float, poisson: float, *, out: Opt
     poisson: 0..0.5
     out: the coefficients; None: a new one
 
-    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
-        _NOT_FINITE.
+    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
     """
 def shakedown_limit(utilisation: float) -> float:
     """Shakedown curve of the line contact: load factor p0/k above which the surface ratchets. Theory manual,

@@ -209,20 +209,21 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
   LargestOverlap found[FollowedStrips::most];
   FollowedStrips far;
   far.count = 0;
-  std::int32_t climbing[FollowedStrips::most];
+  // far from the axle the parabola does not hold: rays look for the place
+  const auto climbs = [&](std::int32_t i) { return magnitude(found[i].x) > near_axle; };
   for (std::int32_t i = 0; i < count; ++i) {
     const std::int32_t k = first + i, strip = o.strip[k];
     const FirstLook look = stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]}
                                     : FirstLook{looks.x[i], looks.depth[i]};
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
-    // far from the axle the parabola does not hold: rays look for the place
-    if (!(magnitude(look.x) > near_axle)) continue;
-    climbing[far.count] = i;
-    put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
+    if (climbs(i)) put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
   if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, true), far);
-  for (std::int32_t i = 0; i < far.count; ++i)
-    found[climbing[i]] = {far.x[i], {far.piece[i], far.u[i], far.depth[i]}};
+  for (std::int32_t i = 0, k = 0; i < count && k < far.count; ++i) {
+    if (!climbs(i)) continue;
+    found[i] = {far.x[k], {far.piece[k], far.u[k], far.depth[k]}};
+    ++k;
+  }
 
   // those that may be deep enough, in the order of the strips
   CandidatesAlong& c = rail.candidates;
@@ -318,37 +319,35 @@ struct FollowedOverlaps {
     }
   }
 
-  /// By how much the overlap along a direction has grown since the candidates were looked for.
-  double growth(double ny, double nz) const {
-    return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
-  }
-  /// The depth of a candidate in this pose, to its doubt and that of the move [m].
-  double depth_now(const CandidateAlong& top) const { return top.depth + growth(top.ny, top.nz); }
+  /// Growth of overlaps and depth of a candidate in this pose [m].
+  double growth(double ny, double nz) const { return rail.candidates.growth(ny, nz, pose.y, pose.z); }
+  double depth_now(const CandidateAlong& top) const { return rail.candidates.depth(top, pose.y, pose.z); }
 
   /// Follows the strips that have gathered, their second tops too, and keeps their places.
   void finish() {
     FollowedStrips& g = gathered;
-    if (g.count == 0) return;
+    const std::int32_t count = g.count;
+    if (count == 0) return;
     follow_rail(surfaces, rail, pose, g, tops_alone);
-    for (std::int32_t i = 0; i < g.count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
+    for (std::int32_t i = 0; i < count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
     // tops beside those that were followed, from a first look or from where they were last
     FollowedStrips others;
     others.count = 0;
     std::int32_t number[FollowedStrips::most];  // among the others; -1: the strip has no other top
     std::int32_t top[FollowedStrips::most];     // numbers of the others on the list
-    for (std::int32_t i = 0; i < g.count; ++i) {
-      number[i] = others.count;
-      top[others.count] = other_top(i);
-      if (top[others.count] == CandidateAlong::no_other)
-        number[i] = -1;
-      else
-        put_other(i, top[others.count], others);
+    std::int32_t second_tops = 0;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::int32_t other = other_top(i);
+      number[i] = -1;
+      if (other == CandidateAlong::no_other) continue;
+      put_other(i, other, others);
+      top[second_tops] = other;
+      number[i] = second_tops++;
     }
-    if (others.count > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
-    for (std::int32_t i = 0; i < others.count; ++i)
-      if (top[i] >= 0) note_place(others, i, rail.candidates.top[top[i]]);
+    if (second_tops > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
+    for (std::int32_t i = 0; i < second_tops; ++i) note_place(others, i, rail.candidates.top[top[i]]);
     // kept strip by strip, as rows go on from one to the next
-    for (std::int32_t i = 0; i < g.count; ++i) {
+    for (std::int32_t i = 0; i < count; ++i) {
       if (number[i] >= 0)
         keep_both(g.strip[i], followed_place(g, i), followed_place(others, number[i]));
       else

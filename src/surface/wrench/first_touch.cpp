@@ -103,12 +103,11 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
 /// known; at most farthest_touch.
 double fall_to_candidates(const WheelProblem& problem, const RelativeMotion& motion, double least_down) {
   const CandidatesAlong& c = problem.rail.candidates;
-  const double y = motion.pose.y - c.at_y, z = motion.pose.z - c.at_z;
   double fall = farthest_touch;
   for (std::int32_t k = 0; k < c.tops; ++k) {
     const CandidateAlong& top = c.top[k];
     const double down = downwards(motion, top.ny, top.nz);
-    if (down > least_down) fall = smaller(fall, -(top.depth + top.ny * y + top.nz * z) / down);
+    if (down > least_down) fall = smaller(fall, -c.depth(top, motion.pose.y, motion.pose.z) / down);
   }
   return fall;
 }
