@@ -48,7 +48,7 @@ struct LostForce {
   double share;
 };
 
-/// What a patch needs beside its yield.
+/// Where a patch lies.
 struct PatchPlace {
   double at;      ///< middle of its load, arc length [m]
   double square;  ///< square of a half width beyond which strips lie beside the patch [m^2]
@@ -150,7 +150,8 @@ class Rememberer {
     }
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
-    takes_over_ = tangential::forgotten(in_.rolled / std::max(longest_, tangential::least_divisor));
+    step_ = in_.rolled / std::max(longest_, tangential::least_divisor);
+    takes_over_ = tangential::forgotten(step_);
     from_now_ = takes_over_ == 1.0;
     if (from_now_) clear_cells(0, count);
   }
@@ -398,11 +399,13 @@ class Rememberer {
       const std::int32_t heir = heir_of(k, from);
       double share = 1.0;
       if (heir >= 0) {
-        // what the bounds of its cells do not bear
-        const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
-        share -= std::min(1.0, borne_by_cells(heir) / std::max(had, least_force));
+        // the bounds of its cells do not bear the rest
+        const double had2 = strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1],
+                     borne = borne_by_cells(heir);
+        if (borne * borne >= had2) continue;
+        share -= borne / std::sqrt(had2);
       }
-      if (share > 0.0) scratch_.lost[lost_++] = {k, heir, share};
+      scratch_.lost[lost_++] = {k, heir, share};
     }
   }
 
@@ -483,8 +486,7 @@ class Rememberer {
 
   /// Share of steady rolling in the way under the same conditions, as long as it will be in the next step.
   double settled(double before) const {
-    const double step = in_.rolled / longest_;
-    return tangential::forgotten(before + step + std::min(step, 0.5 * before));
+    return tangential::forgotten(before + step_ + std::min(step_, 0.5 * before));
   }
 
   /// Slips at which the steady forces of the strips are asked, those of the bodies and of the yield, and the
@@ -542,9 +544,8 @@ class Rememberer {
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
       const PastStrip* const past = scratch_.past[j];
       // a strip about to leave keeps no more of it than its friction
-      const double kept =
-          past ? std::sqrt(past->added[0] * past->added[0] + past->added[1] * past->added[1]) : 0.0;
-      const double held = std::min(1.0, limit_of(j) / std::max(kept, least_force));
+      const double kept2 = past ? past->added[0] * past->added[0] + past->added[1] * past->added[1] : 0.0;
+      const double limit = limit_of(j), held = kept2 > limit * limit ? limit / std::sqrt(kept2) : 1.0;
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
@@ -622,14 +623,14 @@ class Rememberer {
   /// this one's forces stay, so trials are as smooth as ever.
   void settle(std::int32_t j) {
     PastStrip& strip = written()[j];
-    const double step = in_.rolled / longest_, per = in_.travel / in_.rolled;
+    const double per = in_.travel / in_.rolled;
     strip.slip[0] = per * strips_.slip_x[j];
     strip.slip[1] = per * strips_.slip_y[j];
     strip.slip[2] = per * strips_.spin[j];
     double before = way_before(j);
     if (before > 0.0) before /= 1.0 + change_counts * change_of(j);
-    strip.way = std::min(before + step, tangential::all_forgotten);
-    const double rate = settles * step * settled(before), share = rate / (1.0 + rate);
+    strip.way = std::min(before + step_, tangential::all_forgotten);
+    const double rate = settles * step_ * settled(before), share = rate / (1.0 + rate);
     if (!(share > 0.0)) return;
     const PastStrip& steady = scratch_.steady[j];
     tangential::tend_to(kernels(), steady, share, strip);
@@ -644,6 +645,7 @@ class Rememberer {
     for (std::int32_t j = 0; j < count; ++j)
       work -= in_.travel * work_by_slips(forces_, strips_.slip_x, strips_.slip_y, strips_.spin, j);
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
+    const double part = 1.0 / count;
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
       strip.added[0] = forces_.fx[j] - strip.force[0];
@@ -655,7 +657,7 @@ class Rememberer {
         tangential::lower(energy.scale, strip);
         for (double& f : strip.added) f *= energy.scale;
       }
-      strip.energy = energy.left / count;
+      strip.energy = part * energy.left;
       std::copy_n(scratch_.strips[j].bound, std::size(strip.bound), strip.bound);
       if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
@@ -673,6 +675,7 @@ class Rememberer {
   tangential::RollingContact contact_;
   std::int32_t runs_ = 0, patches_ = 0;
   std::int64_t lost_ = 0;
+  double step_ = 0.0;        // distance rolled over the longest strip [-]
   double longest_ = 0.0;     // strip [m]
   double last_ = 0.0;        // length of the step's last part [m]
   double energy_ = 0.0;      // could be given back before the step [J]

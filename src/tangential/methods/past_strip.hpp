@@ -1,4 +1,4 @@
-/// What is kept of a strip from one step to the next (patch_memory.hpp), and its energy.
+/// Memory of a strip from one step to the next (patch_memory.hpp), and its energy.
 #pragma once
 
 #include <cstddef>

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::int32_t cells = memory_cells, half = cells / 2;
 
-// Lengths of the longest strip: a step that is none; parts
-// of a step, from its end on.
+// Lengths of the longest strip: a step that is none; parts of a step, from its end on.
 constexpr double least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
@@ -103,7 +102,7 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Y
 }
 
 void PatchStep::find_groups() {
-  // of each lobe the strips that lie within, and the one across its border to the next
+  // the strips within each lobe, and the one across its border to the next
   for (std::int32_t k = 0; k < patch_count_; ++k) {
     const YieldingPatch& p = patches_[k];
     lobes_ = std::max(lobes_, p.end_lobe);
@@ -163,9 +162,9 @@ void PatchStep::let_strips_leave() {
     const PastStrip* const past = strips_.past_of[j];
     if (past == nullptr) continue;
     const double borne = strip.area * strip.bounds;
-    const double had = std::sqrt(past->force[0] * past->force[0] + past->force[1] * past->force[1]);
-    strip.kept = std::min(1.0, borne / std::max(far * had, least_divisor));
-    if (strip.kept == 1.0) continue;
+    const double had2 = far * far * (past->force[0] * past->force[0] + past->force[1] * past->force[1]);
+    if (borne * borne >= had2) continue;
+    strip.kept = borne / std::sqrt(had2);
     const double sign = contact_.memory.direction;
     const double force[3] = {sign * past->force[0], past->force[1], sign * past->force[2]};
     for (std::int32_t k = 0; k < patch_count_; ++k) {
@@ -329,6 +328,7 @@ void PatchStep::sum_lobes(simd::MemoryPassTask& task, LobeSums& sums) const {
     std::fill_n(sums.force[l], 3, 0.0);
     for (std::int32_t k = 0; k < lobes_; ++k) std::fill_n(sums.slope[l][k][0], 9, 0.0);
   }
+  // a strip across a border has its shares in both lobes
   for (std::int32_t g = 0; g < group_count_; ++g) {
     const Group& group = groups_[g];
     aim(task, group);
@@ -353,6 +353,7 @@ void PatchStep::take_newton_step(double yields, LobeSums& sums) {
   constexpr std::int32_t most = 3 * most_lobes;
   const std::int32_t lobes = known > 0 ? known : lobes_, n = 3 * lobes;
   double m[most][most + 1];
+  // 1 + S K
   for (std::int32_t l = 0; l < lobes; ++l)
     for (int i = 0; i < 3; ++i) {
       double* const row = m[3 * l + i];
@@ -369,6 +370,7 @@ void PatchStep::take_newton_step(double yields, LobeSums& sums) {
     const YieldingPatch& p = patches_[at];
     double force[3], rest[3], motion[3];
     force_of_patch(p, sums.force, force);
+    // by how much the displacement is too small
     for (int i = 0; i < 3; ++i) rest[i] = p.shift[i] + p.yield[i] * (force[i] - p.before[i]) - p.local[i];
     motion_by(p, rest, motion);
     for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
@@ -397,6 +399,7 @@ void PatchStep::solve_part(const double of_part[3], double h, double travel, con
   // cells at the end of a long part have seen less of the yield than those that have left
   const double yields = 1.0 - smooth_step((h / std::max(length(), least_divisor) - yields_whole) /
                                           (yields_none - yields_whole));
+  // each part begins from no yield, with the rest of the equation that the part before has left
   for (std::int32_t k = 0; k < patch_count_; ++k) {
     YieldingPatch& p = patches_[k];
     for (int i = 0; i < 3; ++i) {
@@ -425,6 +428,7 @@ void PatchStep::solve_part(const double of_part[3], double h, double travel, con
     strips_.written[j].centre = strips_.strips[j].centre;
     strips_.written[j].half_length = strips_.strips[j].half_length;
   }
+  // forces before the next part, and the rest of the equation
   double force[most_lobes][3];
   written_forces(force);
   for (std::int32_t k = 0; k < patch_count_; ++k) {

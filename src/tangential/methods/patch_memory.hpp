@@ -11,6 +11,8 @@
 ///    traction. Local flexibilities give the forces of linear rolling (Kalker), both together the stiffness of
 ///    a patch that sticks at rest (Mindlin): S is the difference, no fitted number. U is a translation and a
 ///    rotation.
+///  - Patches of a rail may overlap where humps touch (yielding_patch.hpp). A strip's cells move by the mean of
+///    its patches' yields, by their shares, so all patches of a run are solved together, in one pass over cells.
 ///  - The bound has the friction limit of the patch. It depends on the share r of the area where pressure is
 ///    larger: 1 - x^2 - (2/3) q (1 - x^3), x = r / (1 - q + q r), q the share of U in the whole yield, less that
 ///    by which humps displace one another. So shifts at rest are Cattaneo's, 1 - (1 - d)^1.5, on ellipses. On

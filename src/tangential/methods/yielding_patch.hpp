@@ -12,7 +12,7 @@ namespace wrc::tangential {
 /// Displacements are those of the centre [m] and a rotation [rad].
 struct YieldingPatch {
   PatchNumbers numbers;
-  double share = 1.0;  ///< of its yield in that of its strips: the patches' of a strip add up to 1
+  double share = 1.0;  ///< part of its yield in that of its strips: those of a strip's patches add up to 1
   std::int32_t first = 0, end = 0;               ///< its strips
   double inside_first = 1.0, inside_last = 1.0;  ///< share of the width of the first and of the last within
   std::int32_t first_lobe = 0, end_lobe = 1;     ///< it is as many parts between valleys
