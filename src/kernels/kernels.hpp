@@ -61,6 +61,7 @@ struct StripGainsTask;
 struct OutlineTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
+struct StripForcesSlopesTask;
 struct CellTask;
 struct CellExtremes;
 struct PointLoads;
@@ -122,6 +123,8 @@ struct SurfaceKernels {
   /// some of the strips, those that march.
   void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
   void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
+  /// Derivatives of the strips' forces by the chain rule.
+  void (*strip_forces_slopes)(const StripForcesSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, and one more where they are odd. A source's effect on itself is not in them. `skewed`:
   /// not all centres are the same.

@@ -20,6 +20,7 @@ constexpr SurfaceKernels surface_kernels = {
     .strip_numbers = strip_numbers_kernel,
     .strip_means_slopes = strip_means_slopes_kernel,
     .strip_arrays_slopes = strip_arrays_slopes_kernel,
+    .strip_forces_slopes = strip_forces_slopes_kernel,
     .influence = surface_influence,
     .own_influence = surface_own_influence,
     .edges = surface_edges,

@@ -7,6 +7,7 @@
 #include "base/dual.hpp"
 #include "normal/simd/tasks.hpp"
 #include "surface/geometry/outline.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc::surface {
 
@@ -166,12 +167,25 @@ struct StripNumbersTask {
 /// Numbers of strips with derivatives by the wrench's inputs in the rail's axes
 /// (surface/wrench/wrench_jacobian.hpp).
 struct StripNumbersSlopesTask {
-  static constexpr std::size_t inputs = 12;
+  static constexpr std::size_t inputs = 12, still_inputs = 4;
   using Number = Dual<inputs>;
 
   const surface::SurfaceRollingInputOf<Number>* in;
   const surface::strip_numbers::Shared* shared;
   const surface::RollingArraysOf<Number>* arrays;
+  bool still_loads;  ///< loads and lengths change with the first still_inputs alone
+};
+
+/// Forces of strips, from derivatives by their own numbers to those by the wrench's inputs.
+struct StripForcesSlopesTask {
+  using Number = StripNumbersSlopesTask::Number;
+
+  std::int32_t count;
+  const Number *bound, *half_length;
+  const Number* inputs[strip_inputs];  ///< by SurfaceStripInput; the spin not yet times the half length
+  const double* found[3];              ///< forces and moment
+  const double* slopes;                ///< of SurfaceStripsSlopesTask
+  Number* to[3];
 };
 
 }  // namespace wrc::simd
