@@ -11,8 +11,7 @@ namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t inputs = place_inputs;
-constexpr std::int32_t directions = simd::SlopesRowTask::directions;
-static_assert(simd::SlopesRowTask::used == 2 + 2 * inputs);
+static_assert(simd::SlopesRowTask::inputs == inputs);
 /// Fewest columns of the equations that are smoothed at a time: all where memory holds them (smooth_rows()).
 constexpr std::int64_t fewest_columns = 16;
 
@@ -50,7 +49,8 @@ struct Scratch {
   // until the equations of all strips are there:
   double *leading, *trailing;                                       ///< rows of edges, with all unknowns
   double *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
-  double* direction;            ///< ny, nz, and their derivatives by the inputs; zeros
+  double* turned[inputs];       ///< angle by which directions turn, by each input
+  double* line_load;            ///< [N/m]
   double* dl_dL;                ///< [1/m]; 0 where l is the least one
   double* q_dl_dL;              ///< [Pa]
   simd::SurfaceSlopes seen[2];  ///< influence at points, and its derivatives
@@ -78,8 +78,9 @@ Scratch cut(Arena& arena, std::int32_t most, std::int64_t doubles) {
   // equations, smoothing and solution one after the other in the same memory
   Arena smoothing = arena, solution = arena;
   arena.each(size.stride, w.leading, w.trailing);
-  w.direction = arena.take(padded * directions);
-  arena.each(padded, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.dl_dL, w.q_dl_dL);
+  for (double*& turned : w.turned) turned = arena.take(padded);
+  arena.each(padded, w.line_load, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.dl_dL,
+             w.q_dl_dL);
   for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
   smoothing.each(padded, w.y, w.near, w.by_value, w.by_load);
   w.kept_columns = std::max(fewest_columns, (doubles - smoothing.doubles()) / most / 8 * 8);
@@ -90,7 +91,7 @@ Scratch cut(Arena& arena, std::int32_t most, std::int64_t doubles) {
   return w;
 }
 
-/// The sources of a solution, their derivatives by L, and their directions with derivatives.
+/// The sources of a solution, their derivatives by L, and how their directions turn.
 void list_sources(const PressureModel& model, const PressedStrips& s, Scratch& w) {
   const std::int32_t n = s.count;
   const std::int64_t end = simd::whole_packs(n);
@@ -110,17 +111,11 @@ void list_sources(const PressureModel& model, const PressedStrips& s, Scratch& w
     w.factor[a] = model.compliance * width * inverse;
     w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
     w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
-  }
-  // Directions with their derivatives side by side, as slopes_row sums them.
-  for (std::int32_t a = 0; a < n; ++a) {
-    w.q_dl_dL[a] = w.dl_dL[a] * s.line_load[a];
-    const OverlapSlopes& o = s.overlap[a];
-    double* const direction = w.direction + a * directions;
-    direction[0] = w.ny[a];
-    direction[1] = w.nz[a];
-    std::copy_n(o.ny.d.begin(), inputs, direction + 2);
-    std::copy_n(o.nz.d.begin(), inputs, direction + 2 + inputs);
-    std::fill(direction + 2 + 2 * inputs, direction + directions, 0.0);
+    w.line_load[a] = pads ? 0.0 : s.line_load[a];
+    w.q_dl_dL[a] = w.dl_dL[a] * w.line_load[a];
+    // a unit vector (ny, nz) turns towards (-nz, ny)
+    for (std::size_t k = 0; k < inputs; ++k)
+      w.turned[k][a] = pads ? 0.0 : w.ny[a] * s.overlap[a].nz.d[k] - w.nz[a] * s.overlap[a].ny.d[k];
   }
 }
 
@@ -139,19 +134,16 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
                       const simd::SurfaceSlopes& seen, double* row) {
   Displacement u;
   const std::int32_t n = s.count;
-  const double ny = w.ny[a], nz = w.nz[a];
-  double sum[simd::SlopesRowTask::sums];  // see slopes_row
-  kernels.surface.slopes_row({n, seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
+  simd::SlopesRowTask::Sums sums;
+  simd::SlopesRowTask task{n, seen, w.ny[a], w.nz[a], w.ny, w.nz, w.line_load, w.q_dl_dL, {}, row, &sums};
+  std::copy_n(w.turned, inputs, task.turned);
+  kernels.surface.slopes_row(task);
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
-  u.by_x = ny * sum[directions] + nz * sum[directions + 1];
+  u.value = sums.value;
+  u.by_x = sums.by_x;
   row[2 * n + a] += u.by_x;
-  // n_a . sum of J q n_b, and the product rule for its directions.
-  const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
-  const double *const own_y = w.direction + a * directions + 2, *const own_z = own_y + inputs;
-  u.value = ny * sum[0] + nz * sum[1];
-  for (std::int32_t k = 0; k < inputs; ++k)
-    u.turned[k] = ny * turned_y[k] + nz * turned_z[k] + (sum[0] * own_y[k] + sum[1] * own_z[k]);
+  for (std::int32_t k = 0; k < inputs; ++k) u.turned[k] = sums.turned[k] + sums.by_own * w.turned[k][a];
   return u;
 }
 

@@ -1,5 +1,5 @@
 /// A row of the differentiated equations of the pressures (surface/pressure/pressure_jacobian.hpp): one
-/// source per lane for the row, one direction per lane for the sums, which run in the order of the sources.
+/// source per lane.
 #pragma once
 
 #include "base/pack.hpp"
@@ -8,40 +8,59 @@
 namespace wrc::simd {
 namespace {
 
+/// Sums over sources in eight parts, whatever the width of a vector.
+struct EightParts {
+  static constexpr std::int32_t vectors = 8 / native_lanes;
+  Native of[vectors];
+
+  /// Halves are added until one number is left.
+  double sum() {
+    for (std::int32_t half = vectors / 2; half > 0; half /= 2)
+      for (std::int32_t k = 0; k < half; ++k) of[k] = of[k] + of[k + half];
+    double part[native_lanes];
+    store_lanes(part, of[0]);
+    for (std::int32_t half = native_lanes / 2; half > 0; half /= 2)
+      for (std::int32_t k = 0; k < half; ++k) part[k] += part[k + half];
+    return part[0];
+  }
+};
+
 /// SurfaceKernels::slopes_row.
 inline void slopes_row_kernel(const SlopesRowTask& task) {
-  constexpr std::int32_t directions = SlopesRowTask::directions;
-  constexpr std::int32_t vectors = (SlopesRowTask::used + native_lanes - 1) / native_lanes;
+  constexpr std::int32_t inputs = SlopesRowTask::inputs;
   const std::int32_t n = task.count;
-  // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x.
-  for (std::int32_t first = 0; first < n; first += lanes) {
-    const std::int32_t count = n - first < lanes ? n - first : lanes;
-    const Pack cosine =
-        task.ny * load_pack(task.source_ny + first) + task.nz * load_pack(task.source_nz + first);
-    const Pack q = load(task.line_load, first, count, 0.0), q_dl_dL = load(task.q_dl_dL, first, count, 0.0);
-    double* const row = task.row + first;
-    store(load_pack(task.seen.value + first) * cosine, row, count);
-    store(load_pack(task.seen.by_length + first) * cosine * q_dl_dL, row + n, count);
-    store(-(load_pack(task.seen.by_x + first) * cosine * q), row + 2 * n, count);
-  }
-  // sums of q J times each element of the directions and of their derivatives by the inputs; sums of q dJ/dx
-  // times the directions alone, the first two numbers
-  constexpr std::int32_t alone = (2 + native_lanes - 1) / native_lanes;
-  Native sum[vectors], by_x[alone];
-  for (Native& each : sum) each = broadcast(0.0);
-  for (Native& each : by_x) each = broadcast(0.0);
-  for (std::int32_t b = 0; b < n; ++b) {
-    const Native weight = broadcast(task.line_load[b] * task.seen.value[b]);
-    const Native slope = broadcast(task.line_load[b] * task.seen.by_x[b]);
-    const double* const direction = task.direction + b * directions;
-    for (std::int32_t k = 0; k < vectors; ++k) {
-      const Native of_source = load_lanes(direction + k * native_lanes);
-      sum[k] = sum[k] + weight * of_source;
-      if (k < alone) by_x[k] = by_x[k] + slope * of_source;
+  const Native ny = broadcast(task.ny), nz = broadcast(task.nz);
+  EightParts value, by_x, by_own, turned[inputs];
+  for (EightParts* const each : {&value, &by_x, &by_own})
+    for (Native& part : each->of) part = broadcast(0.0);
+  for (EightParts& each : turned)
+    for (Native& part : each.of) part = broadcast(0.0);
+  // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x. A
+  // source that turns by an angle changes cos by it times the sine between the directions, the point by the
+  // opposite.
+  for (std::int32_t first = 0; first < n; first += 8)
+    for (std::int32_t k = 0; k < EightParts::vectors; ++k) {
+      const std::int32_t at = first + k * native_lanes, count = n - at;
+      const Native y = load_lanes(task.source_ny + at), z = load_lanes(task.source_nz + at);
+      const Native q = load_lanes(task.line_load + at), J = load_lanes(task.seen.value + at);
+      const Native cosine = ny * y + nz * z, sine = ny * z - nz * y;
+      const Native by_q = J * cosine, x = load_lanes(task.seen.by_x + at) * cosine * q;
+      const Native by_L = load_lanes(task.seen.by_length + at) * cosine * load_lanes(task.q_dl_dL + at);
+      store_first(count, task.row + at, by_q);
+      store_first(count, task.row + n + at, by_L);
+      store_first(count, task.row + 2 * n + at, -x);
+      value.of[k] = value.of[k] + by_q * q;
+      by_x.of[k] = by_x.of[k] + x;
+      const Native turning = J * q * sine;
+      by_own.of[k] = by_own.of[k] - turning;
+      for (std::int32_t input = 0; input < inputs; ++input)
+        turned[input].of[k] = turned[input].of[k] + turning * load_lanes(task.turned[input] + at);
     }
-  }
-  for (std::int32_t k = 0; k < vectors; ++k) store_lanes(task.sum + k * native_lanes, sum[k]);
-  for (std::int32_t k = 0; k < alone; ++k) store_lanes(task.sum + directions + k * native_lanes, by_x[k]);
+  SlopesRowTask::Sums& sums = *task.sums;
+  sums.value = value.sum();
+  sums.by_x = by_x.sum();
+  sums.by_own = by_own.sum();
+  for (std::int32_t input = 0; input < inputs; ++input) sums.turned[input] = turned[input].sum();
 }
 
 }  // namespace

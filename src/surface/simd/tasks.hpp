@@ -72,19 +72,23 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres. Also
-/// sums of J q times the sources' directions and their derivatives, and of dJ/dx q times the directions.
+/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, and
+/// sums over the sources, whose directions turn as the inputs change. Arrays of sources have whole packs.
 struct SlopesRowTask {
+  static constexpr std::int32_t inputs = 4;
+
   std::int32_t count;
   SurfaceSlopes seen;
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
   const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
-  const double* direction;            ///< each source: `used` numbers of `directions`
+  const double* turned[inputs];       ///< angle by which each source turns, by each input
   double* row;                        ///< by q, by L and by centre, `count` of each
-  double* sum;                        ///< sums over the sources of q J direction, then of q dJ/dx direction
-
-  static constexpr std::int32_t used = 10, directions = 16, sums = directions + 8;
+  struct Sums {
+    double value, by_x;     ///< u [m], and its derivative by the point's x [-]
+    double by_own;          ///< by the angle by which the point's direction turns [m]
+    double turned[inputs];  ///< by the inputs, as the sources turn
+  } * sums;
 };
 
 /// to = sum of share_i row_i; columns: whole groups of eight.
