@@ -54,6 +54,7 @@ struct SurfaceSlopes;
 struct SlopesRowTask;
 struct BlendRowsTask;
 struct NearLinesTask;
+struct SmoothedSlopesTask;
 struct SectionStripsTask;
 struct FollowRailTask;
 struct LookAlongTask;
@@ -148,6 +149,8 @@ struct SurfaceKernels {
   /// before `end`.
   void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
+  /// Returns the smoothed value; where nothing presses 0, as its derivatives.
+  double (*smoothed_slopes)(const SmoothedSlopesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
   /// Fills the most that overlaps of strips grow at places along a rail that varies, and where.

@@ -10,6 +10,7 @@
 #include "surface/simd/outline_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
+#include "surface/simd/smoothed_slopes_kernel.hpp"
 #include "surface/simd/strip_gains_kernel.hpp"
 #include "surface/simd/strip_numbers_kernel.hpp"
 
@@ -30,6 +31,7 @@ constexpr SurfaceKernels surface_kernels = {
     .blend_rows = blend_rows_kernel,
     .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
+    .smoothed_slopes = smoothed_slopes_kernel,
     .section_strips = section_strips_kernel,
     .strip_gains = strip_gains_kernel,
     .look_along = look_along_kernel,

@@ -3,38 +3,19 @@
 #pragma once
 
 #include "base/pack.hpp"
+#include "surface/simd/eight_parts.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
-
-/// Sums over sources in eight parts, whatever the width of a vector.
-struct EightParts {
-  static constexpr std::int32_t vectors = 8 / native_lanes;
-  Native of[vectors];
-
-  /// Halves are added until one number is left.
-  double sum() {
-    for (std::int32_t half = vectors / 2; half > 0; half /= 2)
-      for (std::int32_t k = 0; k < half; ++k) of[k] = of[k] + of[k + half];
-    double part[native_lanes];
-    store_lanes(part, of[0]);
-    for (std::int32_t half = native_lanes / 2; half > 0; half /= 2)
-      for (std::int32_t k = 0; k < half; ++k) part[k] += part[k + half];
-    return part[0];
-  }
-};
 
 /// SurfaceKernels::slopes_row.
 inline void slopes_row_kernel(const SlopesRowTask& task) {
   constexpr std::int32_t inputs = SlopesRowTask::inputs;
   const std::int32_t n = task.count;
   const Native ny = broadcast(task.ny), nz = broadcast(task.nz);
-  EightParts value, by_x, by_own, turned[inputs];
-  for (EightParts* const each : {&value, &by_x, &by_own})
-    for (Native& part : each->of) part = broadcast(0.0);
-  for (EightParts& each : turned)
-    for (Native& part : each.of) part = broadcast(0.0);
+  EightParts value = no_parts(), by_x = no_parts(), by_own = no_parts(), turned[inputs];
+  for (EightParts& each : turned) each = no_parts();
   // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x. A
   // source that turns by an angle changes cos by it times the sine between the directions, the point by the
   // opposite.

@@ -111,6 +111,18 @@ struct NearLinesTask {
   double* at;
 };
 
+/// The mean of values at strips near one of them, or the line of least squares through them at its place,
+/// with the weights (1 - y^2)^3 width q, y the distance over the reach. All strips are within reach.
+struct SmoothedSlopesTask {
+  std::int32_t count;
+  bool line;
+  double place, inverse_reach;         ///< [m], [1/m]
+  double least_spread;                 ///< added to the variance of y
+  const double *source_place, *width;  ///< [m]
+  const double *line_load, *value;
+  double *by_value, *by_load;  ///< results: derivatives by the strips' values and line loads
+};
+
 /// Strips of a rail between two sections (surface/geometry/varying_rail.hpp).
 struct SectionStripsTask {
   std::int32_t count;
