@@ -14,6 +14,7 @@ struct Strips;
 namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
+struct OverlapSlopes;
 struct FirstLooks;
 struct StripGains;
 }  // namespace wrc::surface
@@ -60,6 +61,7 @@ struct FollowRailTask;
 struct LookAlongTask;
 struct StripGainsTask;
 struct OutlineTask;
+struct OverlapSlopesTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
 struct StripForcesSlopesTask;
@@ -170,6 +172,8 @@ struct SurfaceKernels {
   /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
   /// other.
   void (*follow_rays)(const OutlineTask& task, const surface::Overlaps& overlaps);
+  /// Fills the overlap of a strip with its derivatives.
+  void (*overlap_slopes)(const OverlapSlopesTask& task, surface::OverlapSlopes& to);
 };
 
 struct DamageKernels {

@@ -29,17 +29,23 @@ struct Shared {
   double coupling;     ///< K over G, of unlike bodies [1/Pa]
   const StripCoefficientNodes* coefficients;
   const SurfaceCalibration* calibration;
+  std::uint32_t fitted[SurfaceCalibration::quantities];  ///< a bit for each term whose constant is not zero
 };
 
 template <class Number>
 Shared shared(const SurfaceRollingInputOf<Number>& in) {
-  return {in.shear_modulus,
-          in.normal_shear_modulus,
-          in.coefficients->poisson(),
-          in.layer.flexibility,
-          in.coupling / in.normal_shear_modulus,
-          &in.coefficients->nodes(),
-          in.calibration};
+  Shared s{in.shear_modulus,
+           in.normal_shear_modulus,
+           in.coefficients->poisson(),
+           in.layer.flexibility,
+           in.coupling / in.normal_shear_modulus,
+           &in.coefficients->nodes(),
+           in.calibration,
+           {}};
+  for (int q = 0; q < SurfaceCalibration::quantities; ++q)
+    for (int i = 0; i < SurfaceCalibration::terms; ++i)
+      if (in.calibration->constants[q][i] != 0.0) s.fitted[q] |= std::uint32_t{1} << i;
+  return s;
 }
 
 /// Loads of the strips, coupling of neighbours and pivots of the means' equations
@@ -258,24 +264,30 @@ struct Fitted {
 };
 
 template <class Number, class Still>
-Fitted<Number> fit(const SurfaceCalibration& calibration, const Still& u, const Number& x, const Number& e,
-                   const Number& s, const Number& limit2) {
+Fitted<Number> fit(const Shared& shared, const Still& u, const Number& x, const Number& e, const Number& s,
+                   const Number& limit2) {
   Fitted<Number> fitted;
-  // derivatives by these five numbers, then the chain rule to all inputs
-  if constexpr (has_more_inputs<5, Number>) {
-    using Five = typename Number::template Few<5>;
-    const Fitted<Five> few =
-        fit(calibration, Five::input(u.value, 0), Five::input(x.value, 1), Five::input(e.value, 2),
-            Five::input(s.value, 3), Five::input(limit2.value, 4));
-    const auto by_inputs = [&](const Five& a) {
+  // Derivatives by the first four numbers, then the chain rule to all inputs. Sizes of x, e, s and limit that
+  // grow alike leave all as it is but for per_size, which falls as they grow: Euler's theorem has the last
+  // one.
+  if constexpr (has_more_inputs<4, Number>) {
+    using Four = typename Number::template Few<4>;
+    const Fitted<Four> few = fit(shared, Four::input(u.value, 0), Four::input(x.value, 1),
+                                 Four::input(e.value, 2), Four::input(s.value, 3), Four(limit2.value));
+    const double per_limit = 0.5 / limit2.value;
+    const auto by_inputs = [&](const Four& a, double degree) {
+      const double by_x = a.derivative(1), by_e = a.derivative(2), by_s = a.derivative(3);
       Number all(a.value);
       all.add_derivatives(a.derivative(0), u);
-      const Number* const of[] = {&x, &e, &s, &limit2};
-      for (std::size_t i = 0; i < 4; ++i) all.add_derivatives(a.derivative(1 + i), *of[i]);
+      all.add_derivatives(by_x, x);
+      all.add_derivatives(by_e, e);
+      all.add_derivatives(by_s, s);
+      all.add_derivatives((degree * a.value - (by_x * x.value + by_e * e.value + by_s * s.value)) * per_limit,
+                          limit2);
       return all;
     };
-    fitted.per_size = by_inputs(few.per_size);
-    for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q]);
+    fitted.per_size = by_inputs(few.per_size, -1.0);
+    for (int q = 0; q < SurfaceCalibration::quantities; ++q) fitted.of[q] = by_inputs(few.of[q], 0.0);
     return fitted;
   } else {
     const Number Q = limit2 + x * x + e * e + s * s;
@@ -284,9 +296,10 @@ Fitted<Number> fit(const SurfaceCalibration& calibration, const Still& u, const 
     fitted.per_size = Number(1.0) / root(Q);
     for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
       Number sum = 0.0;
-      for (int i = 0; i < SurfaceCalibration::terms; ++i) {
-        const double constant = calibration.constants[quantity][i];
-        if (constant != 0.0) sum += constant * terms.of[i];
+      const double* const constants = shared.calibration->constants[quantity];
+      for (std::uint32_t some = shared.fitted[quantity]; some != 0; some &= some - 1) {
+        const int i = __builtin_ctz(some);
+        sum += constants[i] * terms.of[i];
       }
       fitted.of[quantity] = sum;
     }
@@ -330,7 +343,7 @@ void fill_arrays(const SurfaceRollingInputOf<Element>& in, const Shared& shared,
       saturate_later(modulus * at.get(in.flexibility));
     else if (shared.flexibility > 0.0)
       saturate_later(modulus * shared.flexibility);
-    const Fitted<Number> fitted = fit(*shared.calibration, u, x, e, s, limit2);
+    const Fitted<Number> fitted = fit(shared, u, x, e, s, limit2);
     const Number &by_x = fitted.of[SurfaceCalibration::flexibility_x],
                  &by_y = fitted.of[SurfaceCalibration::flexibility_y],
                  &by_spin_x = fitted.of[SurfaceCalibration::flexibility_spin_x],

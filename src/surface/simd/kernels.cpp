@@ -8,6 +8,7 @@
 #include "surface/simd/look_along_kernel.hpp"
 #include "surface/simd/near_lines_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
+#include "surface/simd/overlap_slopes_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
 #include "surface/simd/smoothed_slopes_kernel.hpp"
@@ -40,6 +41,7 @@ constexpr SurfaceKernels surface_kernels = {
     .outline = outline_kernel,
     .cross_rays = cross_rays_kernel,
     .follow_rays = follow_rays_kernel,
+    .overlap_slopes = overlap_slopes_kernel,
 };
 
 }  // namespace wrc::simd::WRC_SET

@@ -172,6 +172,17 @@ struct OutlineTask {
   const surface::OverlapScratch* scratch;
 };
 
+/// A strip of a rail that is the same everywhere, whose ray ends at length `u` on a piece of the wheel's
+/// curve (Overlaps).
+struct OverlapSlopesTask {
+  double y, z, ty, tz;  ///< the strip's middle [m] and unit tangent, rail axes
+  const surface::Curve* wheel;
+  const surface::RelativePoseOf<Dual<4>>* pose;  ///< numbers by PlaceInput
+  const surface::OutlineAttitudeOf<Dual<4>>* attitude;
+  std::int32_t piece;
+  double u;  ///< [m]
+};
+
 /// The numbers of strips that roll (surface/rolling/strip_numbers.hpp).
 struct StripNumbersTask {
   const surface::SurfaceRollingInputOf<double>* in;

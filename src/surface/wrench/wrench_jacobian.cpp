@@ -79,10 +79,15 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   const SurfaceModel& model = d.problem.model;
   const PlacedRail& rail = d.problem.rail;
   const Overlaps& overlaps = d.solved.overlaps;
-  const std::int32_t j = on_rail(overlaps.strip[i]), piece = overlaps.piece[i];
-  const double u = overlaps.u[i];
-  const StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
-  if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  const std::int32_t j = on_rail(overlaps.strip[i]);
+  const auto on_the_same_rail = [&] {
+    OverlapSlopes o;
+    model.kernels->surface.overlap_slopes({rail.y[j], rail.z[j], rail.ty[j], rail.tz[j], &model.wheel.curve,
+                                           &pose, &attitude, overlaps.piece[i], overlaps.u[i]},
+                                          o);
+    return o;
+  };
+  if (!varies(model)) return on_the_same_rail();
 
   // beyond the last section nothing changes with the distance
   PlaceDual distance = rail.distance, angle = d.problem.in.angle;
@@ -107,7 +112,7 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }
-  OverlapSlopes o = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  OverlapSlopes o = on_the_same_rail();
   follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
   return o;
 }
