@@ -28,23 +28,31 @@ struct Shared {
   double flexibility;  ///< F of a layer [m/Pa]
   double coupling;     ///< K over G, of unlike bodies [1/Pa]
   const StripCoefficientNodes* coefficients;
-  const SurfaceCalibration* calibration;
-  std::uint32_t fitted[SurfaceCalibration::quantities];  ///< a bit for each term whose constant is not zero
+  /// Terms of the calibration whose constants are not zero, those of one quantity behind those of another.
+  struct Term {
+    double constant;
+    std::int64_t term;
+  } terms[SurfaceCalibration::quantities * SurfaceCalibration::terms];
+  std::int32_t behind[SurfaceCalibration::quantities];  ///< the last one of each quantity
 };
 
 template <class Number>
 Shared shared(const SurfaceRollingInputOf<Number>& in) {
-  Shared s{in.shear_modulus,
-           in.normal_shear_modulus,
-           in.coefficients->poisson(),
-           in.layer.flexibility,
-           in.coupling / in.normal_shear_modulus,
-           &in.coefficients->nodes(),
-           in.calibration,
-           {}};
-  for (int q = 0; q < SurfaceCalibration::quantities; ++q)
-    for (int i = 0; i < SurfaceCalibration::terms; ++i)
-      if (in.calibration->constants[q][i] != 0.0) s.fitted[q] |= std::uint32_t{1} << i;
+  Shared s;
+  s.shear_modulus = in.shear_modulus;
+  s.normal_shear_modulus = in.normal_shear_modulus;
+  s.poisson = in.coefficients->poisson();
+  s.flexibility = in.layer.flexibility;
+  s.coupling = in.coupling / in.normal_shear_modulus;
+  s.coefficients = &in.coefficients->nodes();
+  std::int32_t count = 0;
+  for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
+    for (int term = 0; term < SurfaceCalibration::terms; ++term) {
+      const double constant = in.calibration->constants[quantity][term];
+      if (constant != 0.0) s.terms[count++] = {constant, term};
+    }
+    s.behind[quantity] = count;
+  }
   return s;
 }
 
@@ -292,15 +300,13 @@ Fitted<Number> fit(const Shared& shared, const Still& u, const Number& x, const 
   } else {
     const Number Q = limit2 + x * x + e * e + s * s;
     const Terms<Number> terms = calibration_terms(u, x, e, s, limit2, Q);
-    // quantity = sum of constants times terms; zeros, which most of them are, are left out
+    // quantity = sum of constants times terms
     fitted.per_size = Number(1.0) / root(Q);
+    const Shared::Term* next = shared.terms;
     for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
       Number sum = 0.0;
-      const double* const constants = shared.calibration->constants[quantity];
-      for (std::uint32_t some = shared.fitted[quantity]; some != 0; some &= some - 1) {
-        const int i = __builtin_ctz(some);
-        sum += constants[i] * terms.of[i];
-      }
+      for (const Shared::Term* const end = shared.terms + shared.behind[quantity]; next != end; ++next)
+        sum += next->constant * terms.of[next->term];
       fitted.of[quantity] = sum;
     }
     // Flexibilities and turning as factors; at small slips those of creepages keep the forces of linear
