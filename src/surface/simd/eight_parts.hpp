@@ -29,5 +29,28 @@ inline EightParts no_parts() {
   return none;
 }
 
+/// Some elements of an array for each vector, all of them or fewer: the others are `rest`, and not written.
+struct WholeVector {
+  static Native load(const double* from, Native) { return load_lanes(from); }
+  static void store(double* to, Native a) { store_lanes(to, a); }
+};
+struct PartOfVector {
+  std::int32_t count;
+  Native load(const double* from, Native rest) const { return load_first(count, from, rest); }
+  void store(double* to, Native a) const { store_first(count, to, a); }
+};
+
+/// Calls take(vector of the eight parts, first element, elements) for vectors of `count` elements.
+template <class Take>
+void for_eight_parts(std::int32_t count, const Take& take) {
+  std::int32_t first = 0;
+  for (; first + 8 <= count; first += 8)
+    for (std::int32_t k = 0; k < EightParts::vectors; ++k) take(k, first + k * native_lanes, WholeVector{});
+  for (std::int32_t k = 0; k < EightParts::vectors; ++k) {
+    const std::int32_t at = first + k * native_lanes;
+    if (at < count) take(k, at, PartOfVector{count - at});
+  }
+}
+
 }  // namespace
 }  // namespace wrc::simd

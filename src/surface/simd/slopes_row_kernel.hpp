@@ -19,24 +19,22 @@ inline void slopes_row_kernel(const SlopesRowTask& task) {
   // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x. A
   // source that turns by an angle changes cos by it times the sine between the directions, the point by the
   // opposite.
-  for (std::int32_t first = 0; first < n; first += 8)
-    for (std::int32_t k = 0; k < EightParts::vectors; ++k) {
-      const std::int32_t at = first + k * native_lanes, count = n - at;
-      const Native y = load_lanes(task.source_ny + at), z = load_lanes(task.source_nz + at);
-      const Native q = load_lanes(task.line_load + at), J = load_lanes(task.seen.value + at);
-      const Native cosine = ny * y + nz * z, sine = ny * z - nz * y;
-      const Native by_q = J * cosine, x = load_lanes(task.seen.by_x + at) * cosine * q;
-      const Native by_L = load_lanes(task.seen.by_length + at) * cosine * load_lanes(task.q_dl_dL + at);
-      store_first(count, task.row + at, by_q);
-      store_first(count, task.row + n + at, by_L);
-      store_first(count, task.row + 2 * n + at, -x);
-      value.of[k] = value.of[k] + by_q * q;
-      by_x.of[k] = by_x.of[k] + x;
-      const Native turning = J * q * sine;
-      by_own.of[k] = by_own.of[k] - turning;
-      for (std::int32_t input = 0; input < inputs; ++input)
-        turned[input].of[k] = turned[input].of[k] + turning * load_lanes(task.turned[input] + at);
-    }
+  for_eight_parts(n, [&](std::int32_t k, std::int32_t at, auto some) {
+    const Native y = load_lanes(task.source_ny + at), z = load_lanes(task.source_nz + at);
+    const Native q = load_lanes(task.line_load + at), J = load_lanes(task.seen.value + at);
+    const Native cosine = ny * y + nz * z, sine = ny * z - nz * y;
+    const Native by_q = J * cosine, x = load_lanes(task.seen.by_x + at) * cosine * q;
+    const Native by_L = load_lanes(task.seen.by_length + at) * cosine * load_lanes(task.q_dl_dL + at);
+    some.store(task.row + at, by_q);
+    some.store(task.row + n + at, by_L);
+    some.store(task.row + 2 * n + at, -x);
+    value.of[k] = value.of[k] + by_q * q;
+    by_x.of[k] = by_x.of[k] + x;
+    const Native turning = J * q * sine;
+    by_own.of[k] = by_own.of[k] - turning;
+    for (std::int32_t input = 0; input < inputs; ++input)
+      turned[input].of[k] = turned[input].of[k] + turning * load_lanes(task.turned[input] + at);
+  });
   SlopesRowTask::Sums& sums = *task.sums;
   sums.value = value.sum();
   sums.by_x = by_x.sum();

@@ -12,25 +12,15 @@ namespace {
 inline double smoothed_slopes_kernel(const SmoothedSlopesTask& task) {
   const Native zero = broadcast(0.0), one = broadcast(1.0);
   const Native place = broadcast(task.place), inverse = broadcast(task.inverse_reach);
-  // Calls take(vector of the eight parts, first strip, strips left).
-  const auto each = [&](const auto& take) {
-    for (std::int32_t first = 0; first < task.count; first += 8)
-      for (std::int32_t k = 0; k < EightParts::vectors; ++k)
-        take(k, first + k * native_lanes, task.count - first - k * native_lanes);
-  };
-  const auto distance = [&](std::int32_t at, std::int32_t left) {
-    return (load_first(left, task.source_place + at, place) - place) * inverse;
-  };
-
   // Moments of the strips; weight (1 - y^2)^3 width q.
   EightParts weights = no_parts(), v = no_parts(), y1 = no_parts(), y2 = no_parts(), yv = no_parts();
-  each([&](std::int32_t k, std::int32_t at, std::int32_t left) {
-    const Native y = distance(at, left), t = one - y * y;
-    const Native near = t * t * t * load_first(left, task.width + at, zero);
-    const Native weight = near * load_first(left, task.line_load + at, zero);
-    const Native value = load_first(left, task.value + at, zero);
-    store_first(left, task.by_load + at, near);
-    store_first(left, task.by_value + at, weight);
+  for_eight_parts(task.count, [&](std::int32_t k, std::int32_t at, auto some) {
+    const Native y = (some.load(task.source_place + at, place) - place) * inverse, t = one - y * y;
+    const Native near = t * t * t * some.load(task.width + at, zero);
+    const Native weight = near * some.load(task.line_load + at, zero);
+    const Native value = some.load(task.value + at, zero);
+    some.store(task.by_load + at, near);
+    some.store(task.by_value + at, weight);
     weights.of[k] = weights.of[k] + weight;
     v.of[k] = v.of[k] + weight * value;
     if (!task.line) return;
@@ -56,14 +46,14 @@ inline double smoothed_slopes_kernel(const SmoothedSlopesTask& task) {
     pull = mean_y / spread;
   }
   const double held = pull * slope * task.least_spread;
-  each([&](std::int32_t, std::int32_t at, std::int32_t left) {
-    const Native aside = distance(at, left) - broadcast(mean_y);
-    const Native lever = one - broadcast(pull) * aside;
-    const Native off = load_first(left, task.value + at, zero) - broadcast(mean) - broadcast(slope) * aside;
-    const Native near = load_first(left, task.by_load + at, zero) * broadcast(per),
-                 share = load_first(left, task.by_value + at, zero) * broadcast(per);
-    store_first(left, task.by_value + at, share * lever);
-    store_first(left, task.by_load + at, near * (off * lever + broadcast(held)));
+  for_eight_parts(task.count, [&](std::int32_t, std::int32_t at, auto some) {
+    const Native y = (some.load(task.source_place + at, place) - place) * inverse;
+    const Native aside = y - broadcast(mean_y), lever = one - broadcast(pull) * aside;
+    const Native off = some.load(task.value + at, zero) - broadcast(mean) - broadcast(slope) * aside;
+    const Native near = some.load(task.by_load + at, zero) * broadcast(per),
+                 share = some.load(task.by_value + at, zero) * broadcast(per);
+    some.store(task.by_value + at, share * lever);
+    some.store(task.by_load + at, near * (off * lever + broadcast(held)));
   });
   return mean - mean_y * slope;
 }
