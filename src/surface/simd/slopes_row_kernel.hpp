@@ -22,7 +22,7 @@ inline void slopes_row_kernel(const SlopesRowTask& task) {
   for_eight_parts(n, [&](std::int32_t k, std::int32_t at, auto some) {
     const Native y = load_lanes(task.source_ny + at), z = load_lanes(task.source_nz + at);
     const Native q = load_lanes(task.line_load + at), J = load_lanes(task.seen.value + at);
-    const Native cosine = ny * y + nz * z, sine = ny * z - nz * y;
+    const Native cosine = ny * y + nz * z, sine = nz * y - ny * z;
     const Native by_q = J * cosine, x = load_lanes(task.seen.by_x + at) * cosine * q;
     const Native by_L = load_lanes(task.seen.by_length + at) * cosine * load_lanes(task.q_dl_dL + at);
     some.store(task.row + at, by_q);

@@ -448,7 +448,7 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   const bool graded = solved.overlaps.grade != nullptr;
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
-    add_force<Number>(w.pressed.overlap[k], w.pressed.centre_dual[k], graded,
+    add_force<Number>(w.pressed.overlap[k], place_number(loaded.centre[i]), graded,
                       {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   // the time of a step changes tractions alone
