@@ -55,7 +55,7 @@ struct Scratch {
   double* q_dl_dL;              ///< [Pa]
   simd::SurfaceSlopes seen[2];  ///< influence at points, and its derivatives
   // in the same memory, while they are smoothed:
-  double *by_value, *by_load;  ///< of the strips within reach: smooth_at()
+  double *by_value, *by_load;  ///< derivatives by strips within reach: smooth_at()
   double* kept;                ///< some columns of all rows before they are blended with their neighbours'
   std::int64_t kept_columns;   ///< as many as memory holds
   // and then:
@@ -325,6 +325,7 @@ Smoothed smooth_at(const Kernels& kernels, const PressedStrips& s, const Scratch
   while (r.from > first && w.place[a] - w.place[r.from - 1] < reach) --r.from;
   r.count = a - r.from;
   while (r.from + r.count < end && w.place[r.from + r.count] - w.place[a] < reach) ++r.count;
+  // weights, moments and derivatives
   r.value = kernels.surface.smoothed_slopes({r.count, line, w.place[a], 1.0 / reach, least_line_spread,
                                              w.place + r.from, s.width + r.from, s.line_load + r.from,
                                              edge + r.from, w.by_value, w.by_load});

@@ -45,6 +45,7 @@ Shared shared(const SurfaceRollingInputOf<Number>& in) {
   s.flexibility = in.layer.flexibility;
   s.coupling = in.coupling / in.normal_shear_modulus;
   s.coefficients = &in.coefficients->nodes();
+  // constants of the calibration [-], quantity by quantity
   std::int32_t count = 0;
   for (int quantity = 0; quantity < SurfaceCalibration::quantities; ++quantity) {
     for (int term = 0; term < SurfaceCalibration::terms; ++term) {

@@ -21,6 +21,7 @@ inline PoseNumber pose_number(const surface::PlaceDual& a) {
 /// move. Others move along the outline, as from miss(u) = 0 by the derivatives of `miss` at a fixed u over
 /// its slope by u.
 inline void overlap_slopes_kernel(const OverlapSlopesTask& task, surface::OverlapSlopes& to) {
+  // pose and attitude, and the same at rest
   surface::RelativePoseOf<PoseNumber> pose;
   surface::RelativePose rest;
   for (int i = 0; i < 3; ++i)
@@ -33,6 +34,7 @@ inline void overlap_slopes_kernel(const OverlapSlopesTask& task, surface::Overla
   const surface::OutlineAttitudeOf<PoseNumber> attitude{
       pose_number(task.attitude->e1), pose_number(task.attitude->e2), pose_number(task.attitude->e3)};
   const surface::OutlineAttitude rests{attitude.e1.value, attitude.e2.value, attitude.e3.value};
+  // the piece of the wheel's profile, and the ray from the wheel's reference point
   const surface::Curve& wheel = *task.wheel;
   surface::PieceOf<double> piece;
   for (int d = 0; d < 4; ++d) {
@@ -54,6 +56,7 @@ inline void overlap_slopes_kernel(const OverlapSlopesTask& task, surface::Overla
     u = miss.chain(task.u, -1.0 / (by_u.y * ray.ty + by_u.z * ray.tz));
   }
 
+  // the overlap at the ray's end, which moves
   const surface::OnProfile<PoseNumber> p = surface::on_profile(piece, u);
   const surface::OutlinePlace<PoseNumber> o = surface::outline_place(pose, attitude, p.y, p.radius, p.slope);
   const surface::RayOverlap<PoseNumber> found = surface::ray_overlap(pose, ray, p, o);

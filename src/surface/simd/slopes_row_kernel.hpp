@@ -2,8 +2,8 @@
 /// source per lane.
 #pragma once
 
+#include "base/eight_parts.hpp"
 #include "base/pack.hpp"
-#include "surface/simd/eight_parts.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
@@ -35,6 +35,7 @@ inline void slopes_row_kernel(const SlopesRowTask& task) {
     for (std::int32_t input = 0; input < inputs; ++input)
       turned[input].of[k] = turned[input].of[k] + turning * load_lanes(task.turned[input] + at);
   });
+  // sums over all sources
   SlopesRowTask::Sums& sums = *task.sums;
   sums.value = value.sum();
   sums.by_x = by_x.sum();

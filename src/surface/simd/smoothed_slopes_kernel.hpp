@@ -2,7 +2,7 @@
 /// (surface/pressure/pressure_jacobian.hpp): one strip per lane.
 #pragma once
 
-#include "surface/simd/eight_parts.hpp"
+#include "base/eight_parts.hpp"
 #include "surface/simd/tasks.hpp"
 
 namespace wrc::simd {
@@ -29,6 +29,7 @@ inline double smoothed_slopes_kernel(const SmoothedSlopesTask& task) {
     y2.of[k] = y2.of[k] + of_y * y;
     yv.of[k] = yv.of[k] + of_y * value;
   });
+  // nothing presses: no value depends on anything
   const double all = weights.sum();
   if (!(all > 0.0)) {
     for (std::int32_t i = 0; i < task.count; ++i) task.by_value[i] = task.by_load[i] = 0.0;

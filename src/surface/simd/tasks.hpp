@@ -211,7 +211,7 @@ struct StripForcesSlopesTask {
   const Number *bound, *half_length;
   const Number* inputs[strip_inputs];  ///< by SurfaceStripInput; the spin not yet times the half length
   const double* found[3];              ///< forces and moment
-  const double* slopes;                ///< of SurfaceStripsSlopesTask
+  const double* slopes;                ///< as SurfaceStripsSlopesTask has them
   Number* to[3];
 };
 

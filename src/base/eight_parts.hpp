@@ -1,4 +1,5 @@
-/// Sums along the lanes.
+/// Sums along the lanes, with the same bits whatever the width of a vector. Included by src/*/simd only, as
+/// pack.hpp.
 #pragma once
 
 #include "base/pack.hpp"
@@ -6,13 +7,13 @@
 namespace wrc::simd {
 namespace {
 
-/// A sum over strips in eight parts, whatever the width of a vector.
+/// A sum in eight parts, of which those half of them apart are added up, again and again.
 struct EightParts {
-  static constexpr std::int32_t vectors = 8 / native_lanes;
+  static constexpr std::int32_t parts = 8, vectors = parts / native_lanes;
   Native of[vectors];
 
-  /// Halves are added until one number is left.
   double sum() {
+    // halves of the vectors, then of the lanes of the one that is left
     for (std::int32_t half = vectors / 2; half > 0; half /= 2)
       for (std::int32_t k = 0; k < half; ++k) of[k] = of[k] + of[k + half];
     double part[native_lanes];
@@ -43,8 +44,9 @@ struct PartOfVector {
 /// Calls take(vector of the eight parts, first element, elements) for vectors of `count` elements.
 template <class Take>
 void for_eight_parts(std::int32_t count, const Take& take) {
+  // whole groups, whose part is known at compile time, then the rest
   std::int32_t first = 0;
-  for (; first + 8 <= count; first += 8)
+  for (; first + EightParts::parts <= count; first += EightParts::parts)
     for (std::int32_t k = 0; k < EightParts::vectors; ++k) take(k, first + k * native_lanes, WholeVector{});
   for (std::int32_t k = 0; k < EightParts::vectors; ++k) {
     const std::int32_t at = first + k * native_lanes;
