@@ -224,7 +224,8 @@ class Rememberer {
   /// Number of the face that a strip of the rail belongs to.
   std::int32_t face_of(std::int32_t strip) const {
     std::int32_t face = 0;
-    while (strip >= in_.rail.range[face].first + in_.rail.range[face].count) ++face;
+    while (face + 1 < in_.rail.ranges && strip >= in_.rail.range[face].first + in_.rail.range[face].count)
+      ++face;
     return face;
   }
 
