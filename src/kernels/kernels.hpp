@@ -103,14 +103,17 @@ struct TangentialKernels {
   void (*surface_strips)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_fields)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_slopes)(const SurfaceStripsSlopesTask& task);
-  /// Bounds of a strip's cells, up to a factor that a patch shares.
-  void (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
+  /// Bounds of a strip's cells, up to a factor that a patch shares; returns their sum.
+  double (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
   /// Adds the tractions that a past strip brings.
   void (*memory_bring)(const MemoryBringTask& task, RememberingStrip& to);
   /// Tractions alone, or with the sums.
   void (*memory_pass)(const MemoryPassTask& task);
   void (*memory_pass_sums)(const MemoryPassTask& task, MemoryPassSums& sums);
   void (*memory_march)(const MemoryMarchTask& task);
+  /// Tractions of a strip's cells: a share of others, and the sums of their squares.
+  void (*memory_tend)(const double* others, double share, double* to);
+  void (*memory_squares)(const double* tractions, double& along_x, double& along_y);
   void (*layered_march)(const LayeredMarchTask& task, Sums& sums);
   void (*layered_march_fields)(const LayeredMarchTask& task, Sums& sums);
 };
