@@ -961,7 +961,7 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * Other normal methods are applied patch by patch to the surface unrolled. FASTSIM with WRC_PATCH_MODEL_PATCH_SDEC and FaStrip
  * roll strip by strip. All other forms roll patch by patch, with the strips' mean slips, on the ellipse of the same moments.
  * @par Time
- * 0.03 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
+ * 0.02 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
  * temperature doubles the time.
  * @par A given load under high friction
  * Friction on a steep face may outweigh its slope. The vertical force then falls as the wheel goes down. The highest place that

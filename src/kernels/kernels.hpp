@@ -160,9 +160,9 @@ struct SurfaceKernels {
   void (*follow_rail)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const OutlineTask& task);
-  /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than
-  /// `margin` above the rail, which lie from `begin` to before `end`.
-  void (*cross_rays)(const OutlineTask& task, double margin, std::int32_t& begin, std::int32_t& end);
+  /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than the
+  /// `margin` of their range above the rail, which lie from `begin` to before `end`.
+  void (*cross_rays)(const OutlineTask& task, const double* margin, std::int32_t& begin, std::int32_t& end);
   /// Fills the overlaps of overlaps.count strips, whose rays cross the chord of overlaps.piece at the part
   /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
   /// other.

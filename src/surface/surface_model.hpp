@@ -101,7 +101,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 /// The model's constants of the normal problem.
 inline PressureModel pressure_model(const SurfaceModel& model) {
   return {*model.influence, *model.kernels, model.material.normal_compliance(),
-          changes(model.varying) ? lambda_length_along_track : usual_lambda_length};
+          changes(model.varying) ? lambda_length_along_track : usual_lambda_length, changes(model.varying)};
 }
 
 }  // namespace wrc::surface

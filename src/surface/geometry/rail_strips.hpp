@@ -150,7 +150,6 @@ struct CandidatesAlong {
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz;
   double* angle;  ///< as RailStrips; nullptr: of rails that vary
-  double* gain;   ///< as PlacedRail, of rails that vary: cut_varying_strips()
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most);

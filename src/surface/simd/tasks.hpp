@@ -134,7 +134,8 @@ struct FollowRailTask {
   const surface::Curve* wheel;
   const surface::RelativePose* pose;
   double distance, low, high;  ///< as PlacedRail [m]
-  bool tops_alone;             ///< overlaps are those of the circles at the tops, not of whole contacts
+  double deep_enough;  ///< overlaps that are less deep are those of the circles at the tops, not of whole
+                       ///< contacts [m]
 };
 
 /// Overlaps of strips of one face, of which places along the track are looked at.
