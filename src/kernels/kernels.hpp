@@ -14,6 +14,7 @@ struct Strips;
 namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
+struct OverlapSlopes;
 struct FirstLooks;
 struct StripGains;
 }  // namespace wrc::surface
@@ -54,13 +55,16 @@ struct SurfaceSlopes;
 struct SlopesRowTask;
 struct BlendRowsTask;
 struct NearLinesTask;
+struct SmoothedSlopesTask;
 struct SectionStripsTask;
 struct FollowRailTask;
 struct LookAlongTask;
 struct StripGainsTask;
 struct OutlineTask;
+struct OverlapSlopesTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
+struct StripForcesSlopesTask;
 struct CellTask;
 struct CellExtremes;
 struct PointLoads;
@@ -125,6 +129,8 @@ struct SurfaceKernels {
   /// some of the strips, those that march.
   void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
   void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
+  /// Derivatives of the strips' forces by the chain rule.
+  void (*strip_forces_slopes)(const StripForcesSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, and one more where they are odd. A source's effect on itself is not in them. `skewed`:
   /// not all centres are the same.
@@ -148,6 +154,8 @@ struct SurfaceKernels {
   /// before `end`.
   void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
+  /// Returns the smoothed value; where nothing presses 0, as its derivatives.
+  double (*smoothed_slopes)(const SmoothedSlopesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
   /// Fills the most that overlaps of strips grow at places along a rail that varies, and where.
@@ -167,6 +175,8 @@ struct SurfaceKernels {
   /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
   /// other.
   void (*follow_rays)(const OutlineTask& task, const surface::Overlaps& overlaps);
+  /// Fills the overlap of a strip with its derivatives.
+  void (*overlap_slopes)(const OverlapSlopesTask& task, surface::OverlapSlopes& to);
 };
 
 struct DamageKernels {

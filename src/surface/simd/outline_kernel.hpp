@@ -13,7 +13,7 @@ inline void outline_kernel(const OutlineTask& task) {
   const surface::WheelCurve& wheel = *task.wheel;
   for (std::int32_t k = 0; k < wheel.knots; k += lanes) {
     const Pack slope = load_pack(wheel.knot_slope + k);
-    const surface::OutlinePlace<Pack> o = surface::outline_place<Pack>(
+    const surface::OutlinePlace<Pack> o = surface::outline_place(
         *task.pose, task.attitude, load_pack(wheel.knot_y + k), load_pack(wheel.knot_radius + k), slope);
     store_pack(task.scratch->y + k, o.y + task.pose->y);
     store_pack(task.scratch->z + k, o.z + task.pose->z);

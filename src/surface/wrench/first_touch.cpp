@@ -240,8 +240,7 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
 double tops_below_touch(const WheelProblem& problem, double below, RelativeMotion& motion,
                         WheelOverlaps& overlaps) {
   constexpr int most_steps = 8;
-  constexpr double close =
-      0.2e-3;  // [m]: first looks are as near, and tops on the way there within the margin
+  constexpr double close = 0.1e-3;  // [m]: tops within the margin are then those that will touch
   double height = height_by_first_looks(problem, problem.in.wheel.position[2], overlaps) + below;
   // tops there say where first touch is; few steps, as the nearest strip hardly changes
   for (int n = 0;; ++n) {

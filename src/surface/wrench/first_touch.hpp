@@ -13,9 +13,9 @@ inline constexpr double deepest_overlap = 2e-3;
 double first_touch(const WheelProblem& problem, Arena scratch);
 
 /// Margin of tops that a height is predicted by [m].
-inline constexpr double tops_apart = 0.3e-3;
+inline constexpr double tops_apart = 0.2e-3;
 
-/// On a rail that changes along the track: a height within 0.2 mm of that so far below first touch [m].
+/// On a rail that changes along the track: a height within 0.1 mm of that so far below first touch [m].
 /// Leaves the motion there, and the tops of overlaps deeper than -tops_apart.
 double tops_below_touch(const WheelProblem& problem, double below, RelativeMotion& motion,
                         WheelOverlaps& overlaps);
