@@ -510,6 +510,31 @@ TEST_F(TwoPlaces, DerivativesAreDifferencesWhereATopCountsInPart) {
   }
 }
 
+/// On gentle ramps the second top rises little and is near the first one, between two places that are looked
+/// at. It is found all the same: nothing is flagged there, and the force does not leap.
+TEST_F(TwoPlaces, AreFoundWhereTopsAreNearEachOther) {
+  constexpr struct {
+    double slope, load, from, to;
+  } each[] = {{0.05, 150e3, 60e-3, 61.5e-3}, {0.04, 60e3, 67e-3, 68.8e-3}};
+  for (const auto& [slope, load, from, to] : each) {
+    give_ramp(slope);
+    create_under(load);
+    double force[2] = {};
+    int touched_twice = 0;
+    for (int k = 0; from + 20e-6 * k < to; ++k) {
+      input.distance = from + 20e-6 * k;
+      ASSERT_EQ(step(), WRC_OK) << error() << input.distance;
+      const double now = wrench.force[0];
+      if (k > 1) {
+        EXPECT_LT(std::abs(now - 2.0 * force[0] + force[1]), 5e-4 * load) << input.distance;
+      }
+      force[1] = std::exchange(force[0], now);
+      touched_twice += wrench.region_count > 1 ? 1 : 0;
+    }
+    EXPECT_GT(touched_twice, 25) << slope;
+  }
+}
+
 /// Regions, fields, wear and sums along the line are of both places.
 TEST_F(TwoPlaces, HaveResultsOfTheirOwn) {
   touch_both();

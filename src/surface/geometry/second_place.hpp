@@ -105,22 +105,38 @@ inline FirstLook look_beyond_valley(const PlacedRail& placed, const VaryingRail&
   StripAlong along{rail, f, strip, first.ny, first.nz};
   const double top = along.at(here), t = (here - along.begin) * along.per;
   const double slope = along.per * along.n.slope(t, t * t);
-  // to both sides, beyond the least overlap so far
+  // to both sides
   for (const double way : {-1.0, 1.0}) {
     const double end = here + way * second_within;
     if (!(valley_between(rail, face, eight_of(strip), smaller(here, end), larger(here, end)) >
           least_valley * first.own))
       continue;
-    // overlaps at places, by the wheel's curvature and the rail's fall
-    double least = first.at.end.depth;
+    // overlaps at places, by the wheel's curvature and the rail's fall, and their slopes outwards
     constexpr int steps = static_cast<int>(second_within / second_apart);
+    double depth = first.at.end.depth, uphill = 0.0;
     for (int n = 1; n <= steps; ++n) {
       const double off = way * n * second_apart;
       if (x + off < placed.low[f] || x + off > placed.high[f]) break;
-      const double depth =
-          first.at.end.depth + off * (slope - 0.5 * first.own * off) - (along.at(here + off) - top);
-      if (depth > least && depth > found.depth) found = {x + off, depth};
-      least = smaller(least, depth);
+      const double before = depth, uphill_before = uphill;
+      depth = first.at.end.depth + off * (slope - 0.5 * first.own * off) - (along.at(here + off) - top);
+      const double s = (here + off - along.begin) * along.per;
+      uphill = way * (slope - first.own * off - along.per * along.n.slope(s, s * s));
+      // the slope between both places is a parabola, by the cubic through both
+      const double mean = (depth - before) * (1.0 / second_apart);
+      const double once = 6.0 * mean - 4.0 * uphill_before - 2.0 * uphill,
+                   twice = 3.0 * (uphill_before + uphill) - 6.0 * mean;
+      // where it comes from above 0, a top is at the end of that
+      const double square = once * once - 4.0 * twice * uphill_before;
+      if (!(square > 0.0)) continue;
+      // the root at which it falls, without a difference of like numbers
+      const double falls = once < 0.0 ? 2.0 * uphill_before / (root(square) - once)
+                                      : (once + root(square)) / (-2.0 * smaller(twice, -1e-12));
+      // not the top where the look begins
+      constexpr double farther = 0.2;
+      if (!(falls > (n == 1 ? farther : 0.0) && falls <= 1.0)) continue;
+      const double there =
+          before + second_apart * falls * (uphill_before + falls * (0.5 * once + falls * twice / 3.0));
+      if (there > found.depth) found = {x + off + way * second_apart * (falls - 1.0), there};
     }
   }
   return found;

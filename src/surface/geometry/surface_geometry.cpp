@@ -458,10 +458,13 @@ struct FollowedOverlaps {
   }
 
   /// Keeps both places of a strip, each of the part and within the bounds that the other leaves it.
-  void keep_both(std::int32_t strip, const PlaceOfContact& first, const PlaceOfContact& other) {
+  void keep_both(std::int32_t strip, PlaceOfContact first, PlaceOfContact other) {
     constexpr double same = 0.1e-3;  // [m]: both are one top
     if (!(magnitude(other.x - first.x) > same)) return keep(strip, first, rows.row_of(first.x));
     StripOverX<double> over = seen(strip, first.overlap);
+    // a search that did not end at a top has left the overlap of a first look
+    depth_at(over, first.x, first.end);
+    depth_at(over, other.x, other.end);
     const LargestOverlap valley = find_valley(over, {first.x, first.end}, other.x);
     // no top is where the valley is: the ray there had another end on the wheel, or the overlap only falls
     if (valley.x == first.x) return keep(strip, other, rows.row_of(other.x));
