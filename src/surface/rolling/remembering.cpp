@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "surface/pressure/pressure.hpp"
+#include "surface/rolling/strip_heirs.hpp"
 #include "surface/rolling/strip_parts.hpp"
 
 namespace wrc::surface {
@@ -19,17 +19,8 @@ constexpr double least_force = 1e-290;  // [N]
 // factor on changes, over the largest traction, that shorten the way under the same conditions [-].
 constexpr double settles = 100.0, change_counts = 400.0;
 
-// A strip's only place in both steps is the same one within this, and half the distance rolled [m].
-constexpr double same_place = 4e-3;
-
 // Half length of a strip without any, which carries nothing [m].
 constexpr double shortest = 1e-12;
-
-/// Numbers of strips that are remembered.
-struct PastNumbers {
-  const PastStrip* past;
-  double operator[](std::int64_t k) const { return past[k].y; }
-};
 
 /// Half-spaces yield beside a patch, too: humps that have met yield together, but for a neck between them.
 constexpr LobeLimits joint{0.0, 0.3, true};
@@ -98,6 +89,7 @@ class Rememberer {
         strips_(in.strips),
         forces_(forces),
         scratch_(cut(arena, in.strips.count, in.past_count)),
+        heirs_(in, scratch_.past),
         parts_{in.strips, in.along, scratch_.line_load, nullptr, joint} {
     contact_.shear_modulus = strips_.shear_modulus;
     contact_.linear_theory = &in.linear_theory;
@@ -132,7 +124,7 @@ class Rememberer {
          {scratch_.ahead_x, scratch_.ahead_y, scratch_.ahead_turn, scratch_.cells_x, scratch_.cells_y,
           scratch_.cells_turn, scratch_.lever_x, scratch_.lever_y, scratch_.follows, scratch_.within})
       std::fill_n(sum, count, 0.0);
-    find_past();
+    heirs_.find();
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
       strip.y = in_.number[j];
@@ -164,104 +156,6 @@ class Rememberer {
       std::fill_n(strip.px, memory_cells, 0.0);
       std::fill_n(strip.py, memory_cells, 0.0);
     }
-  }
-
-  static std::int32_t rail_strip(double number) { return on_rail(static_cast<std::int32_t>(number)); }
-  static bool is_second(double number) { return number >= second_places; }
-
-  /// The past of each strip, by its number. Rows of places along the track (second_place.hpp) end and begin:
-  /// where either step has second places, a place's past is one of the same strip of the rail, in any row.
-  void find_past() {
-    const std::int32_t count = strips_.count;
-    const PastNumbers then{in_.past};
-    std::fill_n(scratch_.past, count, nullptr);
-    two_rows_ = (count > 0 && is_second(in_.number[count - 1])) ||
-                (in_.past_count > 0 && is_second(then[in_.past_count - 1]));
-    if (!two_rows_)
-      return for_shared_strips(count, in_.number, in_.past_count, then,
-                               [&](std::int32_t j, std::int64_t k) { scratch_.past[j] = in_.past + k; });
-    // both rows of both steps, strip by strip of the rail
-    std::int64_t j[2] = {0, 0}, k[2] = {0, 0};
-    while (j[1] < count && !is_second(in_.number[j[1]])) ++j[1];
-    while (k[1] < in_.past_count && !is_second(then[k[1]])) ++k[1];
-    const std::int64_t j_end[2] = {j[1], count}, k_end[2] = {k[1], in_.past_count};
-    while (j[0] < j_end[0] || j[1] < j_end[1]) {
-      // number of the next strip with a place now, and its places of both steps
-      std::int32_t strip = second_places;
-      for (int r = 0; r < 2; ++r)
-        if (j[r] < j_end[r]) strip = std::min(strip, rail_strip(in_.number[j[r]]));
-      std::int64_t now[2], past[2];
-      for (int r = 0; r < 2; ++r) {
-        now[r] = j[r] < j_end[r] && rail_strip(in_.number[j[r]]) == strip ? j[r]++ : -1;
-        while (k[r] < k_end[r] && rail_strip(then[k[r]]) < strip) ++k[r];
-        past[r] = k[r] < k_end[r] && rail_strip(then[k[r]]) == strip ? k[r] : -1;
-      }
-      pair_places(now, past, heirs_[face_of(strip)]);
-    }
-  }
-
-  /// How far a place is from one of the committed step [m]. Places on a ramp have gone with the wheel, those
-  /// at its end have stayed on the rail: half the distance rolled lies between.
-  double apart(double along, std::int64_t past) const {
-    return std::abs(along - in_.direction * in_.past[past].centre + 0.5 * in_.rolled);
-  }
-
-  /// Places of a face by their row in the committed step, then by that of now.
-  using Heirs = std::int32_t[2][2];
-
-  /// The past of a strip's places in both rows, -1 where there is none: of two ways to pair them the one of
-  /// less distance along the track. One place then and one now, farther apart, are two.
-  void pair_places(const std::int64_t (&now)[2], const std::int64_t (&past)[2], Heirs& heirs) {
-    const auto has = [&](int a, int b) { return now[a] >= 0 && past[b] >= 0; };
-    const auto off = [&](int a, int b) { return has(a, b) ? apart(in_.along[now[a]], past[b]) : 0.0; };
-    const double most = same_place + 0.5 * in_.rolled;
-    const bool two_now = now[0] >= 0 && now[1] >= 0, two_past = past[0] >= 0 && past[1] >= 0;
-    // the sum of both distances, or which is nearer to the one place of the other step
-    bool crossed = !has(0, 0) && !has(1, 1);
-    if (two_now && two_past)
-      crossed = off(0, 1) + off(1, 0) < off(0, 0) + off(1, 1);
-    else if (two_now)
-      crossed = past[0] >= 0 ? off(1, 0) < off(0, 0) : off(0, 1) < off(1, 1);
-    else if (two_past)
-      crossed = now[0] >= 0 ? off(0, 1) < off(0, 0) : off(1, 0) < off(1, 1);
-    for (int a = 0; a < 2; ++a) {
-      const int b = crossed ? 1 - a : a;
-      if (!has(a, b) || (!two_now && !two_past && off(a, b) > most)) continue;
-      scratch_.past[now[a]] = in_.past + past[b];
-      ++heirs[b][a];
-    }
-  }
-
-  /// The row that a row of the committed step is now, by most of its places; -1: all have left, and other
-  /// places are in that row. Strips that left belong to it. Faces renumber their rows by themselves.
-  static int row_now(int row, const Heirs& heirs) {
-    const int other = 1 - row;
-    if (heirs[row][0] + heirs[row][1] == 0) return heirs[other][row] > 0 ? -1 : row;
-    return heirs[row][other] > heirs[row][row] ? other : row;
-  }
-
-  /// Number of the face that a strip of the rail belongs to.
-  std::int32_t face_of(std::int32_t strip) const {
-    std::int32_t face = 0;
-    while (face + 1 < in_.rail.ranges && strip >= in_.rail.range[face].first + in_.rail.range[face].count)
-      ++face;
-    return face;
-  }
-
-  /// The strip in contact that a strip of the committed step is the past of, or -1. `from`: the first one
-  /// with its number or a larger one.
-  std::int32_t heir_of(std::int64_t k, std::int32_t from) const {
-    const double number = in_.past[k].y;
-    if (!two_rows_) return from < strips_.count && in_.number[from] == number ? from : -1;
-    // a place may have changed its row
-    for (const std::int32_t row : {0, second_places}) {
-      const double *const end = in_.number + strips_.count, *const at = std::lower_bound(
-                                                                in_.number, end,
-                                                                1.0 * (rail_strip(number) + row));
-      if (at != end && scratch_.past[at - in_.number] == in_.past + k)
-        return static_cast<std::int32_t>(at - in_.number);
-    }
-    return -1;
   }
 
   /// Friction limit of a strip [N].
@@ -396,7 +290,7 @@ class Rememberer {
     for (std::int64_t k = 0; k < in_.past_count; ++k) {
       const PastStrip& strip = in_.past[k];
       while (from < strips_.count && in_.number[from] < strip.y) ++from;
-      const std::int32_t heir = heir_of(k, from);
+      const std::int32_t heir = heirs_.heir_of(k, from);
       double share = 1.0;
       if (heir >= 0) {
         // the bounds of its cells do not bear the rest
@@ -412,18 +306,19 @@ class Rememberer {
   /// Forces beside a patch, on its face, that strips no longer bear. At a distance r beyond the half width b
   /// a force displaces the half-space as b / r, and turns it as (b / r)^2.
   void find_left(Patch& patch, const PatchPlace& place) const {
-    const std::int32_t number = face_of(rail_strip(in_.number[patch.first]));
+    const std::int32_t number = heirs_.face_of(StripHeirs::rail_strip(in_.number[patch.first]));
     const FaceStrips& face = in_.rail.range[number];
-    const int row = is_second(in_.number[patch.first]) ? 1 : 0;
-    const int row_of[2] = {row_now(0, heirs_[number]), row_now(1, heirs_[number])};
+    const int row = StripHeirs::is_second(in_.number[patch.first]) ? 1 : 0;
+    const int row_of[2] = {heirs_.row_now(0, number), heirs_.row_now(1, number)};
     double turn = 0.0;  // moment from the patch's place [N m]
     for (std::int64_t k = 0; k < lost_; ++k) {
       const LostForce& of = scratch_.lost[k];
       const PastStrip& strip = in_.past[of.past];
-      const std::int32_t of_rail = rail_strip(strip.y);
+      const std::int32_t of_rail = StripHeirs::rail_strip(strip.y);
       if (!face.has(of_rail)) continue;
-      const int row_then = is_second(strip.y) ? 1 : 0;
-      if ((of.heir < 0 ? row_of[row_then] : (is_second(in_.number[of.heir]) ? 1 : 0)) != row) continue;
+      const int row_then = StripHeirs::is_second(strip.y) ? 1 : 0;
+      if ((of.heir < 0 ? row_of[row_then] : (StripHeirs::is_second(in_.number[of.heir]) ? 1 : 0)) != row)
+        continue;
       // the share outside the patch
       double lost = of.share;
       if (of.heir >= patch.first && of.heir < patch.end) lost *= 1.0 - patch.inside(of.heir);
@@ -671,6 +566,7 @@ class Rememberer {
   const SurfaceRollingInput& strips_;
   const SurfaceRollingForces& forces_;
   Scratch scratch_;
+  StripHeirs heirs_;
   StripsInParts parts_;
   tangential::RollingContact contact_;
   std::int32_t runs_ = 0, patches_ = 0;
@@ -682,8 +578,6 @@ class Rememberer {
   double stored_ = 0.0;      // in the tractions of its end [J]
   double takes_over_ = 0.0;  // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
-  bool two_rows_ = false;              // has either step second places along the track?
-  Heirs heirs_[most_rail_faces] = {};  // with two rows
   Fault fault_;
 };
 

@@ -21,7 +21,6 @@ constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
 constexpr std::int32_t solutions = 2;  // Newton's steps for U in the last part, one in those before
 constexpr double carried = 0.5;        // share of the rest of the equation that goes to the next part
-constexpr double everywhere = 1e3;     // farther than any place [m]
 
 /// Middles of the cells over the half length.
 struct Places {
@@ -39,9 +38,6 @@ double left_of_step(const double* share, std::int32_t k) {
   for (std::int32_t i = 0; i < k; ++i) left += share[i];
   return left;
 }
-
-/// Weight from 0 to 1 over the middle half of a way, with zero slope at its ends [-].
-double beyond_half(double at, double way) { return smooth_step(2.0 * at / way - 0.5); }
 
 /// The nearest strips on either side of a place on a plane, with their shares. Between two strips of a patch
 /// shares change in a straight line. They vanish two widths beside the patch.
@@ -113,45 +109,6 @@ void PatchStep::find_groups() {
     if (within < border) groups_[group_count_++] = {within, border, p.first_lobe, 1.0};
     if (border < end) groups_[group_count_++] = {border, end, p.first_lobe, p.inside_last};
   }
-}
-
-PastOfPlane take_past_of_plane(const RollingContact& contact, const PatchStrips& strips,
-                               YieldingPatch& patch) {
-  // the patch's borders on the plane
-  const patch::Strips& region = contact.region;
-  const RollingMemory& memory = contact.memory;
-  const double sign = memory.direction, centre = memory.y(patch.numbers.centre_y);
-  double low = everywhere, high = -everywhere;
-  for (std::int32_t j = 0; j < region.count; ++j) {
-    const double to_border = 0.5 * region.width[j], y = memory.y(region.y[j]);
-    low = std::min(low, y - to_border);
-    high = std::max(high, y + to_border);
-  }
-  // forces, energy and difference to strip FASTSIM of the remembered strips up to half way to other patches.
-  // Strips beside the patch count less, as forces at a distance displace and turn a half-space less
-  PastOfPlane before;
-  for (std::int64_t k = 0; k < strips.past_count; ++k) {
-    const PastStrip& strip = strips.past[k];
-    const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
-    double weight = 1.0, near = 1.0;
-    if (strip.y > high || strip.y < low) {
-      const double other = strip.y > high ? memory.above : memory.below;
-      weight = 1.0 - beyond_half(std::abs(strip.y - border), std::abs(other - border));
-      near = std::min(1.0, std::abs(border - centre) / off);
-    }
-    weight *= near;
-    const double fx = weight * sign * strip.force[0], fy = weight * strip.force[1];
-    const double y = (strip.y - memory.origin) / memory.slope;
-    patch.before[0] += fx;
-    patch.before[1] += fy;
-    patch.before[2] +=
-        patch.numbers.arm *
-        (weight * sign * strip.force[2] +
-         near * ((sign * strip.centre - patch.numbers.centre_x) * fy - (y - patch.numbers.centre_y) * fx));
-    for (int i = 0; i < 3; ++i) before.added[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
-    before.energy += weight * strip.energy;
-  }
-  return before;
 }
 
 void PatchStep::let_strips_leave() {
@@ -484,19 +441,6 @@ void PatchStep::forces(double of[3]) const {
   double force[most_lobes][3];
   written_forces(force);
   force_of_patch(*patches_, force, of);
-}
-
-void about_centre(const PatchNumbers& numbers, const Creepage& c, double length, double shift[3]) {
-  shift[0] = length * (c.longitudinal - c.spin * numbers.centre_y);
-  shift[1] = length * (c.lateral + c.spin * numbers.centre_x);
-  shift[2] = length * c.spin;
-}
-
-Creepage about_origin(const PatchNumbers& numbers, const double shift[3], double length) {
-  const double per =
-      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * numbers.a}), length);
-  return {per * (shift[0] + shift[2] * numbers.centre_y), per * (shift[1] - shift[2] * numbers.centre_x),
-          per * shift[2]};
 }
 
 double PatchStep::stored() const {

@@ -45,6 +45,8 @@
 
 namespace wrc::tangential {
 
+inline constexpr double everywhere = 1e3;  ///< farther than any place [m]
+
 /// Strips of a step side by side: those remembered, and where the step's go.
 struct PatchStrips {
   const PastStrip* past = nullptr;
@@ -63,14 +65,6 @@ struct Neighbours {
   const PastStrip *first = nullptr, *second = nullptr;
   double of_first = 1.0, of_second = 0.0;
 };
-
-/// Forces before a step on a plane: sets those of the patch.
-struct PastOfPlane {
-  double added[3] = {};  ///< difference to strip FASTSIM
-  double energy = 0.0;   ///< it could give back [J]
-};
-PastOfPlane take_past_of_plane(const RollingContact& contact, const PatchStrips& strips,
-                               YieldingPatch& patch);
 
 /// Strips side by side during a step: one patch, or those that yield together. Motions of the strips are
 /// about the centre of the first patch.
@@ -147,9 +141,6 @@ class PatchStep {
   double motion_[most_lobes][3];                // displacements of the lobes' cells
 };
 
-/// Displacements of the patch's centre for creepages about the origin, and back.
-void about_centre(const PatchNumbers& numbers, const Creepage& c, double length, double shift[3]);
-Creepage about_origin(const PatchNumbers& numbers, const double shift[3], double length);
 /// One over a length, and less where displacements `size` over it would be more than slides everywhere.
 double per_length(double size, double length);
 

@@ -19,6 +19,68 @@ PatchStrips strips_of(Memory& memory) {
           .strips = memory.scratch()};
 }
 
+/// Weight from 0 to 1 over the middle half of a way, with zero slope at its ends [-].
+double beyond_half(double at, double way) { return smooth_step(2.0 * at / way - 0.5); }
+
+/// Memory of a patch before a step.
+struct PastOfPlane {
+  double added[3] = {};  ///< difference to strip FASTSIM
+  double energy = 0.0;   ///< it could give back [J]
+};
+/// Sets the forces of the patch before the step, too.
+PastOfPlane take_past_of_plane(const RollingContact& contact, const PatchStrips& strips,
+                               YieldingPatch& patch) {
+  // the patch's borders on the plane
+  const patch::Strips& region = contact.region;
+  const RollingMemory& memory = contact.memory;
+  const double sign = memory.direction, centre = memory.y(patch.numbers.centre_y);
+  double low = everywhere, high = -everywhere;
+  for (std::int32_t j = 0; j < region.count; ++j) {
+    const double to_border = 0.5 * region.width[j], y = memory.y(region.y[j]);
+    low = std::min(low, y - to_border);
+    high = std::max(high, y + to_border);
+  }
+  // forces, energy and difference to strip FASTSIM of the remembered strips up to half way to other patches.
+  // Strips beside the patch count less, as forces at a distance displace and turn a half-space less
+  PastOfPlane before;
+  for (std::int64_t k = 0; k < strips.past_count; ++k) {
+    const PastStrip& strip = strips.past[k];
+    const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
+    double weight = 1.0, near = 1.0;
+    if (strip.y > high || strip.y < low) {
+      const double other = strip.y > high ? memory.above : memory.below;
+      weight = 1.0 - beyond_half(std::abs(strip.y - border), std::abs(other - border));
+      near = std::min(1.0, std::abs(border - centre) / off);
+    }
+    weight *= near;
+    const double fx = weight * sign * strip.force[0], fy = weight * strip.force[1];
+    const double y = (strip.y - memory.origin) / memory.slope;
+    patch.before[0] += fx;
+    patch.before[1] += fy;
+    patch.before[2] +=
+        patch.numbers.arm *
+        (weight * sign * strip.force[2] +
+         near * ((sign * strip.centre - patch.numbers.centre_x) * fy - (y - patch.numbers.centre_y) * fx));
+    for (int i = 0; i < 3; ++i) before.added[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
+    before.energy += weight * strip.energy;
+  }
+  return before;
+}
+
+/// Displacements of the patch's centre for creepages about the origin, and back.
+void about_centre(const PatchNumbers& numbers, const Creepage& c, double length, double shift[3]) {
+  shift[0] = length * (c.longitudinal - c.spin * numbers.centre_y);
+  shift[1] = length * (c.lateral + c.spin * numbers.centre_x);
+  shift[2] = length * c.spin;
+}
+
+Creepage about_origin(const PatchNumbers& numbers, const double shift[3], double length) {
+  const double per =
+      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * numbers.a}), length);
+  return {per * (shift[0] + shift[2] * numbers.centre_y), per * (shift[1] - shift[2] * numbers.centre_x),
+          per * shift[2]};
+}
+
 /// Keeps the patch's strips, as of bodies rolling forwards, with their parts of the energy and of the
 /// difference to strip FASTSIM. Moments are about the strips' own middles.
 void keep_strips(const RollingContact& contact, double energy, const double added[3], Memory& memory) {
