@@ -13,7 +13,8 @@ if [ "${1:-}" = "--help" ] || [ "${1:-}" = "-h" ]; then
 
 ./run.sh --wheel FILE --rail FILE [options]
     Your own profiles and load, through examples_c/own_case.c. A profile file has one point per line, y and z, separated
-    by blanks, commas or semicolons; y increasing, z down; a heading, and lines behind #, are skipped.
+    by blanks, commas or semicolons; y increasing, z down; a heading, and what stands behind #, is skipped. Commas are
+    decimal beside semicolons, blanks or tabs.
       wheel: y = 0 at the running circle, flange at y < 0.     rail: z = 0 at its top, gauge side at y < 0.
     FILE may also be a built-in shape: S1002, the default, for the wheel; 60E1, or UIC60 (canted 1:40 already), the default,
     for the rail.

@@ -4,21 +4,20 @@
 #                      ones; golden hashes of every instruction set, two ways of calling; format, code written twice,
 #                      references in comments, figures of the house, one definition a name.
 #                      Leaves out: what the next ones add
-#   ./test.sh          8 minutes. Besides: the long tests; golden hashes of all ways of calling; the interface, but for long tests
-#                      and kernels for AVX-512, under the address and undefined-behaviour sanitizers; proofs of real time,
-#                      accuracy, examples, installed tree, instruction counts, clang-tidy over what changed lately, growth of
-#                      structs, manual, main job.
+#   ./test.sh          7 minutes. Besides: tests of a minute each; golden hashes of all ways of calling; the interface, but for long
+#                      tests and kernels for AVX-512, under the address and undefined-behaviour sanitizers; proofs of real time,
+#                      accuracy, examples, installed tree, instruction counts, growth of structs, manual, main job.
 #                      Leaves out: clang's and mingw's builds, report programs, tests of generators and calibrations, the Python
 #                      package, FMUs, hosts, packages, the library inside another project, headers under all compilers, symbols of
-#                      unoptimised kernels, hostile input and the fuzzer; under the sanitizers slow tests, unit tests, golden
-#                      hashes and examples
+#                      unoptimised kernels, clang-tidy, hostile input and the fuzzer; under the sanitizers slow tests, unit tests,
+#                      golden hashes and examples
 #   ./test.sh ci       half an hour; what .ci/run runs. Besides: all of these but clang's build, of mingw's tests the interface,
 #                      bits, examples, FMUs and package, under wine.
 #                      Leaves out: what compiles the library again to compare its results
 #   ./test.sh all      about an hour. Besides: all tests of the clang and mingw builds, thread sanitizer, four of the longest tests
 #                      under sanitizers, golden hashes from every compiler and optimisation and on aarch64 under qemu, kernel
-#                      symbols at every optimisation, clang-tidy over everything, run.sh's own build, static and fetched library,
-#                      packages from two clones, a method, member, field, status added to a copy, every struct made larger in a copy
+#                      symbols at every optimisation, run.sh's own build, static and fetched library, packages from two clones,
+#                      a method, member, field, status added to a copy, every struct made larger in a copy
 # Every check is a test of ctest: `ctest --test-dir build/release -L surface` runs what is about src/surface, and
 # `--print-labels` names the labels. Before the last line stand what was left out and what each part took; the last line
 # counts. The exit status is 0 if something passed and nothing failed.
@@ -75,18 +74,18 @@ mingw() {
 mkdir -p build
 case $tier in
   quick)
-    left="long tests, other ways of calling, tests of generators, sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, clang-tidy, manual, main job (./test.sh), \
+    left="long tests, other ways of calling, tests of generators, sanitizers, proofs of real time, accuracy, examples, installed tree, instruction counts, manual, main job (./test.sh), \
 and what that leaves out"
     part release tree release -L '^quick$' -- wrc unit_tests reference_tests abi_tests golden_hash
     ;;
   default)
-    left="builds of clang and mingw, report programs, tests of generators and calibrations, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, hostile input, fuzzer \
+    left="builds of clang and mingw, report programs, tests of generators and calibrations, unit tests under sanitizers, kernels for AVX-512 under sanitizers, Python package, FMUs, hosts, packages, embedding, headers under all compilers, symbols of unoptimised kernels, clang-tidy, hostile input, fuzzer \
 (./test.sh ci), and what that leaves out"
     part release tree release -LE '^(long|rebuild)$'
     part sanitize tree sanitize -DWRC_AVX512=OFF -R '^abi_' -LE '^long$' -- abi_tests
     ;;
   ci)
-    left="clang's build, most of mingw's tests, thread sanitizer, four of the longest tests under sanitizers, other compilers and processors, clang-tidy over everything, static and \
+    left="clang's build, most of mingw's tests, thread sanitizer, four of the longest tests under sanitizers, other compilers and processors, static and \
 fetched library, packages from two clones, growth built on a copy (./test.sh all)"
     part release tree release -LE '^rebuild$' -- all tools/all long_tests
     part sanitize tree sanitize -DWRC_AVX512=ON -LE '^rebuild$' -- all long_tests

@@ -12,6 +12,23 @@ enum { MOST_POINTS = 20000 };
 /* ----------------------------------------------------------------------------------------------------
  * profile files */
 
+/* Leaves blanks alone between the numbers of a line, and cuts its comment. A comma between digits is decimal
+ * where something else parts the numbers. */
+static void part_numbers(char* line) {
+  line[strcspn(line, "#!%\r\n")] = '\0';
+  const size_t begin = strspn(line, " \t");
+  size_t end = strlen(line);
+  while (end > begin && (line[end - 1] == ' ' || line[end - 1] == '\t')) line[--end] = '\0';
+  const int others = strpbrk(line + begin, "; \t") != NULL;
+  for (size_t k = begin; k < end; ++k) {
+    const int decimal = others && line[k] == ',' && k > begin && isdigit((unsigned char)line[k - 1]) &&
+                        isdigit((unsigned char)line[k + 1]);
+    if (line[k] == ',') line[k] = decimal ? '.' : ' ';
+  }
+  for (size_t k = begin; k < end; ++k)
+    if (line[k] == ';' || line[k] == '\t') line[k] = ' ';
+}
+
 /* Reads "y z" lines into arrays that live as long as the program; returns the number of points. */
 static uint32_t read_points(const char* path, double scale, double* y, double* z) {
   FILE* file = fopen(path, "r");
@@ -31,18 +48,18 @@ static uint32_t read_points(const char* path, double scale, double* y, double* z
         NULL) { /* too long for a point: a comment; the rest of it is not a line of its own */
       for (int c = fgetc(file); c != '\n' && c != EOF;) c = fgetc(file);
     }
-    for (char* c = line; *c != '\0'; ++c) {
-      if (*c == ',' || *c == ';' || *c == '\t') *c = ' ';
-    }
+    part_numbers(line);
     double a = 0.0, b = 0.0, more = 0.0;
     const int found = sscanf(line, "%lf %lf %lf", &a, &b, &more);
     if (found > 2) {
-      fprintf(stderr, "%s, line %u: more than two numbers; give y and z, with decimal points, not commas\n",
-              path, number_of_line);
+      fprintf(
+          stderr,
+          "%s, line %u: more than two numbers; give y and z, parted by blanks or ; if commas are decimal\n",
+          path, number_of_line);
       exit(EXIT_FAILURE);
     }
-    const char first = line[strspn(line, " \r\n")];
-    const int comment = first == '\0' || strchr("#%!/", first) != NULL;
+    const char first = line[strspn(line, " ")];
+    const int comment = first == '\0' || first == '/';
     if (found == 1 || (found <= 0 && count > 0 && !comment)) {
       fprintf(stderr, "%s, line %u: not a point; give y and z, comments behind #\n", path, number_of_line);
       exit(EXIT_FAILURE);
@@ -83,13 +100,16 @@ static void warn_of_spikes(const char* path, uint32_t count, const double* y, co
   }
 }
 
-/* Says so where the width fits the other unit. The library takes profiles of 20 to 500 mm. */
+/* Says so where the width fits no profile, or the other unit. The library takes profiles of 20 to 500 mm. */
 static void warn_of_unit(const char* path, uint32_t count, const double* y, int metres) {
   const double width = y[count - 1] - y[0], other = metres ? 1e-3 * width : 1e3 * width;
-  if ((width < 0.02 || width > 0.5) && other >= 0.02 && other <= 0.5) {
-    fprintf(stderr, "warning: %s is %g %s wide: are its points in %s? pass --unit %s\n", path,
-            metres ? width : 1e3 * width, metres ? "m" : "mm", metres ? "mm" : "m", metres ? "mm" : "m");
-  }
+  if (width <= 0.0 || (width >= 0.02 && width <= 0.5)) return; /* the library says how points run */
+  fprintf(stderr, "warning: %s is %g %s wide, a profile 20 to 500 mm: ", path, metres ? width : 1e3 * width,
+          metres ? "m" : "mm");
+  if (other >= 0.02 && other <= 0.5)
+    fprintf(stderr, "are its points in %s? pass --unit %s\n", metres ? "mm" : "m", metres ? "mm" : "m");
+  else
+    fputs("in which unit are its points? --unit is mm or m\n", stderr);
 }
 
 /* -----------------------------------------------------------------------------------------------------

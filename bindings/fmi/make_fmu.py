@@ -4,7 +4,8 @@
     make_fmu.py build OUT [--linux wrc_fmu.so] [--windows wrc_fmu.dll]
         wrc_wheel and wrc_wheelset, for FMI 2.0 and 3.0: OUT/wrc_wheel_fmi2.fmu and so on
     make_fmu.py profiles FROM.fmu TO.fmu [--wheel FILE] [--rail FILE]
-        the same FMU with these points (y and z in mm in each line) as resources and chosen by default
+        the same FMU with these points (y and z in mm in each line) as resources and chosen by default; files as ./run.sh reads
+        them: commas or semicolons may part the numbers, commas are decimal beside semicolons, blanks or tabs
 
 Times in the files are SOURCE_DATE_EPOCH, or 1980: the same parts make the same bytes."""
 import argparse
@@ -194,13 +195,37 @@ def build(asked):
             write(asked.out / f"{model}_fmi{fmi}.fmu", files)
 
 
+def points(path):
+    """The points of a file, as an FMU reads them: two numbers in each line, without a heading."""
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as why:
+        sys.exit(f"{path} cannot be read: {why}")
+    rows = []
+    for number, line in enumerate(lines, 1):
+        text = re.split("[#!%]", line)[0].strip()
+        if re.search(r"[;\s]", text):
+            text = re.sub(r"(?<=\d),(?=\d)", ".", text)
+        cells = [each for each in re.split(r"[;,\s]+", text) if each]
+        if all(re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", each) for each in cells):
+            if cells and len(cells) != 2:
+                sys.exit(f"{path}, line {number}: {len(cells)} numbers, where y and z are asked for")
+            rows += [cells] if cells else []
+        elif rows:
+            sys.exit(f"{path}, line {number}: '{text}' is no point: y and z are asked for")
+    width = float(rows[-1][0]) - float(rows[0][0]) if rows else 0.0
+    if not 20.0 <= width <= 500.0:
+        sys.exit(f"{path} has {len(rows)} points over {width:g} mm, a profile has 20 to 500 mm: are they y and z in mm, y increasing?")
+    return "".join(f"{y} {z}\n" for y, z in rows).encode()
+
+
 def with_profiles(asked):
     with zipfile.ZipFile(asked.base) as packed:
         files = {name: packed.read(name) for name in packed.namelist() if not name.endswith("/")}
     text = files["modelDescription.xml"].decode()
     for body, path in (("wheel", asked.wheel), ("rail", asked.rail)):
         if path:
-            files[f"resources/{body}.txt"] = path.read_bytes()
+            files[f"resources/{body}.txt"] = points(path)
             text, changed = re.subn(rf'(name="{body}_profile" .*?start=")\d', r"\g<1>1", text)
             assert changed == 1
     files["modelDescription.xml"] = text.encode()

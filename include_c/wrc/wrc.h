@@ -76,7 +76,8 @@
  *    usable. wrc_status.h lists them.
  *  - Results have `flags`: bit 1 << flag for each flag that was met, WRC_FLAG_BIT(). The status is the gravest of them.
  *  - wrc_contact_last_error() says in a sentence why: function, member, value, unit, allowed range, likely cause.
- *  - A member's comment says what it is, its range and unit, then [its default]. A result has its unit in brackets.
+ *  - A member's comment says what it is, its range and unit, then [its default]. A result has its unit in brackets. A pointer
+ *    that is [required] has no default. It may be NULL where it is not read, as with a count of 0.
  *  - A struct that is read has defaults: wrc_config config = wrc_config_default(). Hosts that load the library at run time, and
  *    other languages, set struct_size and call wrc_config_init(). Where neither exists, all defaults are zero.
  *  - Structs grow. Those that begin with struct_size want sizeof the struct there, results too: wrc_wrench w = {sizeof w}.
@@ -960,7 +961,7 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  * Other normal methods are applied patch by patch to the surface unrolled. FASTSIM with WRC_PATCH_MODEL_PATCH_SDEC and FaStrip
  * roll strip by strip. All other forms roll patch by patch, with the strips' mean slips, on the ellipse of the same moments.
  * @par Time
- * 0.03 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
+ * 0.02 to 0.2 ms with the default methods. A prescribed load takes about four heights, on a flange up to ten. Friction over
  * temperature doubles the time.
  * @par A given load under high friction
  * Friction on a steep face may outweigh its slope. The vertical force then falls as the wheel goes down. The highest place that
@@ -1017,15 +1018,15 @@ WRC_API int32_t wrc_contact_wrench_derivatives(wrc_contact* contact, const wrc_w
                                                wrc_wrench_derivatives* derivatives);
 
 /** wrc_contact_wrench() for many contacts, in order, on the calling thread. A host with threads gives each its own range of contacts,
- * with the same results.
+ * with the same results. A contact that fails has zeros in its result and a sentence of its own; the others are solved.
  * @param contacts count of them, each once
- * @param count how many
+ * @param count how many; 0: nothing is done
  * @param inputs the first input; element i lies i * input_stride bytes behind it
  * @param input_stride [bytes]; 0: the same input for all
  * @param[out] wrenches the first result; element i lies i * wrench_stride bytes behind it
  * @param wrench_stride [bytes]
- * @param[out] statuses count of them; NULL: not wanted
- * @return the gravest status. @rt hard @thread contact, all of them */
+ * @param[out] statuses count of them, one for each contact, as wrc_contact_wrench() returns it; NULL: not wanted
+ * @return the gravest status of all; WRC_ERROR_NULL (contacts, inputs or wrenches). @rt hard @thread contact, all of them */
 WRC_API int32_t wrc_contact_wrench_batch(wrc_contact* const* contacts, uint32_t count, const wrc_wheel_input* inputs,
                                          uint64_t input_stride, wrc_wrench* wrenches, uint64_t wrench_stride,
                                          int32_t* statuses);

@@ -95,7 +95,6 @@ typedef struct wrc_coefficients {
   double reserved[4]; /**< 0 */
 } wrc_coefficients;
 
-
 /** A stress that is the largest of its kind, and where in the body it is: contact frame, but for the depth. */
 typedef struct wrc_stress_peak {
   double stress; /**< [Pa] */
@@ -141,7 +140,8 @@ typedef struct wrc_temperature {
  * range is that of a sum; single contributions may be half of it. */
 enum wrc_damage_quantity {
   WRC_DAMAGE_WORK = 0,             /**< frictional work [J], +-8e12; over the distance it is T-gamma */
-  WRC_DAMAGE_WEAR_T_GAMMA = 1,     /**< volume worn by the T-gamma law [m^3], +-8e6; spread like the work */
+  WRC_DAMAGE_WEAR_T_GAMMA = 1,     /**< volume worn by the T-gamma law [m^3], +-8e6; spread like the work. The law is of wheels:
+                                        bins of a rail get the volume of the wheel */
   WRC_DAMAGE_WEAR_SHEFFIELD = 2,   /**< the same by Sheffield's law, of each strip's T-gamma over its area */
   WRC_DAMAGE_WEAR_ARCHARD = 3,     /**< the same by Archard's, of each strip's work, peak pressure and sliding velocity */
   WRC_DAMAGE_WEAR_POWER = 4,       /**< the same by the power law, of each strip's power over its area */
@@ -266,7 +266,7 @@ WRC_API int32_t wrc_contact_temperature(wrc_contact* contact, int32_t index, con
  * @param depths count of them, increasing, 0..0.1 m
  * @param count of depths, 1..64
  * @param[out] levels the largest at each of these depths, count of them; NULL: not wanted; zero on failure
- * @param[out] stresses at the surface, below it and of both; NULL: not wanted
+ * @param[out] stresses at the surface, below it and of both; NULL: not wanted. Places: x as WRC_FIELD_X, y as WRC_FIELD_STRIP_Y
  * @return WRC_OK; WRC_FLAG_NO_CONTACT; WRC_ERROR_NULL, _STRUCT_SIZE, _SEQUENCE (no solution), _NOT_FINITE, _RANGE (also WRC_ALL_REGIONS of a wheel),
  * _UNSUPPORTED (no such body, no tractions). @rt hard, long @thread contact */
 WRC_API int32_t wrc_contact_stresses(wrc_contact* contact, int32_t index, int32_t body, const double* depths, uint32_t count,
@@ -296,15 +296,15 @@ WRC_API int32_t wrc_flash_temperature(uint32_t count, double cell, const double*
  * @return WRC_OK; WRC_FLAG_NO_CONTACT (nothing is added); WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE,
  * _RANGE, _SEQUENCE (no solution, or stages without a pose), _UNSUPPORTED (a method that gives forces alone). On failure
  * nothing is added.
- * @rt hard @thread contact */
+ * @rt hard @thread contact, one at a time per set of bins */
 WRC_API int32_t wrc_contact_accumulate(wrc_contact* contact, const wrc_accumulation* accumulation, wrc_damage_bins* wheel,
                                        wrc_damage_bins* rail, wrc_damage_totals* totals);
 
 /** Adds bins to others of the same count, places and rows.
  * @param[in,out] into what is added to
  * @param from what is added
- * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: bins of other places).
- * @rt hard @thread free */
+ * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW; WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE (also: bins of other places). Work grows
+ * with the bins. @rt hard @thread free, one at a time per set of bins */
 WRC_API int32_t wrc_damage_merge(wrc_damage_bins* into, const wrc_damage_bins* from);
 
 /** Contents of bins as numbers.
@@ -312,10 +312,10 @@ WRC_API int32_t wrc_damage_merge(wrc_damage_bins* into, const wrc_damage_bins* f
  * @param quantity enum wrc_damage_quantity
  * @param[out] values row_count * count + 1 of them, in the bins' order
  * @return WRC_OK; WRC_FLAG_SUM_OVERFLOW (in one of them at least); WRC_ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE,
- * _UNSUPPORTED (no such quantity). @rt hard @thread free */
+ * _UNSUPPORTED (no such quantity). @rt hard @thread free, one at a time per set of bins */
 WRC_API int32_t wrc_damage_values(const wrc_damage_bins* bins, int32_t quantity, double* values);
 
-/** Damage of one passage by the Whole Life Rail Model.
+/** Damage of one passage by the Whole Life Rail Model: see wrc_fatigue_laws. Theory manual, section 6.
  * @param laws parameters; NULL: the published ones
  * @param t_gamma energy dissipated per metre by a patch, 0..1e9 N
  * @param[out] damage per passage; 1 is a crack; 0 on failure
@@ -337,7 +337,7 @@ WRC_API int32_t wrc_model_arc_places(const wrc_model* model, int32_t body, uint3
 /** Coefficients of the linear theory. Theory manual, section 4; paper eq. 5.
  * @param a_over_b axis ratio, 1e-3..1e3 @param psi shape number, -0.95..0.95 @param poisson 0..0.5
  * @param[out] coefficients the coefficients
- * @return WRC_OK; WRC_FLAG_TABLE_RANGE beyond the tables; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE.
+ * @return WRC_OK; WRC_FLAG_TABLE_RANGE beyond the tables; WRC_ERROR_NULL, _RANGE, _NOT_FINITE.
  * @rt hard @thread free */
 WRC_API int32_t wrc_linear_coefficients(double a_over_b, double psi, double poisson, wrc_coefficients* coefficients);
 

@@ -272,7 +272,7 @@ WRC_DEFAULT_SIZED(wrc_creep_curve)
  * @param contact with a gap
  * @param grid where to sample
  * @param[out] gap nx * ny [m]; zero on failure, once the grid is known to be one
- * @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE, _SEQUENCE (no gap in the contact).
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _MEMORY, _SEQUENCE (no gap in the contact).
  * @rt init @thread contact */
 WRC_API int32_t wrc_exact_gap(wrc_contact* contact, const wrc_grid* grid, double* gap);
 

@@ -208,7 +208,7 @@ WRC_DEFAULT_SIZED(wrc_rail_faces_problem)
 /** Where a wheelset without yaw touches both rails, over its lateral displacement: its roll and height follow from contact
  * on both sides. EN 15302. Theory manual, "Contact functions and conicity".
  * @param model with profiles
- * @param problem where
+ * @param problem lateral displacements, and the load
  * @param[in,out] functions results; its arrays say which; left zero on failure
  * @param[out] text what went wrong, as wrc_contact_last_error writes it; NULL: not wanted
  * @param size bytes of text
@@ -306,7 +306,7 @@ WRC_API void wrc_rail_faces_destroy(wrc_rail_faces* faces);
  * @param[out] file to be released with wrc_section_file_destroy(); NULL on failure
  * @param[out] text the sentence of a failure, with the line; NULL: not wanted
  * @param size bytes of text
- * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _FILE, _MEMORY.
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE, _FILE, _MEMORY.
  * @rt init @thread free */
 WRC_API int32_t wrc_section_file_read(const char* path, double unit, int32_t mirror_y, int32_t mirror_z, wrc_section_file** file,
                                       char* text, uint64_t size);

@@ -34,10 +34,10 @@
   X(WRC_ERROR_RANGE, -4, "a value lies outside its allowed range")                                      \
   X(WRC_ERROR_PROFILE, -5, "a profile cannot be used")                                                  \
   X(WRC_ERROR_GAP, -6, "the undeformed gap cannot be used")                                             \
-  X(WRC_ERROR_LOAD, -7, "the gap cannot carry the prescribed load or approach")                         \
+  X(WRC_ERROR_LOAD, -7, "gap or profiles cannot carry the prescribed load or approach")                 \
   X(WRC_ERROR_BUFFER, -8, "the memory handed over is too small or misaligned")                          \
   X(WRC_ERROR_MEMORY, -9, "memory could not be allocated")                                              \
-  X(WRC_ERROR_SEQUENCE, -10, "a stage was called before the stage whose result it needs")               \
+  X(WRC_ERROR_SEQUENCE, -10, "a call came before the one whose result it needs")                        \
   X(WRC_ERROR_UNSUPPORTED, -11, "the requested method, version or combination does not exist")          \
   X(WRC_ERROR_FILE, -12, "a file cannot be read or written")                                            \
   X(WRC_ERROR_CANCELLED, -13, "the caller cancelled the work")                                          \

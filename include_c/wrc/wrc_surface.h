@@ -20,7 +20,8 @@
  *   wrc_surface_laws_use(&laws, "low adhesion", why, sizeof why);
  *   wrc_surface_add(&rail, WRC_SURFACE_FILM, 0.01, 0.0, 2000.0, why, sizeof why);       // leaves
  *   // in every step, without allocation:
- *   wrc_surface_passage step = {sizeof step, 0, x, x + v * dt, arc, arc + radius * omega * dt};
+ *   const double rolled = -radius * input.wheel.pitch_rate * dt;                          // [m], forwards > 0
+ *   wrc_surface_passage step = {sizeof step, 0, x, x + v * dt, arc, arc + rolled};
  *   wrc_surface_friction(&rail, &wheel, &laws, &step, &dry, &input.friction, why, sizeof why);
  *   wrc_contact_wrench(contact, &input, &wrench);
  *   step.energy = wrench.power * dt;
@@ -156,7 +157,7 @@ typedef struct wrc_surface_laws {
 typedef struct wrc_surface_passage {
   uint32_t struct_size; /**< sizeof this struct, 48 or more */
   uint32_t reserved0;   /**< 0 */
-  double rail_from;     /**< distance along the rail at the beginning, -1e9..1e9 m [0] */
+  double rail_from;     /**< distance along the rail at the beginning, growing forwards, -1e9..1e9 m [0] */
   double rail_to;       /**< the same at the end, -1e9..1e9 m [0] */
   double wheel_from;    /**< distance round the wheel at the beginning, growing as it rolls forwards, -1e9..1e9 m [0] */
   double wheel_to;      /**< the same at the end; wheel_from for a locked wheel, -1e9..1e9 m [0] */

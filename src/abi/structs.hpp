@@ -42,7 +42,7 @@ Fault check_size(const Struct& theirs) {
       return Fault::struct_size(
           {Description<Struct>::name, "struct_size"},
           {theirs.struct_size, "bytes", Description<Struct>::first, sizeof(Struct) + most_newer_bytes},
-          "set it to sizeof the struct, or begin with its _default()");
+          "set it to sizeof the struct; structs that are read have a _default() that does");
   }
   return {};
 }

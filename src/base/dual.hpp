@@ -112,7 +112,11 @@ struct Dual : DualOperators<Dual<n>> {
   double derivative(std::size_t k) const { return d[k]; }
 
   /// Adds to the derivatives `factor` times those of x.
-  void add_derivatives(double factor, const Dual& x) { pairwise::add<n>(factor, x.d.data(), d.data()); }
+  template <std::size_t m>
+  void add_derivatives(double factor, const Dual<m>& x) {
+    static_assert(m <= n);
+    pairwise::add<m>(factor, x.d.data(), d.data());
+  }
 
   template <class F, class... Duals>
   static Dual made(double value, const F& f, const Duals&... of) {
@@ -120,7 +124,63 @@ struct Dual : DualOperators<Dual<n>> {
     pairwise::each<n>(r.d.data(), f, of.d.data()...);
     return r;
   }
+  /// The same where `few` has derivatives by the first m inputs: those by the others are `alone` of this one.
+  template <class F, class G, std::size_t m>
+  static Dual made_with_few(double value, const F& both, const G& alone, const Dual& all,
+                            const Dual<m>& few) {
+    static_assert(m % 2 == 0);
+    Dual r(value);
+    pairwise::each<m>(r.d.data(), both, all.d.data(), few.d.data());
+    pairwise::each<n - m>(r.d.data() + m, alone, all.d.data() + m);
+    return r;
+  }
 };
+
+/// Is F a number like N whose derivatives by all but the first inputs of N are zero?
+template <class N, class F, class = void>
+inline constexpr bool has_few_of = false;
+template <class N, class F>
+inline constexpr bool has_few_of<
+    N, F,
+    std::enable_if_t<(N::inputs > F::inputs) && std::is_same_v<F, typename N::template Few<F::inputs>>>> =
+    true;
+
+// numbers with derivatives by all inputs, and with few
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator+(const N& a, const F& b) {
+  return N::made_with_few(
+      a.value + b.value, [](auto x, auto y) { return x + y; }, [](auto x) { return x; }, a, b);
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator+(const F& a, const N& b) {
+  return b + a;
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N& operator+=(N& a, const F& b) {
+  return a = a + b;
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator-(const N& a, const F& b) {
+  return N::made_with_few(
+      a.value - b.value, [](auto x, auto y) { return x - y; }, [](auto x) { return x; }, a, b);
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator*(const N& a, const F& b) {
+  return N::made_with_few(
+      a.value * b.value, [v = a.value, w = b.value](auto x, auto y) { return x * w + v * y; },
+      [w = b.value](auto x) { return x * w; }, a, b);
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator*(const F& a, const N& b) {
+  return b * a;
+}
+template <class N, class F, std::enable_if_t<has_few_of<N, F>, int> = 0>
+N operator/(const N& a, const F& b) {
+  const double inverse = 1.0 / b.value, q = a.value / b.value;
+  return N::made_with_few(
+      q, [q, inverse](auto x, auto y) { return (x - q * y) * inverse; },
+      [inverse](auto x) { return x * inverse; }, a, b);
+}
 
 /// Has a number derivatives by more than n inputs?
 template <std::size_t n, class Number, class = void>

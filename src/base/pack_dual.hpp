@@ -56,9 +56,14 @@ struct PackDual : DualOperators<PackDual<n>> {
     return k < vectors * abreast ? wide[k / abreast][k % abreast] : single[k - vectors * abreast];
   }
 
-  void add_derivatives(double factor, const PackDual& x) {
-    *this = made(
-        value, [factor](auto own, auto other) { return own + factor * other; }, *this, x);
+  template <std::size_t m>
+  void add_derivatives(double factor, const PackDual<m>& x) {
+    const auto add = [factor](auto own, auto other) { return own + factor * other; };
+    if constexpr (m == n)
+      *this = made(value, add, *this, x);
+    else
+      *this = made_with_few(
+          value, add, [](auto own) { return own; }, *this, x);
   }
 
   template <class F, class... Duals>
@@ -67,6 +72,16 @@ struct PackDual : DualOperators<PackDual<n>> {
     r.value = value;
     for (std::size_t k = 0; k < vectors; ++k) r.wide[k] = f(of.wide[k]...);
     for (std::size_t k = 0; k < rest; ++k) r.single[k] = f(of.single[k]...);
+    return r;
+  }
+  template <class F, class G, std::size_t m>
+  static PackDual made_with_few(double value, const F& both, const G& alone, const PackDual& all,
+                                const PackDual<m>& few) {
+    static_assert(m % abreast == 0 && n % abreast == 0 && m < n);
+    PackDual r;
+    r.value = value;
+    for (std::size_t k = 0; k < m / abreast; ++k) r.wide[k] = both(all.wide[k], few.wide[k]);
+    for (std::size_t k = m / abreast; k < vectors; ++k) r.wide[k] = alone(all.wide[k]);
     return r;
   }
 };

@@ -149,7 +149,7 @@ Fault check_points(ProfileBody body, std::int32_t count, const double* y, const 
     }
   }
   if (y[count - 1] < y[0]) {
-    return Fault::profile({name.y, 1}, {y[1] - y[0], "m"},
+    return Fault::profile({name.y, count - 1}, {y[count - 1], "m"},
                           "the points run from the field side inwards: reverse their order");
   }
   for (std::int32_t i = 1; i < count; ++i) {

@@ -14,6 +14,7 @@ struct Strips;
 namespace wrc::surface {
 struct FollowedStrips;
 struct Overlaps;
+struct OverlapSlopes;
 struct FirstLooks;
 struct StripGains;
 }  // namespace wrc::surface
@@ -54,13 +55,16 @@ struct SurfaceSlopes;
 struct SlopesRowTask;
 struct BlendRowsTask;
 struct NearLinesTask;
+struct SmoothedSlopesTask;
 struct SectionStripsTask;
 struct FollowRailTask;
 struct LookAlongTask;
 struct StripGainsTask;
 struct OutlineTask;
+struct OverlapSlopesTask;
 struct StripNumbersTask;
 struct StripNumbersSlopesTask;
+struct StripForcesSlopesTask;
 struct CellTask;
 struct CellExtremes;
 struct PointLoads;
@@ -103,14 +107,17 @@ struct TangentialKernels {
   void (*surface_strips)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_fields)(const SurfaceStripsTask& task, Sums& sums);
   void (*surface_strips_slopes)(const SurfaceStripsSlopesTask& task);
-  /// Bounds of a strip's cells, up to a factor that a patch shares.
-  void (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
+  /// Bounds of a strip's cells, up to a factor that a patch shares; returns their sum.
+  double (*memory_bounds)(const MemoryBoundsTask& task, double load, double friction, RememberingStrip& to);
   /// Adds the tractions that a past strip brings.
   void (*memory_bring)(const MemoryBringTask& task, RememberingStrip& to);
   /// Tractions alone, or with the sums.
   void (*memory_pass)(const MemoryPassTask& task);
   void (*memory_pass_sums)(const MemoryPassTask& task, MemoryPassSums& sums);
   void (*memory_march)(const MemoryMarchTask& task);
+  /// Tractions of a strip's cells: a share of others, and the sums of their squares.
+  void (*memory_tend)(const double* others, double share, double* to);
+  void (*memory_squares)(const double* tractions, double& along_x, double& along_y);
   void (*layered_march)(const LayeredMarchTask& task, Sums& sums);
   void (*layered_march_fields)(const LayeredMarchTask& task, Sums& sums);
 };
@@ -122,6 +129,8 @@ struct SurfaceKernels {
   /// some of the strips, those that march.
   void (*strip_means_slopes)(const StripNumbersSlopesTask& task);
   void (*strip_arrays_slopes)(const StripNumbersSlopesTask& task);
+  /// Derivatives of the strips' forces by the chain rule.
+  void (*strip_forces_slopes)(const StripForcesSlopesTask& task);
   /// factor_k J_k cos_k for each source k, seen from points that are middles of strips: a row for each, of
   /// whole vectors, and one more where they are odd. A source's effect on itself is not in them. `skewed`:
   /// not all centres are the same.
@@ -145,6 +154,8 @@ struct SurfaceKernels {
   /// before `end`.
   void (*take_known)(const double* row, std::int32_t first, std::int32_t end, const double* x, double* right);
   void (*near_lines)(const NearLinesTask& task);
+  /// Returns the smoothed value; where nothing presses 0, as its derivatives.
+  double (*smoothed_slopes)(const SmoothedSlopesTask& task);
   /// Places strips between sections of a rail.
   void (*section_strips)(const SectionStripsTask& task);
   /// Fills the most that overlaps of strips grow at places along a rail that varies, and where.
@@ -157,13 +168,15 @@ struct SurfaceKernels {
   void (*follow_rail)(const FollowRailTask& task, surface::FollowedStrips& strips);
   /// Fills scratch.y, z and seen at the wheel's knots.
   void (*outline)(const OutlineTask& task);
-  /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than
-  /// `margin` above the rail, which lie from `begin` to before `end`.
-  void (*cross_rays)(const OutlineTask& task, double margin, std::int32_t& begin, std::int32_t& end);
+  /// Fills scratch.overlap, and piece and part of the strips whose rays the outline crosses less than the
+  /// `margin` of their range above the rail, which lie from `begin` to before `end`.
+  void (*cross_rays)(const OutlineTask& task, const double* margin, std::int32_t& begin, std::int32_t& end);
   /// Fills the overlaps of overlaps.count strips, whose rays cross the chord of overlaps.piece at the part
   /// overlaps.u of it; then `u` is the length on the piece [m]. Depth -1 where the surfaces do not face each
   /// other.
   void (*follow_rays)(const OutlineTask& task, const surface::Overlaps& overlaps);
+  /// Fills the overlap of a strip with its derivatives.
+  void (*overlap_slopes)(const OverlapSlopesTask& task, surface::OverlapSlopes& to);
 };
 
 struct DamageKernels {

@@ -188,9 +188,13 @@ Fault read_table(const std::string& path, const std::vector<std::vector<double>>
   const std::string prefix = "SectionPosition";
   if (stem.compare(0, prefix.size(), prefix) == 0) stem.erase(0, prefix.size());
   for (const std::vector<double>& row : rows) {
+    if (row[0] < 0.0 || row[0] != std::floor(row[0]))
+      return unusable(sentence("two columns are numbers of sections and their places, and ", row[0],
+                               " is no number of one: are these points of a section?"),
+                      why);
     const std::string name = stem + "_" + std::to_string(static_cast<std::int64_t>(row[0])) + ".txt";
     std::string file = folder_of(path) + name;
-    if (!exists(file)) file = folder_of(path) + stem + "/" + name;
+    if (!exists(file)) file = folder_of(path).append(stem).append("/").append(name);
     if (!exists(file))
       return unusable(sentence("section ", row[0], " at ", row[1], " m has no file ") + name, why);
     MeasuredSection section;

@@ -41,7 +41,7 @@ std::string misplaced(const std::vector<MeasuredSection>& sections, std::size_t 
                     " m: sections cross, or are out of order");
   if (here - before < 1e-3)
     return sentence(in_mm(here - before), " mm beyond section ", number,
-                    ": sections of a model are 1 mm apart at least");
+                    ": sections of a model are 1 mm apart at least. In which unit are the distances?");
   return {};
 }
 

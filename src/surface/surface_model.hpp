@@ -67,6 +67,7 @@ constexpr std::int32_t strips_of_a_rail(std::int32_t faces) {
   return faces > 4 ? 2 * most_strips_of_a_rail : most_strips_of_a_rail;
 }
 static_assert(strips_of_a_rail(most_rail_faces) / most_rail_faces == most_strips_of_a_rail / 4);
+static_assert(strips_of_a_rail(most_rail_faces) <= second_places, "one bit above strips tells second places");
 
 struct SurfaceModel : SurfaceGeometry {
   double rail_origin_y = 0.0, rail_origin_z = 0.0;  ///< right-hand rail, track axes [m]
@@ -100,7 +101,7 @@ Fault make_surface_model(const SurfaceBodies& bodies, void* memory, const Surfac
 /// The model's constants of the normal problem.
 inline PressureModel pressure_model(const SurfaceModel& model) {
   return {*model.influence, *model.kernels, model.material.normal_compliance(),
-          changes(model.varying) ? lambda_length_along_track : usual_lambda_length};
+          changes(model.varying) ? lambda_length_along_track : usual_lambda_length, changes(model.varying)};
 }
 
 }  // namespace wrc::surface

@@ -318,6 +318,7 @@ TEST_F(SectionFile, FilesThatCannotBeReadAreNamed) {
   refuse(folder + "wrc_not_there.slcs", "cannot be opened");
   refuse(folder + "wrc_not_there.txt", "cannot be opened");
   refuse(write("wrc_1.slcs", "words\n"), "no heading of slices");
+  refuse(write("wrc_points.txt", "-35.5 2\n0 0\n35.5 2\n"), "are these points of a section");
   refuse(write("wrc_2.slcs", "0 1\n2\n"), "2 slices are promised, 0 named");
   refuse(write("wrc_3.slcs", "0 1\n1\n0 'wrc_lost.txt'\n"), "line 3: there is no file");
   write("wrc_4.txt", "0 0\n1 none\n");

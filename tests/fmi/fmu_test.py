@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 import numpy
 from fmpy import extract, read_model_description, simulate_fmu
@@ -191,10 +192,26 @@ for each in (wheel, built_in):
         each.set(name, value)
 of_points, of_formulas = wheel.get("fz", "peak_pressure"), built_in.get("fz", "peak_pressure")
 check(abs(of_points[0] / of_formulas[0] - 1) < 0.02 and of_points != of_formulas, f"points {of_points}, formulas {of_formulas}")
-broken = scratch / "broken.txt"
-broken.write_text(wheel_points.read_text().replace("\n", "\n1,5 2\n", 1))
+other = scratch / "other.csv"
+plain = [line.split() for line in wheel_points.read_text().splitlines() if not line.startswith("#")]
+other.write_text("y;z\n" + "".join(f"{y};{z}\n".replace(".", ",") for y, z in plain))
+same = Fmu(with_profiles(wheel=other, rail=rail_points), {"side": 0})
+for name, value in POSE.items():
+    same.set(name, value)
+check(same.get("fz", "peak_pressure") == of_points, "decimal commas beside semicolons")
+for change, why in ((lambda y, z: f"{y} {z} 0", "3 numbers"), (lambda y, z: f"{float(y) / 1e3} {z}", "over 0.1"), (lambda y, z: f"{y} {z}x", "over 0 mm")):
+    other.write_text("".join(change(y, z) + "\n" for y, z in plain))
+    said = subprocess.run([sys.executable, str(make_fmu), "profiles", str(base), str(own), "--wheel", str(other)], capture_output=True, text=True)
+    check(said.returncode != 0 and why in said.stderr and "Traceback" not in said.stderr, said.stderr)
+with_profiles(wheel=wheel_points)
+with zipfile.ZipFile(own) as packed:
+    files = {name: packed.read(name) for name in packed.namelist()}
+files["resources/wheel.txt"] = files["resources/wheel.txt"].replace(b"\n", b"\n1,5 2\n", 1)
+with zipfile.ZipFile(own, "w") as packed:
+    for name, data in files.items():
+        packed.writestr(name, data)
 try:
-    Fmu(with_profiles(wheel=broken))
+    Fmu(own)
     check(False, "a broken line is refused")
 except Exception as refused:  # of fmpy
     check(True, str(refused))

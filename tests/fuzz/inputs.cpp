@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "presets.hpp"
@@ -332,12 +333,15 @@ wrc_planar_pose make_pose(Choices& choices) {
   return pose;
 }
 
-void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_input& input) {
-  input = wrc_wheel_input_default();
-  wrc_wheel_state& wheel = input.wheel;
-  wrc_rail_state& rail = input.rail;
-  wrc_friction& friction = input.friction;
-  const bool far = choices.one_in(4);
+namespace {
+
+/// The numbers of the angular velocity that a wheel's axes ask for.
+std::array<double*, 3> turning_of(wrc_wheel_state& wheel) {
+  if (wheel.angular_axes == WRC_AXES_NONE) return {&wheel.roll_rate, &wheel.pitch_rate, &wheel.yaw_rate};
+  return {&wheel.angular_velocity[0], &wheel.angular_velocity[1], &wheel.angular_velocity[2]};
+}
+
+void make_wheel_state(Choices& choices, bool far, wrc_wheel_state& wheel) {
   wheel.reference = static_cast<std::int32_t>(choices.below(2));
   wheel.angular_axes = static_cast<std::int32_t>(choices.below(3));
   wheel.y = far ? anywhere(choices, MEMBER(wrc_wheel_state, "y")) : choices.between(-0.01, 0.01);
@@ -349,10 +353,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
   wheel.velocity[0] = sized(choices, MEMBER(wrc_wheel_state, "velocity[0]"), 1e-9);
   wheel.velocity[1] = sized(choices, MEMBER(wrc_wheel_state, "velocity[1]"), 1e-9);
   wheel.velocity[2] = sized(choices, MEMBER(wrc_wheel_state, "velocity[2]"), 1e-9);
-  const bool by_rates = wheel.angular_axes == WRC_AXES_NONE;
-  double* const turning[] = {by_rates ? &wheel.roll_rate : &wheel.angular_velocity[0],
-                             by_rates ? &wheel.pitch_rate : &wheel.angular_velocity[1],
-                             by_rates ? &wheel.yaw_rate : &wheel.angular_velocity[2]};
+  const std::array<double*, 3> turning = turning_of(wheel);
   *turning[0] = sized(choices, MEMBER(wrc_wheel_state, "roll_rate"), 1e-9);
   *turning[1] = sized(choices, MEMBER(wrc_wheel_state, "pitch_rate"), 1e-9);
   *turning[2] = sized(choices, MEMBER(wrc_wheel_state, "yaw_rate"), 1e-9);
@@ -364,6 +365,9 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     wheel.roll = wheel.yaw = 0.0;
     if (choices.one_in(8)) wheel.rotation[choices.below(9)] = choices.poison();
   }
+}
+
+void make_rail_state(Choices& choices, bool far, wrc_rail_state& rail) {
   rail.y = far ? sized(choices, MEMBER(wrc_rail_state, "y"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   rail.z = far ? sized(choices, MEMBER(wrc_rail_state, "z"), 1e-9) : choices.signed_magnitude(1e-9, 0.005);
   rail.roll =
@@ -375,6 +379,18 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
     rail.y_slope = choices.signed_magnitude(1e-9, 0.1);
     rail.z_slope = choices.signed_magnitude(1e-9, 0.1);
   }
+}
+
+}  // namespace
+
+void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_input& input) {
+  input = wrc_wheel_input_default();
+  wrc_wheel_state& wheel = input.wheel;
+  wrc_rail_state& rail = input.rail;
+  wrc_friction& friction = input.friction;
+  const bool far = choices.one_in(4);
+  make_wheel_state(choices, far, wheel);
+  make_rail_state(choices, far, rail);
   friction.coefficient = sized(choices, MEMBER(wrc_friction, "coefficient"));
   if (choices.one_in(3)) rail = wrc_rail_state{};
   if (choices.one_in(6)) friction.coefficient = 0.0;
@@ -423,7 +439,7 @@ void make_wheel_on_rail(Choices& choices, const wrc_config& config, wrc_wheel_in
                              &friction.layer_thickness,
                              &friction.layer_yield,
                              &input.time_step,
-                             turning[1],
+                             turning_of(wheel)[1],
                              &input.vertical_load,
                              &input.damping};
   if (choices.one_in(20)) *numbers[choices.below(std::size(numbers))] = choices.poison();

@@ -25,7 +25,7 @@ FILM = """  int32_t film_law; /**< how the film spreads, 0..9 [0] */
 FUNCTION = """/** A function of a later version.
  * @param x any number
  * @param[out] y twice as much
- * @return WRC_OK, WRC_ERROR_NULL. @rt hard @thread free */
+ * @return WRC_OK; WRC_ERROR_NULL, _RANGE, _NOT_FINITE. @rt hard @thread free */
 WRC_API int32_t %s(double x, double* y);
 
 """

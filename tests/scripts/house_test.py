@@ -10,9 +10,11 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/house"))
+sys.path[:0] = [str(ROOT / "tools/house"), str(ROOT / "tools/interface")]
+import calls
 import figures
 import functions
+import headers
 import references
 
 SOURCE = '''\
@@ -191,6 +193,23 @@ class References(Tree):
         sys.argv = ["references.py", str(self.root)]
         with contextlib.redirect_stdout(io.StringIO()):
             self.assertEqual(references.main(), 1)
+
+
+class Calls(unittest.TestCase):
+    SAYS = "Twice. @param a first @param[out] b second @return WRC_OK; WRC_ERROR_NULL, _STRUCT_SIZE, _RANGE, _NOT_FINITE. @rt init @thread free"
+
+    def lacks(self, without="", instead=""):
+        number, struct = headers.Type("double", 0, False, (), ""), headers.Type("wrc_sized", 1, False, (), "")
+        function = headers.Function("wrc_twice", headers.Type("int32_t", 0, False, (), ""), [("a", number), ("b", struct)],
+                                    self.SAYS.replace(without, instead), "wrc.h", True)
+        return list(calls.lacks(function, {"wrc_sized"}))
+
+    def test_comments_of_functions(self):
+        self.assertEqual(self.lacks(), [])
+        for word in ("@param a", "@param[out] b", "@return", "WRC_ERROR_NULL", "_STRUCT_SIZE", "_RANGE", "_NOT_FINITE", "@rt", "@thread"):
+            self.assertEqual(len(self.lacks(word)), 1, word)
+        self.assertEqual(len(self.lacks("@rt init", "@rt hard")), 0)
+        self.assertEqual(len(self.lacks("_RANGE, _NOT_FINITE. @rt init", "_RANGE, _NOT_FINITE, _MEMORY. @rt hard")), 1)
 
 
 class Scripts(Tree):

@@ -10,6 +10,7 @@
 #include "cut_into.hpp"
 #include "surface/geometry/overlap_slopes.hpp"
 #include "surface/geometry/surface_geometry.hpp"
+#include "surface/simd/tasks.hpp"
 
 namespace wrc::surface {
 namespace {
@@ -244,8 +245,11 @@ TEST(Overlap, DerivativesAreThoseOfTheSearch) {
     const Overlaps a = ahead.find(moved(input, by), margin), b = back.find(moved(input, -by), margin);
     for (std::int32_t i = 0; i < o.count; ++i) {
       const std::int32_t j = o.strip[i];
-      const OverlapSlopes s = overlap_slopes({rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]},
-                                             here.surfaces.wheel.curve, moving, attitude, o.piece[i], o.u[i]);
+      OverlapSlopes s;
+      here.surfaces.kernels->surface.overlap_slopes(
+          {rail.y[j], rail.z[j], rail.ty[j], rail.tz[j], &here.surfaces.wheel.curve, &moving, &attitude,
+           o.piece[i], o.u[i]},
+          s);
       const auto at = [j](const Overlaps& of) {
         return std::find(of.strip, of.strip + of.count, j) - of.strip;
       };

@@ -60,6 +60,7 @@ struct TurnedGap {
 
   PressureStart start;
   StartFrom from = StartFrom::overlaps;
+  bool along_track = false;
   std::vector<double> numbers, L, shift, deep;
 
   PressureResult solve_from_start(double compliance, const PressureOptions& options = {}) {
@@ -81,7 +82,9 @@ struct TurnedGap {
     std::vector<double> workspace(static_cast<std::size_t>(pressure_doubles(count)));
     for (auto* a : {&numbers, &L, &shift, &deep}) a->resize(n);
     start = {numbers.data(), L.data(), shift.data(), deep.data(), start.count, start.change, start.earlier};
-    return solve_pressure(model_of(compliance), rail, overlaps, options, workspace.data(), start, from,
+    PressureModel model = model_of(compliance);
+    model.along_track = along_track;
+    return solve_pressure(model, rail, overlaps, options, workspace.data(), start, from,
                           {length_squared.data(), peak_per_length.data(), centre.data(), line_load.data()});
   }
 };
@@ -110,6 +113,35 @@ TEST(SurfacePressure, HertzsEllipseLiesAskewToTheStrips) {
       const double a2 = hertz.a * hertz.a, b2 = hertz.b * hertz.b, angle = degrees * pi / 180.0;
       const double product = 0.2 * (a2 - b2) * std::sin(angle) * std::cos(angle);
       EXPECT_NEAR(moment / load, product, 2e-2 * std::fmax(a2, b2) / 5.0);
+    }
+}
+
+// Along the track a solve starts from Hertz's contact of a hill of overlap. Without work it ends there.
+TEST(SurfacePressure, AHillOfOverlapStartsAsHertzsContact) {
+  const double compliance = test::steel.normal_compliance(), approach = 60e-6;
+  for (const double ratio : {0.15, 0.4, 1.0, 3.0})
+    for (const double degrees : {0.0, 10.0, 30.0, 60.0}) {
+      SCOPED_TRACE(testing::Message() << "A / B " << ratio << ", " << degrees << " degrees");
+      const double A = 1.2, B = A / ratio, angle = degrees * pi / 180.0;
+      TurnedGap gap(A, B, angle, approach, 0.5e-3);
+      gap.along_track = true;
+      PressureOptions nothing;
+      nothing.max_work = 1.0;
+      const PressureResult result = gap.solve_from_start(compliance, nothing);
+      EXPECT_EQ(result.iterations, 1);
+      EXPECT_LT(result.residual, 0.06);
+      // P x^2 + 2 R x y + Q y^2 = 1 of the ellipse
+      const normal::HertzEllipse hertz = normal::hertz_ellipse(A, B, approach, compliance);
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double a2 = 1.0 / (hertz.a * hertz.a), b2 = 1.0 / (hertz.b * hertz.b);
+      const double P = c * c * a2 + s * s * b2, R = (a2 - b2) * c * s, Q = s * s * a2 + c * c * b2;
+      for (std::size_t i = 0; i < gap.place.size(); ++i) {
+        const double y = gap.place[i], L = std::fmax(1.0 - (Q - R * R / P) * y * y, 0.0) / P;
+        EXPECT_NEAR(gap.length_squared[i], L, 0.05 / P) << i;
+        if (L > 0.1 / P) {
+          EXPECT_NEAR(gap.centre[i], -R / P * y, 0.05 / std::sqrt(P)) << i;
+        }
+      }
     }
 }
 

@@ -15,6 +15,7 @@ import subprocess
 import sys
 
 import baseline
+import calls
 import cpp
 import cpp_header
 import dlopen
@@ -32,6 +33,7 @@ MARK = "Written by tools/interface/describe.py from the headers in include_c/wrc
 def files(interface, table_order, root):
     """{path in the tree: text}"""
     growth.check(interface)
+    calls.check(interface)
     described = {struct.name: grammar.describe(struct, interface)
                  for struct in interface.structs.values()}
     made = cpp.written(interface, described, MARK) | dlopen.written(interface, table_order, MARK)

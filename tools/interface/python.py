@@ -51,6 +51,12 @@ def enumerator_names(enumeration):
     return short
 
 
+def items(text):
+    """Lines of a text and of the list in it."""
+    first, *others = re.split(r"(?<=[.:;]) - (?=\S)", text)
+    return [first, *(f"  - {each}" for each in others)]
+
+
 class Writer:
     def __init__(self, interface, described):
         self.interface, self.described = interface, described
@@ -388,7 +394,7 @@ class Writer:
     def told(self, function, roles, outs):
         """A function's comment as a docstring's lines."""
         pieces = function.comment.split("@")
-        lines = [self.text(pieces[0]), ""]
+        lines = [*items(self.text(pieces[0])), ""]
         watched = [each for each, kind, role in roles if role == "in" and self.watched(kind)]
         roles = {each: role for each, _, role in roles}
         for piece in pieces[1:]:
@@ -404,7 +410,7 @@ class Writer:
                     if name in watched:
                         lines.append("progress: called with the fraction done; give something true to stop; None: none")
             elif command == "return":
-                lines += ["", "C status: " + self.text(rest)]
+                lines += [""] * bool(lines[-1]) + items("C status: " + self.text(rest))
         return lines
 
     def docstring(self, lines, indent):

@@ -53,10 +53,10 @@ class Status(s.Choice):
     ERROR_RANGE = -4, 'a value lies outside its allowed range'
     ERROR_PROFILE = -5, 'a profile cannot be used'
     ERROR_GAP = -6, 'the undeformed gap cannot be used'
-    ERROR_LOAD = -7, 'the gap cannot carry the prescribed load or approach'
+    ERROR_LOAD = -7, 'gap or profiles cannot carry the prescribed load or approach'
     ERROR_BUFFER = -8, 'the memory handed over is too small or misaligned'
     ERROR_MEMORY = -9, 'memory could not be allocated'
-    ERROR_SEQUENCE = -10, 'a stage was called before the stage whose result it needs'
+    ERROR_SEQUENCE = -10, 'a call came before the one whose result it needs'
     ERROR_UNSUPPORTED = -11, 'the requested method, version or combination does not exist'
     ERROR_FILE = -12, 'a file cannot be read or written'
     ERROR_CANCELLED = -13, 'the caller cancelled the work'
@@ -508,7 +508,8 @@ class DamageQuantity(s.Choice):
         it.
 
     WORK: frictional work [J], +-8e12; over the distance it is T-gamma
-    WEAR_T_GAMMA: volume worn by the T-gamma law [m^3], +-8e6; spread like the work
+    WEAR_T_GAMMA: volume worn by the T-gamma law [m^3], +-8e6; spread like the work. The law is of wheels:
+        bins of a rail get the volume of the wheel
     WEAR_SHEFFIELD: the same by Sheffield's law, of each strip's T-gamma over its area
     WEAR_ARCHARD: the same by Archard's, of each strip's work, peak pressure and sliding velocity
     WEAR_POWER: the same by the power law, of each strip's power over its area
@@ -522,7 +523,7 @@ class DamageQuantity(s.Choice):
     """
 
     WORK = 0, 'frictional work [J], +-8e12; over the distance it is T-gamma'
-    WEAR_T_GAMMA = 1, 'volume worn by the T-gamma law [m^3], +-8e6; spread like the work'
+    WEAR_T_GAMMA = 1, 'volume worn by the T-gamma law [m^3], +-8e6; spread like the work. The law is of wheels: bins of a rail get the volume of the wheel'
     WEAR_SHEFFIELD = 2, "the same by Sheffield's law, of each strip's T-gamma over its area"
     WEAR_ARCHARD = 3, "the same by Archard's, of each strip's work, peak pressure and sliding velocity"
     WEAR_POWER = 4, "the same by the power law, of each strip's power over its area"
@@ -3740,7 +3741,7 @@ class SurfacePassage(s.Struct):
         frictional energy.
 
     Members:
-      rail_from [m]: distance along the rail at the beginning (-1e9 .. 1e9; default 0)
+      rail_from [m]: distance along the rail at the beginning, growing forwards (-1e9 .. 1e9; default 0)
       rail_to [m]: the same at the end (-1e9 .. 1e9; default 0)
       wheel_from [m]: distance round the wheel at the beginning, growing as it rolls forwards (-1e9 .. 1e9;
           default 0)
@@ -3938,22 +3939,24 @@ class ContactCalls(_l.Handle):
         input: what to solve
         out: the result; None: a new one
 
-        C status: Status.OK, or the gravest flag: - Status.FLAG_NO_CONTACT: apart. Also a wheel too deep in
-            its rail for contact to be looked for, as a flange 4 mm inside the rail's side. The sentence then
-            says so. - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED. -
-            _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
-            more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
-            strips than there is room for. Or a round wheel touches a rail at three places along the track, of
-            which two carry the load. - _CREEPAGES_LIMITED: slower than 0.1 m/s, as
-            Contact.planar_creepages(). Or the wheel turns against its travel and slides at more than 10 times
-            its speed of rolling. The sentence then asks for the sign of pitch_rate. Neither with
-            config.surface.memory. - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the
-            committed step, 1 mm further than its velocities take it. - _BEYOND_GAP: deeper than 2 mm,
-            continued with the stiffness there. - _FORCE_JUMPS: a planar normal method on a patch of several
-            lowest points. Or Status.ERROR_NULL, _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries
-            the load). _UNSUPPORTED: a model without profiles; zones in a contact frame; friction over
-            temperature of a method without tractions; with config.surface.memory friction over temperature
-            and a layer.
+        C status: Status.OK, or the gravest flag:
+          - Status.FLAG_NO_CONTACT: apart. Also a wheel too deep in its rail for contact to be looked for, as
+              a flange 4 mm inside the rail's side. The sentence then says so.
+          - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
+          - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
+              more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
+              strips than there is room for. Or a round wheel touches a rail at three places along the track,
+              of which two carry the load.
+          - _CREEPAGES_LIMITED: slower than 0.1 m/s, as Contact.planar_creepages(). Or the wheel turns against
+              its travel and slides at more than 10 times its speed of rolling. The sentence then asks for the
+              sign of pitch_rate. Neither with config.surface.memory.
+          - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm
+              further than its velocities take it.
+          - _BEYOND_GAP: deeper than 2 mm, continued with the stiffness there.
+          - _FORCE_JUMPS: a planar normal method on a patch of several lowest points. Or Status.ERROR_NULL,
+              _STRUCT_SIZE, _NOT_FINITE, _RANGE, _LOAD (no height carries the load). _UNSUPPORTED: a model
+              without profiles; zones in a contact frame; friction over temperature of a method without
+              tractions; with config.surface.memory friction over temperature and a layer.
         """
         if out is None:
             out = Wrench._new()
@@ -3971,7 +3974,6 @@ class ContactCalls(_l.Handle):
             the next mark, whatever was called in between: trial steps, Jacobians by differences, steps taken
             back. The mark is saved and restored with the state.
 
-
         C status: Status.OK; Status.ERROR_NULL; _SEQUENCE (the last call left no solution of a wheel).
         """
         with self._lock:
@@ -3985,7 +3987,6 @@ class ContactCalls(_l.Handle):
             on this step and the input of the call alone, to the last bit. Trial steps, rejected ones and
             differences leave no trace. A contact begins without tractions. The committed step is saved and
             restored with the state. Theory manual, section 5.
-
 
         C status: Status.OK; Status.ERROR_NULL; _UNSUPPORTED (a model without config.surface.memory);
             _SEQUENCE (the last call left no solution of a wheel, or it is committed already).
@@ -4112,11 +4113,12 @@ class ContactCalls(_l.Handle):
         """Creepages at the origin of the contact frame of the last Contact.planar_geometry(), from the rigid
             motion of the wheelset. The velocity of the wheel's point is divided by the amount of the rolling
             speed V. That is the mean of the speeds of wheel and rail material through the contact. A locked
-            wheel has half its speed and creepage 2. - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 -
-            u^4) / 8, u = |V| / 0.1 m/s. speed has its amount and the sign of V. reverse_share goes to 0.5 at
-            V = 0. Forces are twice differentiable in the motion through V = 0. - Where a creepage would pass
-            its range, all are divided by more, and speed grows by it. - |speed| ends at 200 m/s. Theory
-            manual, section 7.
+            wheel has half its speed and creepage 2.
+          - Below |V| = 0.1 m/s the divisor is 0.1 m/s (3 + 6 u^2 - u^4) / 8, u = |V| / 0.1 m/s. speed has its
+              amount and the sign of V. reverse_share goes to 0.5 at V = 0. Forces are twice differentiable in
+              the motion through V = 0.
+          - Where a creepage would pass its range, all are divided by more, and speed grows by it.
+          - |speed| ends at 200 m/s. Theory manual, section 7.
 
         motion: of the wheelset, track frame
         out: for Contact.planar_tangential(), as it stands; None: a new one
@@ -4335,19 +4337,20 @@ class ContactCalls(_l.Handle):
         """Exact counterpart of Contact.wrench(): normal contact and steady rolling over cells on the rail's
             curved surface. Every cell has its gap along its own normal and the sliding of its own surface
             points. Half-space coefficients are those over arc length between frames turned against each
-            other, so that pressure and tractions act on one another. - Friction zones and falling friction
-            are each row of cells'. Both ways of rolling near standstill are as in Contact.wrench(). - Damping
-            goes by the speed at which a row's surfaces near each other at its middle. -
-            friction.slope_reduction divides what tractions move the surfaces along each other: theory manual,
-            sections 5, 7 and 9. - Takes from a tenth of a second to minutes, growing with the second to
-            fourth power of 1 / cell. - The contact keeps its last Contact.wrench(). On a rail that changes
-            along the track every cell has its gap to the rail as it is there, and its sliding along it.
-            Normals turn with the section, and forces lean along the track, row by row as they do where the
-            wheel is nearest. Surfaces (a check rail, a blade) are solved each alone, with its own rolling
-            speed, and added up. A wheel that is not round has its radius at every cell. Its hollows are
-            bridged as by a rail that is level along the track. A row of cells looks for the wheel up to 120
-            mm ahead and behind and starts where that is nearest; it has cells up to 100 mm from there, on the
-            level and on a ramp at once.
+            other, so that pressure and tractions act on one another.
+          - Friction zones and falling friction are each row of cells'. Both ways of rolling near standstill
+              are as in Contact.wrench().
+          - Damping goes by the speed at which a row's surfaces near each other at its middle.
+          - friction.slope_reduction divides what tractions move the surfaces along each other: theory manual,
+              sections 5, 7 and 9.
+          - Takes from a tenth of a second to minutes, growing with the second to fourth power of 1 / cell.
+          - The contact keeps its last Contact.wrench(). On a rail that changes along the track every cell has
+              its gap to the rail as it is there, and its sliding along it. Normals turn with the section, and
+              forces lean along the track, row by row as they do where the wheel is nearest. Surfaces (a check
+              rail, a blade) are solved each alone, with its own rolling speed, and added up. A wheel that is
+              not round has its radius at every cell. Its hollows are bridged as by a rail that is level along
+              the track. A row of cells looks for the wheel up to 120 mm ahead and behind and starts where
+              that is nearest; it has cells up to 100 mm from there, on the level and on a ramp at once.
 
         input: as for Contact.wrench(); without FrictionTemperatureLaw.LINEAR: there are no temperatures
         options: None: the defaults
@@ -4385,8 +4388,7 @@ def linear_coefficients(a_over_b: float, psi: float, poisson: float, *, out: Opt
     poisson: 0..0.5
     out: the coefficients; None: a new one
 
-    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_NULL, _STRUCT_SIZE, _RANGE,
-        _NOT_FINITE.
+    C status: Status.OK; Status.FLAG_TABLE_RANGE beyond the tables; Status.ERROR_NULL, _RANGE, _NOT_FINITE.
     """
     if out is None:
         out = Coefficients._new()

@@ -37,7 +37,7 @@ NAMES = {
     "DamageBins.bin": "bins", "Accumulation.source": "gone: the contact's last solution counts",
     "ExactNormalProblem.materials": "wheel_material and rail_material", "ExactRollingProblem.materials": "wheel_material and rail_material",
     "ConicityProblem.amplitude": "amplitudes", "ProfileWear.bins": "bin_count",
-    "Prescribed.LOAD": "NORMAL_FORCE", "Start.ANEW": "COLD", "Start.FROM_LAST": "WARM", "Field.TRACTION_S": "TRACTION_Y",
+    "Prescribed.LOAD": "NORMAL_FORCE, of a wheel VERTICAL_LOAD", "Start.ANEW": "COLD", "Start.FROM_LAST": "WARM", "Field.TRACTION_S": "TRACTION_Y",
     "Field.SLIP_S": "SLIP_Y", "Field.STRIP_S": "STRIP_Y", "Field.STRIP_Z": "STRIP_PROFILE_Z", "Field.STRIP_HALF": "STRIP_HALF_LENGTH",
     "FrictionSpeedLaw.FALLING": "EXPONENTIAL", "FrictionSpeedLaw.STATIC_KINETIC": "HYPERBOLIC",
     "WrenchInput.RAIL_ROLL_VELOCITY": "RAIL_ROLL_RATE", "TangentialMethod.COARSE_HALFSPACE": "gone",

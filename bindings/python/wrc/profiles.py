@@ -24,6 +24,7 @@ UNITS = {"mm": 1e-3, "m": 1.0, "cm": 1e-2, "um": 1e-6, "in": 25.4e-3}
 NARROWEST, WIDEST = 0.020, 0.500  # m: what the library takes for a profile
 BODIES = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail", ".wheel": "wheel", ".rail": "rail"}
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?$")
+_ALL_COMMAS = re.compile(r"[-+]?\d+,\d{3,}\s*,\s*[-+]?\d+,\d{3,}$")
 _DECIMAL_COMMAS = re.compile(r"[-+]?\d+,\d+(\s+[-+]?\d+,\d+)+$")
 _SIMPACK_NUMBERS = ("approx.smooth", "point.dist.min", "shift.y", "shift.z", "rotate", "bound.y.min", "bound.y.max", "bound.z.min",
                     "bound.z.max", "mirror.y", "mirror.z", "inversion", "units.len.f", "units.ang.f")
@@ -208,6 +209,8 @@ def _columns(path: str, rows: List[str], miniprof: bool, columns: Optional[Tuple
             continue
         if ";" in text:
             cells = [each.strip().replace(",", ".") for each in text.split(";") if each.strip()]
+        elif _ALL_COMMAS.match(text) and not columns:
+            raise ProfileError(path, at, "commas are decimal and part the numbers, too: part these by semicolons or blanks")
         elif _DECIMAL_COMMAS.match(text):
             cells = text.replace(",", ".").split()
         else:
@@ -318,8 +321,9 @@ def _in_metres(path: str, points: np.ndarray, unit: Optional[str], said: Any, no
     else:
         if not fitting:
             others = [name for name, scale in UNITS.items() if NARROWEST <= width * scale <= WIDEST]
-            raise ProfileError(path, None, f"is {width:g} wide, which is a profile neither in mm nor in m: pass unit=" +
-                               " or ".join(f'"{name}" ({1e3 * width * UNITS[name]:.0f} mm)' for name in others))
+            advice = " or ".join(f'"{name}" ({1e3 * width * UNITS[name]:.0f} mm)' for name in others)
+            raise ProfileError(path, None, f"is {width:g} wide, which is a profile neither in mm nor in m: " +
+                               (f"pass unit={advice}" if others else "is y its first column? columns=(1, 2) names others"))
         scale, why = UNITS[fitting[0]], ""
         notes.append(f"taken as {fitting[0]}, which fits its width")
     if not NARROWEST <= width * scale <= WIDEST:

@@ -1,13 +1,13 @@
 /// Dense linear equations with two right-hand sides, for influence matrices.
 #pragma once
 
-#include "base/pack.hpp"
+#include "base/eight_parts.hpp"
 #include "normal/simd/tasks.hpp"
 
 namespace wrc::simd {
 namespace {
 
-constexpr std::int32_t group = 8;  // parts of a sum, whatever the instruction set
+constexpr std::int32_t group = EightParts::parts;
 
 /// Rows of equations, the right-hand sides up to the column `end`.
 struct EquationRows {
@@ -90,25 +90,15 @@ inline void triangulate(double* rows, std::int32_t column, const EquationRows& a
   });
 }
 
-/// Sum over row[c] x[c], c = from .. to - 1, both multiples of `group`; in eight parts, of which those half
-/// of them apart are added up, again and again.
+/// Sum over row[c] x[c], c = from .. to - 1, both multiples of `group`.
 inline double product(const double* row, const double* x, std::int64_t from, std::int64_t to) {
-  constexpr std::int32_t parts = group / abreast;
-  Columns sum[parts];
-  for (std::int32_t k = 0; k < parts; ++k) sum[k] = in_all_columns(0.0);
+  EightParts sum = no_parts();
   for (std::int64_t c = from; c < to; c += group)
-    for (std::int32_t k = 0; k < parts; ++k) {
-      const std::int64_t at = c + k * abreast;
-      sum[k] = sum[k] + load_columns(row + at) * load_columns(x + at);
+    for (std::int32_t k = 0; k < EightParts::vectors; ++k) {
+      const std::int64_t at = c + k * native_lanes;
+      sum.of[k] = sum.of[k] + load_lanes(row + at) * load_lanes(x + at);
     }
-  // Halves on halves: the same order of additions whatever the width of a vector.
-  for (std::int32_t apart = parts / 2; apart > 0; apart /= 2)
-    for (std::int32_t k = 0; k < apart; ++k) sum[k] = sum[k] + sum[k + apart];
-  double part[abreast];
-  store_columns(part, sum[0]);
-  for (std::int32_t apart = abreast / 2; apart > 0; apart /= 2)
-    for (std::int32_t k = 0; k < apart; ++k) part[k] += part[k + apart];
-  return part[0];
+  return sum.sum();
 }
 
 /// NormalKernels::eliminate, without pivoting: the influence of a strip is largest on itself, the matrix

@@ -82,8 +82,8 @@ inline MiddlePlane<Pack> read_middle_plane(const StripTables& tables, Pack tau) 
 /// J(tau, xi) for xi mostly near 0: the middle plane's with the leading effects of xi, which are right both
 /// near the line, sqrt(1 - xi^2), and far from it, 1 / sqrt(tau^2 + xi^2). y = xi^2 / (1 + tau^2),
 /// towards_line = 1 / (1 + tau^2); to 4e-4 where y < 0.1. The last three numbers are fitted to J.
-template <class Number>
-WRC_IN_LOOP Number near_middle_plane(const Number& potential, const Number& towards_line, const Number& y) {
+template <class Plane, class Number>
+WRC_IN_LOOP Number near_middle_plane(const Plane& potential, const Plane& towards_line, const Number& y) {
   return potential * (1.0 - y * (0.5 - y * (0.355 - towards_line * (0.237 + 0.218 * towards_line))));
 }
 

@@ -486,9 +486,9 @@ struct FirstLooks {
 };
 
 /// Is the overlap of a strip so near its largest that Newton's method needs no better place?
-inline bool hardly_gains(const PlacedRail& placed, std::int32_t face, std::int32_t strip, double centre) {
+inline bool hardly_gains(double gain, const PlacedRail& placed, std::int32_t face, double centre) {
   constexpr double hardly = 50e-6;  // [m]
-  return placed.gain[strip] < hardly && centre >= placed.low[face] && centre <= placed.high[face];
+  return gain < hardly && centre >= placed.low[face] && centre <= placed.high[face];
 }
 
 /// Adds the fall of a roller whose radius is 1 / curvature at the profile's origin, to a strip at the height

@@ -40,10 +40,10 @@ struct OutlinePlace {
 };
 
 /// The outline at the profile's point (y, radius) with the slope dr/dy.
-template <class Number, class OfPose>
+template <class OfPose, class OfProfile, class Number = decltype(OfPose() * OfProfile())>
 WRC_IN_LOOP OutlinePlace<Number> outline_place(const RelativePoseOf<OfPose>& pose,
-                                               const OutlineAttitudeOf<OfPose>& a, const Number& y,
-                                               const Number& radius, const Number& slope) {
+                                               const OutlineAttitudeOf<OfPose>& a, const OfProfile& y,
+                                               const OfProfile& radius, const OfProfile& slope) {
   const auto& R = pose.rotation;
   OutlinePlace<Number> o;
   // theta from e1 sin(theta) + e3 cos(theta) = e2 r' / Y', whose right side is sine
@@ -113,14 +113,15 @@ WRC_IN_LOOP OutlineSlope<Number> outline_slope(const RelativePoseOf<OfPose>& pos
 
 /// The ray of a strip: the strip's middle from the wheel's reference point [m], and its unit tangent; rail
 /// axes.
-template <class Number>
+template <class Number, class Tangent = Number>
 struct StripRay {
-  Number y, z, ty, tz;
+  Number y, z;
+  Tangent ty, tz;
 };
 
 /// Distance along the strip's tangent from its ray to a point of the outline [m].
-template <class Number>
-WRC_IN_LOOP Number ray_miss(const StripRay<Number>& ray, const OutlinePlace<Number>& o) {
+template <class Number, class Tangent>
+WRC_IN_LOOP Number ray_miss(const StripRay<Number, Tangent>& ray, const OutlinePlace<Number>& o) {
   return (o.y - ray.y) * ray.ty + (o.z - ray.z) * ray.tz;
 }
 
@@ -132,9 +133,10 @@ struct RayOverlap {
   Number facing;
 };
 
-template <class Number, class OfPose>
-WRC_IN_LOOP RayOverlap<Number> ray_overlap(const RelativePoseOf<OfPose>& pose, const StripRay<Number>& ray,
-                                           const OnProfile<Number>& p, const OutlinePlace<Number>& o) {
+template <class Number, class Tangent, class OfPose>
+WRC_IN_LOOP RayOverlap<Number> ray_overlap(const RelativePoseOf<OfPose>& pose,
+                                           const StripRay<Number, Tangent>& ray, const OnProfile<Number>& p,
+                                           const OutlinePlace<Number>& o) {
   const auto& R = pose.rotation;
   // normal of the wheel, R (Y' sin(theta), -r', Y' cos(theta)), whose x is zero on the outline
   const Number nx = p.uy * o.sin_theta, nz = p.uy * o.cos_theta;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
 #include "surface/geometry/outline.hpp"
 #include "surface/simd/tasks.hpp"
 
@@ -51,7 +52,7 @@ Overlaps cut_overlaps(Arena& arena, std::int32_t capacity, bool graded) {
 OverlapScratch cut_overlap_scratch(Arena& arena, std::int32_t wheel_pieces, std::int32_t rail_strips) {
   OverlapScratch scratch;
   arena.each(simd::whole_packs(wheel_pieces + 1), scratch.y, scratch.z, scratch.seen);
-  arena.each(rail_strips, scratch.overlap, scratch.part);
+  arena.each(rail_strips, scratch.overlap, scratch.part, scratch.gain);
   scratch.piece = arena.take<std::int32_t>(rail_strips);
   return scratch;
 }
@@ -117,9 +118,14 @@ Overlaps find_overlaps(const Kernels& kernels, const RailStrips& rail, const Whe
   kernels.surface.outline(task);
   Overlaps o = memory;
   o.count = 0;
-  double widest = margin;
-  if (gain)
-    for (std::int32_t k = 0; k < rail.count; ++k) widest = std::max(widest, margin + gain[k]);
+  // rays of a range are crossed as far above it as its strips may gain
+  double widest[most_rail_faces];
+  for (std::int32_t r = 0; r < rail.ranges; ++r) {
+    const FaceStrips& range = rail.range[r];
+    widest[r] = margin;
+    for (std::int32_t k = range.first; gain && k < range.first + range.count; ++k)
+      widest[r] = larger(widest[r], margin + gain[k]);
+  }
   kernels.surface.cross_rays(task, widest, o.next, o.end);
   find_more_overlaps(kernels, rail, wheel, pose, margin, gain, scratch, o);
   return o;

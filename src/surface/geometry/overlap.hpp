@@ -104,6 +104,7 @@ struct OverlapScratch {
   double* overlap;      ///< first estimate for each strip of the rail [m]
   std::int32_t* piece;  ///< piece of the wheel's curve that each strip's ray crosses
   double* part;         ///< place of the crossing on its chord, 0 to 1
+  double* gain;         ///< the most that each strip's overlap grows along the track (find_gains()) [m]
 };
 
 /// Scratch for a wheel of so many pieces and a rail of so many strips.

@@ -14,26 +14,6 @@ RelativePose plain_pose(const RelativePoseOf<PlaceDual>& pose) {
   return plain;
 }
 
-/// How far the end of a ray moves along the outline as the ray and the outline move: from miss(u) = 0, the
-/// derivatives of `miss` at a fixed u over its slope by u, which is of plain numbers.
-PlaceDual ray_end(const PieceOf<double>& piece, const RelativePoseOf<PlaceDual>& pose,
-                  const OutlineAttitudeOf<PlaceDual>& attitude, const StripRay<PlaceDual>& ray, double u) {
-  // the profile's point rests: only pose and ray carry derivatives
-  const OnProfile<double> at = on_profile(piece, u);
-  const PlaceDual y = at.y, r = at.radius, steepness = at.slope;
-  const PlaceDual miss = ray_miss(ray, outline_place(pose, attitude, y, r, steepness));
-
-  // slope d miss / du of the outline at rest
-  const RelativePose rest = plain_pose(pose);
-  const OutlineAttitude rests{attitude.e1.value, attitude.e2.value, attitude.e3.value};
-  const OutlineSlope<double> by_u =
-      outline_slope(rest, rests, at, outline_place(rest, rests, at.y, at.radius, at.slope));
-  const double slope = by_u.y * ray.ty.value + by_u.z * ray.tz.value;
-  PlaceDual end = u;
-  for (std::size_t d = 0; d < place_inputs; ++d) end.d[d] = -miss.d[d] / slope;
-  return end;
-}
-
 /// A ray beside the wheel, with derivatives; its end is on the piece of `end`.
 struct RayWithSlopes {
   const PieceOf<double> piece;
@@ -137,22 +117,6 @@ RelativePoseOf<PlaceDual> moving_pose(const RelativePose& pose) {
   moving.y = PlaceDual::input(pose.y, place_y);
   moving.z = PlaceDual::input(pose.z, place_z);
   return moving;
-}
-
-OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
-                             const RelativePoseOf<PlaceDual>& pose,
-                             const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t k, double at) {
-  const PieceOf<double> piece = piece_at(wheel, k);
-  const StripRay<PlaceDual> ray{place.y - pose.y, place.z - pose.z, place.ty, place.tz};
-  // A ray that ended at a border of its piece was held there: it does not move.
-  const bool inside = at > 0.0 && at < wheel.s[k + 1] - wheel.s[k];
-  const PlaceDual u = inside ? ray_end(piece, pose, attitude, ray, at) : PlaceDual(at);
-
-  const OnProfile<PlaceDual> p = on_profile(piece, u);
-  const OutlinePlace<PlaceDual> o = outline_place(pose, attitude, p.y, p.radius, p.slope);
-  OverlapSlopes s{ray_overlap(pose, ray, p, o).strip, p.y};
-  s.grade = 0.0;
-  return s;
 }
 
 OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& placed,

@@ -18,18 +18,9 @@ struct OverlapSlopes : StripOverlap<PlaceDual> {
   PlaceDual y_wheel;  ///< on the wheel's profile [m]
 };
 
-/// A strip's middle [m] and unit tangent, which move with a rail that is not the same everywhere; rail axes.
-struct StripPlace {
-  PlaceDual y, z, ty, tz;
-};
-
-/// The overlap of a strip whose ray ends at length `u` [m] on a piece of the wheel's curve (Overlaps).
-OverlapSlopes overlap_slopes(const StripPlace& place, const Curve& wheel,
-                             const RelativePoseOf<PlaceDual>& pose,
-                             const OutlineAttitudeOf<PlaceDual>& attitude, std::int32_t piece, double u);
-
-/// That of a strip on a rail that changes along the track, of the wheel's reference point at `distance` [m].
-/// `near`: the strip near the top of its overlap, and a second time near its other top, if it has two.
+/// The overlap of a strip on a rail that changes along the track, of the wheel's reference point at
+/// `distance` [m]. `near`: the strip near the top of its overlap, and a second time near its other top, if it
+/// has two.
 OverlapSlopes overlap_slopes(const SurfaceGeometry& surfaces, const PlacedRail& rail,
                              const RelativePoseOf<PlaceDual>& pose, const PlaceDual& distance,
                              FollowedStrips& near);

@@ -63,13 +63,12 @@ FaceStrips range_of(const RailStrips& strips, std::int32_t first, std::int32_t c
 StripArrays cut_strips(Arena& arena, std::int32_t most) {
   StripArrays a;
   arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.angle);
-  a.gain = nullptr;
   return a;
 }
 
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most) {
   StripArrays a;
-  arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz, a.gain);
+  arena.each(most, a.s, a.width, a.y, a.z, a.ty, a.tz);
   a.angle = nullptr;
   return a;
 }

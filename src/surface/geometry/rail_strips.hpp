@@ -137,13 +137,19 @@ struct CandidatesAlong {
   std::int32_t tops = 0;          ///< the same and behind them other tops of theirs
   std::int32_t capacity = 0;
   CandidateAlong* top = nullptr;
+
+  /// By how much the overlap along a direction has grown since, with the wheel's reference point at y, z [m].
+  double growth(double ny, double nz, double y, double z) const { return ny * (y - at_y) + nz * (z - at_z); }
+  /// Depth of a top there, to its doubt and that of the move [m].
+  double depth(const CandidateAlong& of, double y, double z) const {
+    return of.depth + growth(of.ny, of.nz, y, z);
+  }
 };
 
 /// Arrays of the strips of a rail.
 struct StripArrays {
   double *s, *width, *y, *z, *ty, *tz;
   double* angle;  ///< as RailStrips; nullptr: of rails that vary
-  double* gain;   ///< as PlacedRail, of rails that vary: cut_varying_strips()
 };
 StripArrays cut_strips(Arena& arena, std::int32_t most);
 StripArrays cut_varying_strips(Arena& arena, std::int32_t most);

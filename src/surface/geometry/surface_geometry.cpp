@@ -18,7 +18,7 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
   }
   // sections end somewhere: beyond, the nearest one stands for the rail
   const double inside = smaller(larger(distance, varying.begin), varying.end);
-  rail = place_strips(*surfaces.kernels, varying, inside, surfaces.wheel_radius, arrays);
+  rail = place_strips(*surfaces.kernels, varying, inside, arrays);
   if (has_check_rail(varying)) {
     // it guides with the side that faces the rail; rays of the other side meet the wheel through its body
     FaceStrips& check = rail.range[0];
@@ -57,18 +57,18 @@ RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& po
 namespace {
 
 simd::FollowRailTask follow_task(const SurfaceGeometry& surfaces, const PlacedRail& rail,
-                                 const RelativePose& pose, std::int32_t face, bool tops_alone) {
+                                 const RelativePose& pose, std::int32_t face, double deep_enough) {
   const VaryingRail& varying = surfaces.varying;
   return {&varying,      &varying.face[face], &surfaces.wheel.curve, &pose,
-          rail.distance, rail.low[face],      rail.high[face],       tops_alone};
+          rail.distance, rail.low[face],      rail.high[face],       deep_enough};
 }
 
 }  // namespace
 
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& s, bool tops_alone) {
+                 FollowedStrips& s, double deep_enough) {
   const std::int32_t face = face_of(surfaces.varying, s.strip[0]);
-  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, tops_alone), s);
+  surfaces.kernels->surface.follow_rail(follow_task(surfaces, rail, pose, face, deep_enough), s);
 }
 
 namespace {
@@ -192,15 +192,16 @@ CandidateAlong candidate_at(std::int32_t strip, const LargestOverlap& at, double
 }
 
 /// Adds strips of one face to the candidates, if they may be deep enough anywhere along the track. They are
-/// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along.
+/// `count` from `first` on of the overlaps of a round wheel with a rail that is the same all along. `gain`:
+/// find_gains().
 void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                   const Overlaps& o, std::int32_t first, std::int32_t count) {
+                   const double* gain, const Overlaps& o, std::int32_t first, std::int32_t count) {
   const Kernels& kernels = *surfaces.kernels;
   const VaryingRail& varying = surfaces.varying;
   const std::int32_t face = face_of(varying, o.strip[first]);
   // a first look by the parabolas, at strips that gain along the track
   const auto stays = [&](std::int32_t i) {
-    return hardly_gains(rail, face, o.strip[first + i], o.centre[first + i]);
+    return hardly_gains(gain[o.strip[first + i]], rail, face, o.centre[first + i]);
   };
   std::int32_t still = 0;
   while (still < count && stays(still)) ++still;
@@ -209,24 +210,29 @@ void look_for_some(const SurfaceGeometry& surfaces, const PlacedRail& rail, cons
   LargestOverlap found[FollowedStrips::most];
   FollowedStrips far;
   far.count = 0;
-  std::int32_t climbing[FollowedStrips::most];
+  // far from the axle the parabola does not hold: rays look for the place
+  const auto climbs = [&](std::int32_t i) { return magnitude(found[i].x) > near_axle; };
   for (std::int32_t i = 0; i < count; ++i) {
     const std::int32_t k = first + i, strip = o.strip[k];
-    const FirstLook look = stays(i) ? FirstLook{o.centre[k], o.depth[k] + rail.gain[strip]}
-                                    : FirstLook{looks.x[i], looks.depth[i]};
+    const FirstLook look =
+        stays(i) ? FirstLook{o.centre[k], o.depth[k] + gain[strip]} : FirstLook{looks.x[i], looks.depth[i]};
     found[i] = {look.x, {o.piece[k], o.u[k], look.depth}};
-    // far from the axle the parabola does not hold: rays look for the place
-    if (!(magnitude(look.x) > near_axle)) continue;
-    climbing[far.count] = i;
-    put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
+    if (climbs(i)) put_largest(strip, {look.x, {o.piece[k], o.u[k], o.depth[k]}}, o.ny[k], o.nz[k], far);
   }
-  if (far.count > 0) kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, true), far);
-  for (std::int32_t i = 0; i < far.count; ++i)
-    found[climbing[i]] = {far.x[i], {far.piece[i], far.u[i], far.depth[i]}};
+  // rays climb on where that may make them deep enough
+  const double deep_enough = -rail.candidates.reach - surfaces.out_of_round.largest;
+  constexpr double between = 1e-3;  // [m]: more than overlaps grow between the places of a first look
+  const double worth_climbing = deep_enough - looks_within - second_looks_within - between;
+  if (far.count > 0)
+    kernels.surface.climb_along(follow_task(surfaces, rail, pose, face, worth_climbing), far);
+  for (std::int32_t i = 0, k = 0; i < count && k < far.count; ++i) {
+    if (!climbs(i)) continue;
+    found[i] = {far.x[k], {far.piece[k], far.u[k], far.depth[k]}};
+    ++k;
+  }
 
   // those that may be deep enough, in the order of the strips
   CandidatesAlong& c = rail.candidates;
-  const double deep_enough = -c.reach - surfaces.out_of_round.largest;
   ValleysOfFace valleys(rail, varying, face);
   for (std::int32_t i = 0; i < count; ++i) {
     const RayEnd<double>& end = found[i].end;
@@ -318,37 +324,35 @@ struct FollowedOverlaps {
     }
   }
 
-  /// By how much the overlap along a direction has grown since the candidates were looked for.
-  double growth(double ny, double nz) const {
-    return ny * (pose.y - rail.candidates.at_y) + nz * (pose.z - rail.candidates.at_z);
-  }
-  /// The depth of a candidate in this pose, to its doubt and that of the move [m].
-  double depth_now(const CandidateAlong& top) const { return top.depth + growth(top.ny, top.nz); }
+  /// Growth of overlaps and depth of a candidate in this pose [m].
+  double growth(double ny, double nz) const { return rail.candidates.growth(ny, nz, pose.y, pose.z); }
+  double depth_now(const CandidateAlong& top) const { return rail.candidates.depth(top, pose.y, pose.z); }
 
   /// Follows the strips that have gathered, their second tops too, and keeps their places.
   void finish() {
     FollowedStrips& g = gathered;
-    if (g.count == 0) return;
-    follow_rail(surfaces, rail, pose, g, tops_alone);
-    for (std::int32_t i = 0; i < g.count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
+    const std::int32_t count = g.count;
+    if (count == 0) return;
+    follow_rail(surfaces, rail, pose, g, deep_enough());
+    for (std::int32_t i = 0; i < count; ++i) note_place(g, i, rail.candidates.top[candidate[i]]);
     // tops beside those that were followed, from a first look or from where they were last
     FollowedStrips others;
     others.count = 0;
     std::int32_t number[FollowedStrips::most];  // among the others; -1: the strip has no other top
     std::int32_t top[FollowedStrips::most];     // numbers of the others on the list
-    for (std::int32_t i = 0; i < g.count; ++i) {
-      number[i] = others.count;
-      top[others.count] = other_top(i);
-      if (top[others.count] == CandidateAlong::no_other)
-        number[i] = -1;
-      else
-        put_other(i, top[others.count], others);
+    std::int32_t second_tops = 0;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::int32_t other = other_top(i);
+      number[i] = -1;
+      if (other == CandidateAlong::no_other) continue;
+      put_other(i, other, others);
+      top[second_tops] = other;
+      number[i] = second_tops++;
     }
-    if (others.count > 0) follow_rail(surfaces, rail, pose, others, tops_alone);
-    for (std::int32_t i = 0; i < others.count; ++i)
-      if (top[i] >= 0) note_place(others, i, rail.candidates.top[top[i]]);
+    if (second_tops > 0) follow_rail(surfaces, rail, pose, others, deep_enough());
+    for (std::int32_t i = 0; i < second_tops; ++i) note_place(others, i, rail.candidates.top[top[i]]);
     // kept strip by strip, as rows go on from one to the next
-    for (std::int32_t i = 0; i < g.count; ++i) {
+    for (std::int32_t i = 0; i < count; ++i) {
       if (number[i] >= 0)
         keep_both(g.strip[i], followed_place(g, i), followed_place(others, number[i]));
       else
@@ -382,6 +386,12 @@ struct FollowedOverlaps {
   }
 
  private:
+  /// Depth of a top from which on its whole contact counts [m]: its parabola is hardly higher.
+  double deep_enough() const {
+    constexpr double none = 1.0, higher = 10e-6;
+    return tops_alone ? none : -margin - surfaces.out_of_round.largest - higher;
+  }
+
   /// Where a candidate is followed from.
   LargestOverlap known_place(const CandidateAlong& top) const {
     return {top.x, {top.piece, top.u, top.ray + growth(top.ny, top.nz)}};
@@ -507,7 +517,7 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
   const Kernels& kernels = *surfaces.kernels;
   const RailStrips strips = changing_ranges(surfaces.varying, strips_before(surfaces, pose, rail));
   const double wider = reach + surfaces.out_of_round.largest;
-  Overlaps o = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, memory);
+  Overlaps o = find_overlaps(kernels, strips, surfaces.wheel, pose, wider, scratch.gain, scratch, memory);
   for (;;) {
     // as many strips of a face as the kernels take
     for (std::int32_t first = 0; first < o.count;) {
@@ -516,12 +526,12 @@ void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail
       while (end < o.count && end - first < FollowedStrips::most &&
              face_of(surfaces.varying, o.strip[end]) == face)
         ++end;
-      look_for_some(surfaces, rail, pose, o, first, end - first);
+      look_for_some(surfaces, rail, pose, scratch.gain, o, first, end - first);
       first = end;
     }
     if (!o.full) break;
     o.count = 0;
-    find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, rail.gain, scratch, o);
+    find_more_overlaps(kernels, strips, surfaces.wheel, pose, wider, scratch.gain, scratch, o);
   }
   c.tops = c.count;
 }
@@ -545,8 +555,10 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
   }
   // candidates anew where those known are of another height
   const CandidatesAlong& c = rail.candidates;
-  if (!candidates_hold(c, pose, margin))
+  if (!candidates_hold(c, pose, margin)) {
+    find_gains(*surfaces.kernels, varying, surfaces.wheel_radius, rail, scratch.gain);
     look_for_candidates(surfaces, rail, pose, margin + c.below, scratch, memory);
+  }
   const double moved = larger(magnitude(pose.y - c.at_y), magnitude(pose.z - c.at_z));
   // face by face, in the order of the strips
   for (std::int32_t r = 0; r < strips.ranges && !o.full; ++r) {

@@ -35,7 +35,7 @@ Fault place_rail(const SurfaceGeometry& surfaces, double distance, const StripAr
 RailStrips strips_before(const SurfaceGeometry& surfaces, const RelativePose& pose, const RailStrips& strips);
 
 /// Looks for the candidates of a rail that changes along the track, in a pose: strips whose overlap is deeper
-/// than -reach anywhere along the track. `memory` is scratch.
+/// than -reach anywhere along the track. `scratch` has gains of the strips, `memory` is scratch, too.
 void look_for_candidates(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                          double reach, const OverlapScratch& scratch, const Overlaps& memory) noexcept;
 
@@ -48,9 +48,10 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
                           double angle, double margin, const OverlapScratch& scratch, const Overlaps& memory,
                           bool tops_alone = false) noexcept;
 
-/// The overlaps of strips of one face, which changes along the track.
+/// The overlaps of strips of one face, which changes along the track. Those that are not `deep_enough` may be
+/// of tops alone [m].
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
-                 FollowedStrips& strips, bool tops_alone = false);
+                 FollowedStrips& strips, double deep_enough = -1.0);
 
 /// Does the surface of a strip change along the track?
 inline bool changes_along(const SurfaceGeometry& surfaces, std::int32_t strip) {

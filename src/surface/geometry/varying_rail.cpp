@@ -433,10 +433,9 @@ double gain_beyond(const VaryingRail& rail, std::int32_t f, double wheel_radius,
   return most;
 }
 
-/// The most that overlaps of a face's strips grow along the track: at every sixteenth strip, and the larger
-/// of two for those between.
-void find_gains(const Kernels& kernels, const VaryingRail& rail, std::int32_t f, double wheel_radius,
-                const PlacedRail& placed, double* gain) {
+/// Gains of a face's strips: at every sixteenth strip, and the larger of two for those between.
+void find_gains_of(const Kernels& kernels, const VaryingRail& rail, std::int32_t f, double wheel_radius,
+                   const PlacedRail& placed, double* gain) {
   constexpr std::int32_t every = 16;
   const RailFace& face = rail.face[f];
   const std::int32_t end = face.first + face.strips, looks = (face.strips + every - 1) / every + 1;
@@ -459,13 +458,11 @@ void find_gains(const Kernels& kernels, const VaryingRail& rail, std::int32_t f,
 
 }  // namespace
 
-PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double wheel_radius,
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
                         const StripArrays& a) {
   PlacedRail placed;
   static_cast<RailStrips&>(placed) = {rail.strips, a.s, a.width, a.y, a.z, a.ty, a.tz, nullptr, 0, {}};
   placed.distance = distance;
-  placed.gain = a.gain;
-  std::fill_n(a.gain, rail.strips, 0.0);
   for (std::int32_t f = 0; f < rail.faces; ++f) {
     const RailFace& face = rail.face[f];
     const std::int32_t first = face.first, end = first + face.strips;
@@ -481,7 +478,6 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
                                     rail.step + first, a.y + first, a.z + first, a.ty + first, a.tz + first,
                                     a.width + first});
     look_along_face(rail, f, placed);
-    if (face.changes) find_gains(kernels, rail, f, wheel_radius, placed, a.gain);
     // arc length by the widths there, each face from a place of its own
     double at = faces_apart * f;
     for (std::int32_t j = first; j < end; ++j) {
@@ -491,6 +487,15 @@ PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double 
     placed.range[placed.ranges++] = range_of(placed, first, face.strips);
   }
   return placed;
+}
+
+void find_gains(const Kernels& kernels, const VaryingRail& rail, double wheel_radius,
+                const PlacedRail& placed, double* gain) {
+  std::fill_n(gain, placed.count, 0.0);
+  for (std::int32_t r = 0; r < placed.ranges; ++r) {
+    const std::int32_t face = face_of(rail, placed.range[r].first);
+    if (rail.face[face].changes) find_gains_of(kernels, rail, face, wheel_radius, placed, gain);
+  }
 }
 
 }  // namespace wrc::surface

@@ -179,13 +179,16 @@ struct PlacedRail : RailStrips {
   PlaceWeights place[most_rail_faces][track_places];
   PlaceWeights end[most_rail_faces][2];  ///< at low and high
   double valley[most_rail_faces];        ///< sharpest valley of each face there (VaryingRail) [1/m]
-  const double* gain = nullptr;          ///< largest growth of a strip's overlap along the track [m]
   mutable CandidatesAlong candidates;    ///< the call's, in memory that its caller gives
 };
 
-/// The rail at a distance: strips of the faces that are there or within farthest_along. `wheel_radius` [m].
-PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance, double wheel_radius,
+/// The rail at a distance: strips of the faces that are there or within farthest_along.
+PlacedRail place_strips(const Kernels& kernels, const VaryingRail& rail, double distance,
                         const StripArrays& arrays);
+
+/// The most that overlaps of strips grow along the track, of faces that change [m]. `wheel_radius` [m].
+void find_gains(const Kernels& kernels, const VaryingRail& rail, double wheel_radius,
+                const PlacedRail& placed, double* gain);
 
 /// Where a face begins and ends along the track, from a distance [m]. Where the whole rail does, its last
 /// section goes on.

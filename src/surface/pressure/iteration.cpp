@@ -197,7 +197,7 @@ void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, 
 }
 
 /// Does the accelerated step lead farther than the preconditioned one should? Few strips may leave the least
-/// squares nothing to choose from, where earlier steps are nearly parallel.
+/// squares nothing to choose from, where earlier steps are nearly parallel. No step puts right the last one.
 bool leads_astray(std::int32_t iteration, const PressureScratch& w) {
   const Iterate& now = w.iterate[slot_of(iteration, 0)];
   double accelerated = 0.0, alone = 0.0;
@@ -382,7 +382,6 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     std::int32_t used = limits.accelerated ? std::min(remembered++, history) : 0;
     accelerate(s, shift_weight, k, used, w);
     if (result.converged) {
-      // Behind the last step no other one puts it right.
       if (leads_astray(k, w)) accelerate(s, shift_weight, k, used = 0, w);
       extrapolate_loads(s, k, used, w);
     }

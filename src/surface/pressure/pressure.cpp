@@ -16,6 +16,11 @@ namespace {
 /// the overlaps.
 constexpr double farthest_start = 0.3;
 
+/// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
+/// overlaps are nearer, and lead to another solution less often where there are two. The second is for marks
+/// on a rail that changes along the track, where contact moves over the strips from step to step.
+constexpr double farthest_followed = 0.5, farthest_along_track = 0.1;
+
 /// A way to a solution: by that at overlaps so many times as deep, which is found roughly first.
 struct Way {
   double by;
@@ -151,7 +156,6 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
     if (result.converged) return result;
     keep_best(s, options, result, w);
     if (is_used_up(options, result, w)) break;
-    // Newton's method from the iterate that the map moves least.
     limits.max_work = allowed_work(options, result.strips);
     result = solve_by_newton(problem, s, limits, w);
     result.iterations = spent += result.iterations;
@@ -181,8 +185,11 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   const PressureProblem problem{model.kernels,
                                 {model.influence.tables(), model.influence.mean_under.data()},
                                 model.compliance,
-                                model.lambda_length};
+                                model.lambda_length,
+                                model.along_track};
   PressureResult result;
+  // how far the last solution, or a marked one, may be moved to be a start
+  const double farthest = model.along_track && start.change.depth ? farthest_along_track : farthest_followed;
   if (from == StartFrom::solution) extrapolate_start(rail, o, start);
   bool started = load_strips(rail, o, start, from, w);
   if (o.count == 0) {
@@ -192,7 +199,7 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   }
   const PressureOptions options = limited_by_overlaps(o, given);
   // From an earlier solution, if there is one that is near enough and leads to the end.
-  if (started && from == StartFrom::solution) started = follow_overlaps(w);
+  if (started && from == StartFrom::solution) started = follow_overlaps(farthest, w);
   w.best.moved = any_change;
   if (started) {
     result = iterate(problem, s,

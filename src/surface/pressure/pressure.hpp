@@ -48,6 +48,7 @@ struct PressureModel {
   const Kernels& kernels;
   double compliance;                           ///< (1 - nu) / (pi G) [1/Pa]
   double lambda_length = usual_lambda_length;  ///< lambda_reach() is at least this [m]
+  bool along_track = false;                    ///< the rail changes along the track
 };
 
 /// Change from an earlier solution to a later one, by the strips of the later one. It is 0 for strips whose L

@@ -11,8 +11,7 @@ namespace wrc::surface {
 namespace {
 
 constexpr std::int32_t inputs = place_inputs;
-constexpr std::int32_t directions = simd::SlopesRowTask::directions;
-static_assert(simd::SlopesRowTask::used == 2 + 2 * inputs);
+static_assert(simd::SlopesRowTask::inputs == inputs);
 /// Fewest columns of the equations that are smoothed at a time: all where memory holds them (smooth_rows()).
 constexpr std::int64_t fewest_columns = 16;
 
@@ -50,14 +49,15 @@ struct Scratch {
   // until the equations of all strips are there:
   double *leading, *trailing;                                       ///< rows of edges, with all unknowns
   double *centre, *inverse_length, *half_width, *factor, *ny, *nz;  ///< sources
-  double* direction;            ///< ny, nz, and their derivatives by the inputs; zeros
+  double* turned[inputs];       ///< angle by which directions turn, by each input
+  double* line_load;            ///< [N/m]
   double* dl_dL;                ///< [1/m]; 0 where l is the least one
   double* q_dl_dL;              ///< [Pa]
   simd::SurfaceSlopes seen[2];  ///< influence at points, and its derivatives
   // in the same memory, while they are smoothed:
-  double *y, *near, *by_value, *by_load;  ///< strips within reach: smooth_at()
-  double* kept;               ///< some columns of all rows before they are blended with their neighbours'
-  std::int64_t kept_columns;  ///< as many as memory holds
+  double *by_value, *by_load;  ///< derivatives by strips within reach: smooth_at()
+  double* kept;                ///< some columns of all rows before they are blended with their neighbours'
+  std::int64_t kept_columns;   ///< as many as memory holds
   // and then:
   double* x;             ///< changes of L and c
   double lambda_length;  ///< as PressureModel
@@ -78,10 +78,11 @@ Scratch cut(Arena& arena, std::int32_t most, std::int64_t doubles) {
   // equations, smoothing and solution one after the other in the same memory
   Arena smoothing = arena, solution = arena;
   arena.each(size.stride, w.leading, w.trailing);
-  w.direction = arena.take(padded * directions);
-  arena.each(padded, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.dl_dL, w.q_dl_dL);
+  for (double*& turned : w.turned) turned = arena.take(padded);
+  arena.each(padded, w.line_load, w.centre, w.inverse_length, w.half_width, w.factor, w.ny, w.nz, w.dl_dL,
+             w.q_dl_dL);
   for (simd::SurfaceSlopes& seen : w.seen) arena.each(padded, seen.value, seen.by_length, seen.by_x);
-  smoothing.each(padded, w.y, w.near, w.by_value, w.by_load);
+  smoothing.each(padded, w.by_value, w.by_load);
   w.kept_columns = std::max(fewest_columns, (doubles - smoothing.doubles()) / most / 8 * 8);
   w.kept = smoothing.take(most * w.kept_columns);
   w.x = solution.take(static_cast<std::int64_t>(size.rows) * inputs);
@@ -90,7 +91,7 @@ Scratch cut(Arena& arena, std::int32_t most, std::int64_t doubles) {
   return w;
 }
 
-/// The sources of a solution, their derivatives by L, and their directions with derivatives.
+/// The sources of a solution, their derivatives by L, and how their directions turn.
 void list_sources(const PressureModel& model, const PressedStrips& s, Scratch& w) {
   const std::int32_t n = s.count;
   const std::int64_t end = simd::whole_packs(n);
@@ -110,17 +111,11 @@ void list_sources(const PressureModel& model, const PressedStrips& s, Scratch& w
     w.factor[a] = model.compliance * width * inverse;
     w.ny[a] = pads ? 0.0 : s.overlap[a].ny.value;
     w.nz[a] = pads ? 0.0 : s.overlap[a].nz.value;
-  }
-  // Directions with their derivatives side by side, as slopes_row sums them.
-  for (std::int32_t a = 0; a < n; ++a) {
-    w.q_dl_dL[a] = w.dl_dL[a] * s.line_load[a];
-    const OverlapSlopes& o = s.overlap[a];
-    double* const direction = w.direction + a * directions;
-    direction[0] = w.ny[a];
-    direction[1] = w.nz[a];
-    std::copy_n(o.ny.d.begin(), inputs, direction + 2);
-    std::copy_n(o.nz.d.begin(), inputs, direction + 2 + inputs);
-    std::fill(direction + 2 + 2 * inputs, direction + directions, 0.0);
+    w.line_load[a] = pads ? 0.0 : s.line_load[a];
+    w.q_dl_dL[a] = w.dl_dL[a] * w.line_load[a];
+    // a unit vector (ny, nz) turns towards (-nz, ny)
+    for (std::size_t k = 0; k < inputs; ++k)
+      w.turned[k][a] = pads ? 0.0 : w.ny[a] * s.overlap[a].nz.d[k] - w.nz[a] * s.overlap[a].ny.d[k];
   }
 }
 
@@ -139,19 +134,16 @@ Displacement fill_row(const Kernels& kernels, const PressedStrips& s, const Scra
                       const simd::SurfaceSlopes& seen, double* row) {
   Displacement u;
   const std::int32_t n = s.count;
-  const double ny = w.ny[a], nz = w.nz[a];
-  double sum[simd::SlopesRowTask::sums];  // see slopes_row
-  kernels.surface.slopes_row({n, seen, ny, nz, w.ny, w.nz, s.line_load, w.q_dl_dL, w.direction, row, sum});
+  simd::SlopesRowTask::Sums sums;
+  simd::SlopesRowTask task{n, seen, w.ny[a], w.nz[a], w.ny, w.nz, w.line_load, w.q_dl_dL, {}, row, &sums};
+  std::copy_n(w.turned, inputs, task.turned);
+  kernels.surface.slopes_row(task);
   // Influences depend on x - c alone: the point's own x has the opposite of all centres' derivatives. The
   // point moves with the centre of strip a.
-  u.by_x = ny * sum[directions] + nz * sum[directions + 1];
+  u.value = sums.value;
+  u.by_x = sums.by_x;
   row[2 * n + a] += u.by_x;
-  // n_a . sum of J q n_b, and the product rule for its directions.
-  const double *const turned_y = sum + 2, *const turned_z = turned_y + inputs;
-  const double *const own_y = w.direction + a * directions + 2, *const own_z = own_y + inputs;
-  u.value = ny * sum[0] + nz * sum[1];
-  for (std::int32_t k = 0; k < inputs; ++k)
-    u.turned[k] = ny * turned_y[k] + nz * turned_z[k] + (sum[0] * own_y[k] + sum[1] * own_z[k]);
+  for (std::int32_t k = 0; k < inputs; ++k) u.turned[k] = sums.turned[k] + sums.by_own * w.turned[k][a];
   return u;
 }
 
@@ -325,50 +317,22 @@ struct Smoothed {
 ///     weight_b = (1 - y_b^2)^3 w_b q_b,  y_b = (s_b - s_a) / reach
 ///     mean: value = <v>     line: value = <v> - <y> slope,  slope = (<y v> - <y> <v>) / spread
 template <bool line>
-Smoothed smooth_at(const PressedStrips& s, const Scratch& w, std::int32_t a, const double* edge) {
+Smoothed smooth_at(const Kernels& kernels, const PressedStrips& s, const Scratch& w, std::int32_t a,
+                   const double* edge) {
   const double reach = line ? shift_reach(s.width[a]) : lambda_reach(s.width[a], w.lambda_length);
   Smoothed r{0.0, a, 0};
   const std::int32_t first = a < s.behind ? 0 : s.behind, end = a < s.behind ? s.behind : s.count;
   while (r.from > first && w.place[a] - w.place[r.from - 1] < reach) --r.from;
-
-  // Moments of the neighbours.
-  double weights = 0.0, y1 = 0.0, y2 = 0.0, v = 0.0, yv = 0.0;
-  for (std::int32_t b = r.from; b < end; ++b, ++r.count) {
-    const double at = (w.place[b] - w.place[a]) / reach;
-    if (at >= 1.0) break;
-    w.y[r.count] = at;
-    w.near[r.count] = smoothing_weight(at) * s.width[b];
-    const double weight = w.near[r.count] * s.line_load[b];
-    weights += weight;
-    v += weight * edge[b];
-    if constexpr (line) {
-      y1 += weight * at;
-      y2 += weight * at * at;
-      yv += weight * at * edge[b];
-    }
-  }
+  r.count = a - r.from;
+  while (r.from + r.count < end && w.place[r.from + r.count] - w.place[a] < reach) ++r.count;
+  // weights, moments and derivatives
+  r.value = kernels.surface.smoothed_slopes({r.count, line, w.place[a], 1.0 / reach, least_line_spread,
+                                             w.place + r.from, s.width + r.from, s.line_load + r.from,
+                                             edge + r.from, w.by_value, w.by_load});
   // Nothing presses within reach: lambda is the strip's own, and there is no line.
-  if (!(weights > 0.0)) {
-    r.value = line ? 0.0 : edge[a];
-    for (std::int32_t i = 0; i < r.count; ++i) {
-      w.by_value[i] = !line && r.from + i == a ? 1.0 : 0.0;
-      w.by_load[i] = 0.0;
-    }
-    return r;
-  }
-
-  // Derivatives: by a value its share of the weights times its lever, by a load how far its value is off the
-  // mean or line; the least spread, which does not grow with the weights, adds a term.
-  const double per = 1.0 / weights, mean = v * per, mean_y = y1 * per;
-  const double spread = y2 * per - mean_y * mean_y + least_line_spread;
-  const double slope = line ? (yv * per - mean_y * mean) / spread : 0.0;
-  r.value = mean - mean_y * slope;
-  const double pull = line ? mean_y / spread : 0.0, held = pull * slope * least_line_spread;
-  for (std::int32_t i = 0; i < r.count; ++i) {
-    const double aside = w.y[i] - mean_y, lever = 1.0 - pull * aside, share = w.near[i] * per;
-    const double off = edge[r.from + i] - mean - slope * aside;
-    w.by_value[i] = share * s.line_load[r.from + i] * lever;
-    w.by_load[i] = share * (off * lever + held);
+  if (!line && r.value == 0.0) {
+    r.value = edge[a];
+    w.by_value[a - r.from] = 1.0;
   }
   return r;
 }
@@ -383,24 +347,23 @@ void smooth_rows(const Kernels& kernels, const PressedStrips& s, const Size& siz
   double* const rows = w.lengths + (line ? s.count * stride : 0);
   for (std::int64_t first = 0; first < stride; first += w.kept_columns) {
     const std::int64_t columns = std::min(w.kept_columns, stride - first);
-    for (std::int32_t a = 0; a < s.count; ++a)
+    // each strip's own row, then that of its load
+    for (std::int32_t a = 0; a < s.count; ++a) {
       std::copy_n(rows + a * stride + first, columns, w.kept + a * columns);
+      w.row[2 * a] = w.kept + a * columns;
+      w.row[2 * a + 1] = w.by_lengths + a * stride + first;
+    }
     for (std::int32_t a = 0; a < s.count; ++a) {
       // The value, its derivatives by the neighbours' values and loads, and the factor of the equation.
-      const Smoothed r = smooth_at<line>(s, w, a, edge);
+      const Smoothed r = smooth_at<line>(kernels, s, w, a, edge);
       const double factor = factor_of(a, r.value);
-      std::int32_t count = 0;
-      const auto add = [&](double share, const double* of) {
-        w.share[count] = share;
-        w.row[count++] = of;
-      };
       for (std::int32_t i = 0; i < r.count; ++i) {
-        const std::int32_t b = r.from + i;
-        add(factor * w.by_value[i], w.kept + b * columns);
-        const double load = factor * w.by_load[i] - (!line && b == a ? 1.0 / r.value : 0.0);
-        add(-load, w.by_lengths + b * stride + first);
+        w.share[2 * i] = factor * w.by_value[i];
+        w.share[2 * i + 1] = -(factor * w.by_load[i]);
       }
-      kernels.surface.blend_rows({count, columns, w.share, w.row, rows + a * stride + first});
+      if (!line) w.share[2 * (a - r.from) + 1] += 1.0 / r.value;
+      kernels.surface.blend_rows(
+          {2 * r.count, columns, w.share, w.row + 2 * r.from, rows + a * stride + first});
     }
   }
 }

@@ -45,6 +45,7 @@ struct PressureProblem {
   simd::SurfaceTables tables;
   double compliance;     ///< C [1/Pa]
   double lambda_length;  ///< as PressureModel
+  bool along_track;      ///< as PressureModel
 };
 
 /// Strips that are solved for: the candidates, or pairs of them.

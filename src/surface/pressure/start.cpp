@@ -1,6 +1,7 @@
 #include "surface/pressure/start.hpp"
 
 #include "base/number.hpp"
+#include "surface/pressure/smoothing.hpp"
 
 namespace wrc::surface {
 namespace {
@@ -10,9 +11,7 @@ constexpr std::int32_t fewest_pairs = 12;
 /// Part of a hill's overlap from which on few strips press at first. Others enter as soon as they are asked:
 /// where all press at first, most leave again, and small contacts take half of their work in doing so.
 constexpr double upper_part = 2.0 / 3.0;
-/// Part of the area by which an earlier solution may be moved to be a start; from one farther away the
-/// overlaps are nearer, and lead to another solution less often where there are two.
-constexpr double farthest_followed = 0.5;
+constexpr std::int32_t most_by_hills = 64;  ///< strips of contacts that are like Hertz's
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
 constexpr double follows_mean = 0.9, follows_rest = 1.4;
@@ -135,14 +134,110 @@ double extrapolated(const RimGrowth& rim, double L, ShareOfChange first, ShareOf
   return rim.length_squared(way);
 }
 
+/// A hill of overlap as D - A x^2 - 2 C x y - B y^2, y across from the line where strips are deepest.
+struct Hill {
+  std::int32_t top;   ///< the strip where it is deepest
+  double D, A, turn;  ///< there [m], [1/m]; slope of the deepest places by y [-]
+  double own_B;       ///< B - C^2 / A: curvature along the line of the deepest places [1/m]
+};
+
+/// The hill over strips of one row, from `first` up to `end`: by its top, its volume 4/3 D b, b its half
+/// width, and the line of least squares through the deepest places.
+Hill hill_over(const StripSet& s, std::int32_t first, std::int32_t end) {
+  // moments over the strips' places of the overlap, and of where it is deepest
+  std::int32_t top = first;
+  double volume = 0.0, y1 = 0.0, y2 = 0.0, x1 = 0.0, xy = 0.0;
+  for (std::int32_t i = first; i < end; ++i) {
+    if (s.depth[i] > s.depth[top]) top = i;
+    const double weight = s.width[i] * s.depth[i], y = s.place[i] - s.place[first];
+    volume += weight;
+    y1 += weight * y;
+    y2 += weight * y * y;
+    x1 += weight * s.deepest_x[i];
+    xy += weight * y * s.deepest_x[i];
+  }
+  // least squares for the line; a parabola's half width b follows from the volume
+  const double D = s.depth[top], spread = y2 - y1 * y1 / volume;
+  const double b = 0.75 * volume / D;
+  return {top, D, 0.5 * s.curvature[top], spread > 0.0 ? (xy - x1 * y1 / volume) / spread : 0.0, D / (b * b)};
+}
+
+/// Lengths and shifts of a hill's strips by Hertz's theory.
+///
+/// The contact is P x^2 + 2 R x y + Q y^2 < D, of the same axes as the overlap. On the axes its curvatures
+/// are those of the overlap over rho on the longer one, over 1 - rho on the other, rho = (K - E) / (e^2 K).
+/// The fit rho / (1 - rho) = (shorter / longer)^(5/16) is right to 0.005 for axes up to 5 to 1.
+void touch_hill(const StripSet& s, std::int32_t first, std::int32_t end) {
+  constexpr double least = 1e-3;      // curvature of the longer axis over the mean
+  constexpr double of_round = 2.625;  // limit of f for equal axes
+  // the form A, B, C of the overlap [1/m], and its curvatures mean -+ h on the axes
+  const Hill hill = hill_over(s, first, end);
+  const double A = hill.A, C = -A * hill.turn, B = hill.own_B - C * hill.turn;
+  const double mean = 0.5 * (A + B), differ = 0.5 * (A - B), h = root(differ * differ + C * C);
+  const double longer = larger(mean - h, least * mean), shorter = mean + h;
+  // curvatures of the contact on the same axes, and its form P, Q, R [1/m]
+  const double quotient = root(shorter / longer), odds = root(quotient) * root(root(root(quotient)));
+  const double on_longer = longer * (1.0 + odds) / odds, on_shorter = shorter * (1.0 + odds);
+  const double middle = 0.5 * (on_longer + on_shorter);
+  const double f = h > 1e-4 * mean ? 0.5 * (on_shorter - on_longer) / h : of_round;
+  const double P = middle + f * differ, Q = middle - f * differ, R = f * C;
+  // on strips by their own overlaps and curvatures: L = (D - (Q - R^2 / P) y^2) / P, and the centre's slope
+  // -R / P
+  const double along = A / P, across = hill.own_B / (Q - R * R / P);
+  for (std::int32_t i = first; i < end; ++i) {
+    const double rest = s.depth[i] - (1.0 - across) * hill.D;
+    s.L[i] = larger(2.0 * along / across * rest, 0.0) / s.curvature[i];
+    const double shift = (s.deepest_x[i] - s.deepest_x[hill.top]) * (f * along - 1.0);
+    s.shift[i] = smaller(larger(shift, -longest_shift), longest_shift);
+  }
+}
+
+/// Lengths and shifts of hills of overlap: runs of one row, parted at valleys.
+void touch_hills(const StripSet& s) {
+  constexpr double parted = 0.8;  // depth of a valley over the tops
+  const auto goes_on = [&](std::int32_t i) {
+    return i + 1 < s.count && i + 1 != s.behind && s.depth[i + 1] > 0.0 &&
+           s.place[i + 1] - s.place[i] < 0.75 * (s.width[i] + s.width[i + 1]);
+  };
+  for (std::int32_t i = 0; i < s.count;) {
+    s.L[i] = s.shift[i] = 0.0;
+    if (!(s.depth[i] > 0.0)) {
+      ++i;
+      continue;
+    }
+    // a run: a valley below both tops beside it ends one hill and begins the next
+    std::int32_t first = i, low = i;
+    double top = s.depth[i];
+    for (;; ++i) {
+      const double depth = s.depth[i];
+      if (depth < s.depth[low]) low = i;
+      if (s.depth[low] < parted * top && s.depth[low] < parted * depth) {
+        touch_hill(s, first, low);
+        first = low;
+        low = i;
+        top = depth;
+      }
+      if (depth > top) {
+        top = depth;
+        low = i;
+      }
+      if (!goes_on(i)) break;
+    }
+    touch_hill(s, first, ++i);
+  }
+}
+
 }  // namespace
 
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& o, double max_work,
                                  PressureScratch& w, std::int32_t most) {
+  if (problem.along_track && w.fine.count <= most_by_hills) {
+    touch_hills(w.fine);
+    return 0;
+  }
   const StripSet& s = w.fine;
   const bool few = s.count < 2 * fewest_pairs;
-  // D, the overlap on top of the hill that a strip lies on: on the way up to the left, then to the right.
-  double* const top = w.next;  // no iteration has begun
+  double* const top = w.next;  // D, the overlap on top of a strip's hill; no iteration has begun
   for (std::int32_t i = 0; i < s.count; ++i)
     top[i] = i > 0 && s.depth[i - 1] > s.depth[i] ? top[i - 1] : s.depth[i];
   double to_right = 0.0;
@@ -211,7 +306,7 @@ void extrapolate_start(const RailStrips& rail, const Overlaps& o, PressureStart&
   }
 }
 
-bool follow_overlaps(PressureScratch& w) {
+bool follow_overlaps(double farthest, PressureScratch& w) {
   const StripSet& s = w.fine;
   // Mean growth of the overlaps in contact [m], by the areas of their strips.
   double longest = 0.0, deepest = 0.0, weights = 0.0, mean = 0.0;
@@ -241,7 +336,7 @@ bool follow_overlaps(PressureScratch& w) {
     area += s.width[i] * limited;
     s.L[i] = limited;
   }
-  return moved <= farthest_followed * area;
+  return moved <= farthest * area;
 }
 
 }  // namespace wrc::surface

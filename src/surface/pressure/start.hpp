@@ -6,7 +6,9 @@
 namespace wrc::surface {
 
 /// Start from the overlaps w.fine has, into its L and shift: of a solution on pairs of strips, which is half
-/// the resolution and a quarter of the work per iteration. Returns the iterations spent, at most `most`.
+/// the resolution and a quarter of the work per iteration. On a rail that changes along the track, where
+/// at most most_by_hills overlap, by Hertz's theory of their hills. Returns the iterations spent, at most
+/// `most`.
 std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps& overlaps, double max_work,
                                  PressureScratch& w, std::int32_t most = usual_iterations);
 
@@ -15,7 +17,7 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
 void extrapolate_start(const RailStrips& rail, const Overlaps& overlaps, PressureStart& start);
 
 /// Moves the lengths of an earlier solution in w.fine as its overlaps have moved from w.depth_before. Returns
-/// whether they moved so little that this is a start.
-bool follow_overlaps(PressureScratch& w);
+/// whether that moved at most the part `farthest` of the area.
+bool follow_overlaps(double farthest, PressureScratch& w);
 
 }  // namespace wrc::surface

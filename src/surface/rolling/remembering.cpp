@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 #include "surface/pressure/pressure.hpp"
 #include "surface/rolling/strip_parts.hpp"
@@ -23,6 +22,9 @@ constexpr double settles = 100.0, change_counts = 400.0;
 // A strip's only place in both steps is the same one within this, and half the distance rolled [m].
 constexpr double same_place = 4e-3;
 
+// Half length of a strip without any, which carries nothing [m].
+constexpr double shortest = 1e-12;
+
 /// Numbers of strips that are remembered.
 struct PastNumbers {
   const PastStrip* past;
@@ -32,35 +34,60 @@ struct PastNumbers {
 /// Half-spaces yield beside a patch, too: humps that have met yield together, but for a neck between them.
 constexpr LobeLimits joint{0.0, 0.3, true};
 
-struct Scratch {
-  double *line_load, *load;                ///< StripsInParts
-  double *shares, *number, *inside;        ///< part: friction over its mean, PatchStrips
-  double *ahead_x, *ahead_y, *ahead_turn;  ///< displacements by the yield, taken ahead [m], [rad]
-  double *cells_x, *cells_y, *cells_turn;  ///< the same of the cells, with their arms
-  double *lever_x, *lever_y;               ///< arms less distances from the parts' middles [m]
-  double *asked_x, *asked_y, *asked_spin;  ///< slips that the steady force is asked for
-  double *follows, *within;                ///< share of the steady force that follows; friction's
-  double* rolling;       ///< surface_rolling_workspace(), in the memory of `strips` and `written`
-  patch::Strips region;  ///< part
-  tangential::RememberingStrip *shared, *strips;  ///< all strips; part: PatchStrips
-  const tangential::RememberingStrip** of_part;   ///< part: those of all strips
-  PastStrip *written, *steady;                    ///< part; all strips in steady rolling
-  const PastStrip **past, **past_of_part;         ///< those of all strips; PatchStrips
+/// A run of strips side by side, whose patches yield together.
+struct Run {
+  std::int32_t first, end;  ///< strips
+  std::int32_t first_patch, end_patch;
 };
 
-Scratch cut(Arena& arena, std::int32_t most) {
+/// A strip of the committed step, that of now whose past it is, or -1, and the share of its force that is
+/// lost.
+struct LostForce {
+  std::int64_t past;
+  std::int32_t heir;
+  double share;
+};
+
+/// Where a patch lies.
+struct PatchPlace {
+  double at;      ///< middle of its load, arc length [m]
+  double square;  ///< square of a half width beyond which strips lie beside the patch [m^2]
+};
+
+static_assert(tangential::PatchStep::most_lobes == LobeCuts::capacity + 1);
+
+/// Patches of so many strips: each run has one, and more where valleys divide it. Of runs there are no more
+/// than strips.
+constexpr std::int32_t patches_of(std::int32_t strips) { return 2 * strips + 36; }
+
+struct Scratch {
+  double *line_load, *y;                   ///< StripsInParts; places from the middle of a patch's load [m]
+  double *ahead_x, *ahead_y, *ahead_turn;  ///< displacements by the yield, taken ahead [m], [rad]
+  double *cells_x, *cells_y, *cells_turn;  ///< the same of the cells, with their arms
+  double *lever_x, *lever_y;               ///< arms less distances from the patches' middles [m]
+  double *asked_x, *asked_y, *asked_spin;  ///< slips that the steady force is asked for
+  double *follows, *within;                ///< share of the steady force that follows; friction's
+  double* rolling;                         ///< surface_rolling_workspace()
+  patch::Strips region;                    ///< all strips
+  tangential::RememberingStrip* strips;
+  PastStrip* steady;       ///< strips in steady rolling
+  const PastStrip** past;  ///< those of the strips
+  Run* runs;
+  tangential::YieldingPatch* patches;
+  PatchPlace* places;  ///< those of the patches
+  LostForce* lost;
+};
+
+Scratch cut(Arena& arena, std::int32_t most, std::int64_t past) {
   Scratch s{};
-  arena.each(most, s.line_load, s.load, s.shares, s.number, s.inside, s.ahead_x, s.ahead_y, s.ahead_turn,
-             s.cells_x, s.cells_y, s.cells_turn, s.lever_x, s.lever_y, s.asked_x, s.asked_y, s.asked_spin,
-             s.follows, s.within, s.region.y, s.region.width, s.region.centre, s.region.half_length,
-             s.region.peak);
+  arena.each(most, s.line_load, s.y, s.ahead_x, s.ahead_y, s.ahead_turn, s.cells_x, s.cells_y, s.cells_turn,
+             s.lever_x, s.lever_y, s.asked_x, s.asked_y, s.asked_spin, s.follows, s.within, s.region.y,
+             s.region.width, s.region.centre, s.region.half_length, s.region.peak);
   s.region.capacity = most;
-  arena.each(most, s.shared, s.of_part, s.steady, s.past, s.past_of_part);
-  // steady forces are asked for when all parts are solved
-  Arena asked = arena;
-  s.rolling = asked.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
-  arena.each(most, s.strips, s.written);
-  arena.go_behind(asked);
+  arena.each(most, s.strips, s.steady, s.past, s.runs);
+  arena.each(past, s.lost);
+  arena.each(patches_of(most), s.patches, s.places);
+  s.rolling = arena.take(static_cast<std::int64_t>(surface_rolling_workspace(most)));
   return s;
 }
 
@@ -70,8 +97,8 @@ class Rememberer {
       : in_(in),
         strips_(in.strips),
         forces_(forces),
-        scratch_(cut(arena, in.strips.count)),
-        parts_{in.strips, in.along, scratch_.line_load, scratch_.load, joint} {
+        scratch_(cut(arena, in.strips.count, in.past_count)),
+        parts_{in.strips, in.along, scratch_.line_load, nullptr, joint} {
     contact_.shear_modulus = strips_.shear_modulus;
     contact_.linear_theory = &in.linear_theory;
     contact_.grid = strips_.grid;
@@ -80,48 +107,25 @@ class Rememberer {
 
   RememberingResult roll() {
     begin();
-    for_each_part([&](const Part& part) { share_numbers(part); });
-    for_each_part([&](const Part& part) { roll_part(part); });
+    find_patches();
+    if (!from_now_) {
+      find_lost();
+      for (std::int32_t k = 0; k < runs_; ++k) roll_run(scratch_.runs[k]);
+    }
     add_steady();
     return {fault_, finish()};
   }
 
  private:
-  struct Part {
-    std::int32_t first = 0, end = 0;
-    double share = 0.0;
-    bool cut_at_valley = false;
-    PartMeans means;
-    std::int32_t number = 0;
-  };
+  using Patch = tangential::YieldingPatch;
 
-  /// Parts that carry load and have friction. One that is alone is found once: `scratch_.load`, which has the
-  /// loads of the part found last, stays its own.
+  /// Calls take(j, weight) for each strip j of the patch, with its share times that of the width within.
   template <class Take>
-  void for_each_part(Take&& take) {
-    if (alone_.end > 0) return take(alone_);
-    std::int32_t all = 0;  // those without load or friction, too
-    Part part;
-    parts_.for_each(
-        [&](std::int32_t first, std::int32_t end, double share, const LobeCut* low, const LobeCut* high) {
-          const PartMeans m = parts_.take_part(first, end, low, high);
-          ++all;
-          if (!(m.load > 0.0 && m.friction > 0.0)) return;
-          part = {first, end, share, low || high, m, part.end > 0 ? part.number + 1 : 0};
-          take(part);
-        });
-    if (all == 1) alone_ = part;
+  static void for_each_strip(const Patch& patch, Take&& take) {
+    for (std::int32_t j = patch.first; j < patch.end; ++j) take(j, patch.share * patch.inside(j));
   }
 
-  /// Calls take(j, k) for each strip j of the part, its k-th.
-  template <class Take>
-  void for_each_strip(const Part& part, Take&& take) const {
-    std::int32_t k = 0;
-    for (std::int32_t j = part.first; j < part.end; ++j)
-      if (scratch_.load[j] > 0.0) take(j, k++);
-  }
-
-  /// Sums over parts begin at zero.
+  /// Sums over patches begin at zero.
   void begin() {
     const std::int32_t count = strips_.count;
     for (double* const sum :
@@ -131,20 +135,35 @@ class Rememberer {
     find_past();
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
-      strip = {};
       strip.y = in_.number[j];
+      std::fill_n(strip.slip, 3, 0.0);
+      strip.way = 0.0;
       strip.centre = in_.along[j];
       strip.half_length = strips_.half_length[j];
       longest_ = std::max(longest_, 2.0 * strip.half_length);
-      tangential::RememberingStrip& cells = scratch_.shared[j];
-      std::fill_n(cells.bound, memory_cells, 0.0);
-      cells.bounds = cells.growth_x = cells.growth_y = cells.turns = cells.arm = 0.0;
-      cells.own_x = cells.own_y = cells.own_turn = 0.0;
+      tangential::clear_strip(scratch_.strips[j]);
+      scratch_.region.y[j] = strips_.place[j];
+      scratch_.region.width[j] = strips_.width[j];
+      scratch_.region.centre[j] = in_.along[j];
+      scratch_.region.half_length[j] = std::max(strips_.half_length[j], shortest);
+      scratch_.region.peak[j] = strips_.peak[j];
     }
     for (std::int64_t k = 0; k < in_.past_count; ++k) energy_ += in_.past[k].energy;
     rests_ = tangential::hardly_rolls(in_.rolled, longest_);
-    takes_over_ = tangential::forgotten(in_.rolled, longest_);
+    step_ = in_.rolled / std::max(longest_, tangential::least_divisor);
+    takes_over_ = tangential::forgotten(step_);
     from_now_ = takes_over_ == 1.0;
+    if (from_now_) clear_cells(0, count);
+  }
+
+  /// No tractions of strips that are not rolled.
+  void clear_cells(std::int32_t first, std::int32_t end) const {
+    for (std::int32_t j = first; j < end; ++j) {
+      PastStrip& strip = written()[j];
+      std::fill_n(strip.force, 3, 0.0);
+      std::fill_n(strip.px, memory_cells, 0.0);
+      std::fill_n(strip.py, memory_cells, 0.0);
+    }
   }
 
   static std::int32_t rail_strip(double number) { return on_rail(static_cast<std::int32_t>(number)); }
@@ -224,7 +243,8 @@ class Rememberer {
   /// Number of the face that a strip of the rail belongs to.
   std::int32_t face_of(std::int32_t strip) const {
     std::int32_t face = 0;
-    while (strip >= in_.rail.range[face].first + in_.rail.range[face].count) ++face;
+    while (face + 1 < in_.rail.ranges && strip >= in_.rail.range[face].first + in_.rail.range[face].count)
+      ++face;
     return face;
   }
 
@@ -251,173 +271,211 @@ class Rememberer {
 
   /// Largest force that the cells of a strip bear, whose bounds have another form than its pressure [N].
   double borne_by_cells(std::int32_t j) const {
-    return scratch_.shared[j].bounds * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
+    return scratch_.strips[j].bounds * (strips_.width[j] * strips_.half_length[j] * (2.0 / memory_cells));
   }
 
-  /// Share of a strip's width within the part taken last.
-  double inside(std::int32_t j) const { return parts_.width_inside(j) / strips_.width[j]; }
+  /// The strips of a run or patch, in `contact_`.
+  void take_region(std::int32_t first, std::int32_t end, double* y) {
+    const patch::Strips& all = scratch_.region;
+    contact_.region = {all.capacity,      end - first,        y,
+                       all.width + first, all.centre + first, all.half_length + first,
+                       all.peak + first};
+    contact_.friction = {1.0, strips_.friction + first};
+  }
 
-  /// Forces beside a part, on its face, that strips no longer bear. At a distance r beyond the half width b a
-  /// force displaces the half-space as b / r, and turns it as (b / r)^2.
-  tangential::LeftStrips left_beside(const Part& part) const {
-    // b^2: twice that of the ellipse with the load's second moment, so no strip of the part lies beyond [m^2]
-    double square = 0.0;
-    for (std::int32_t j = part.first; j < part.end; ++j) {
-      const double y = strips_.place[j] - part.means.place, own = strips_.width[j];
-      square += 10.0 * (scratch_.load[j] / part.means.load) * (y * y + own * own / 12.0);
-    }
-    tangential::LeftStrips left;
-    const std::int32_t number = face_of(rail_strip(in_.number[part.first]));
-    const FaceStrips& face = in_.rail.range[number];
-    const int row = is_second(in_.number[part.first]) ? 1 : 0;
-    const int row_of[2] = {row_now(0, heirs_[number]), row_now(1, heirs_[number])};
-    std::int32_t from = 0;  // the first strip in contact with that number or a larger one
-    for (std::int64_t k = 0; k < in_.past_count; ++k) {
-      const PastStrip& strip = in_.past[k];
-      const std::int32_t of_rail = rail_strip(strip.y);
-      if (!face.has(of_rail)) continue;
-      while (from < strips_.count && in_.number[from] < strip.y) ++from;
-      double lost = 1.0;
-      if (const std::int32_t j = heir_of(k, from); j >= 0) {
-        if (is_second(in_.number[j]) != (row > 0)) continue;
-        // share of the force outside the part, and beyond the bounds of the strip's cells
-        lost = j >= part.first && j < part.end ? 1.0 - inside(j) : 1.0;
-        if (!(lost > 0.0)) continue;
-        const double had = std::sqrt(strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1]);
-        lost *= 1.0 - std::min(1.0, borne_by_cells(j) / std::max(had, least_force));
-      } else if (row_of[is_second(strip.y) ? 1 : 0] != row) {
-        continue;
+  /// Finds runs and patches, and the numbers of their strips.
+  void find_patches() {
+    std::int32_t patches = 0;
+    parts_.for_each_run([&](std::int32_t first, std::int32_t end, LobeCuts cuts) {
+      // patches that all have their place, whatever runs are still to come
+      const std::int32_t most = ((cuts.count + 1) * (cuts.count + 2)) / 2, behind = strips_.count - end;
+      if (patches + most + behind > patches_of(strips_.count)) cuts.count = 0;
+      const std::int32_t from = patches;
+      for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
+        Patch& patch = scratch_.patches[patches] = {};
+        patch.share = share;
+        const auto lobe = [&](const LobeCut* cut) {
+          return static_cast<std::int32_t>(cut - cuts.of.data()) + 1;
+        };
+        patch.first_lobe = low ? lobe(low) : 0;
+        patch.end_lobe = high ? lobe(high) : cuts.count + 1;
+        take_strips(first, end, low, high, patch);
+        add_patch(patch, scratch_.places[patches]);
+        ++patches;
+      });
+      bool carries = false;
+      for (std::int32_t k = from; k < patches; ++k)
+        carries = carries || scratch_.patches[k].numbers.limit > 0.0;
+      // without load or friction nothing is remembered
+      if (carries) {
+        scratch_.runs[runs_++] = {first, end, from, patches};
+      } else {
+        patches = from;
+        clear_cells(first, end);
       }
-      const double y = row_place(in_.rail, of_rail + row * second_places) - part.means.place;
-      const double near = y * y > square ? std::sqrt(square / (y * y)) : 1.0;
-      const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
-      left.fx += fx;
-      left.fy += fy;
-      left.mz += lost * near * in_.direction * strip.force[2];
-      left.turn += near * near * (in_.direction * strip.centre * fy - y * fx);
-    }
-    return left;
-  }
-
-  /// The part as a patch, in `contact_`.
-  void fill_region(const Part& part) {
-    if (part.number == filled_) return;
-    filled_ = part.number;
-    const PartMeans& m = part.means;
-    patch::Strips& region = scratch_.region;
-    region.count = 0;
-    for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-      region.y[k] = strips_.place[j] - m.place;
-      region.width[k] = parts_.width_inside(j);
-      region.centre[k] = in_.along[j];
-      region.half_length[k] = strips_.half_length[j];
-      region.peak[k] = strips_.peak[j];
-      scratch_.shares[k] = strips_.friction[j] / m.friction;
-      scratch_.number[k] = in_.number[j];
-      scratch_.past_of_part[k] = scratch_.past[j];
-      scratch_.inside[k] = region.width[k] / strips_.width[j];
-      scratch_.of_part[k] = scratch_.shared + j;
-      region.count = k + 1;
     });
-    contact_.region = region;
-    contact_.friction = {m.friction, scratch_.shares};
+    patches_ = patches;
   }
 
-  /// Numbers of the part, which is the one in `contact_`. The first ones' are kept.
-  const tangential::PatchNumbers& numbers_of(const Part& part) {
-    // those behind share the last place, and are found at each call
-    constexpr std::int32_t last = kept_parts - 1;
-    tangential::PatchNumbers& numbers = numbers_[std::min(part.number, last)];
-    if (part.number >= numbered_ || part.number >= last)
-      numbers = tangential::patch_numbers(contact_, fault_);
-    numbered_ = std::max(numbered_, part.number + 1);
-    return numbers;
+  /// Strips of the run between the cuts.
+  void take_strips(std::int32_t first, std::int32_t end, const LobeCut* low, const LobeCut* high,
+                   Patch& patch) const {
+    const auto border = [&](std::int32_t j, double side) {
+      return strips_.place[j] + side * strips_.width[j];
+    };
+    if (low)
+      while (first < end - 1 && !(border(first, 0.5) > low->place)) ++first;
+    if (high)
+      while (end - 1 > first && !(border(end - 1, -0.5) < high->place)) --end;
+    patch.first = first;
+    patch.end = end;
+    if (low)
+      patch.inside_first = std::clamp((border(first, 0.5) - low->place) / strips_.width[first], 0.0, 1.0);
+    if (high)
+      patch.inside_last =
+          std::clamp((high->place - border(end - 1, -0.5)) / strips_.width[end - 1], 0.0, 1.0);
   }
 
-  /// Does a part, the one in `contact_`, have all of all strips? Then theirs are written in place.
-  bool is_whole(const Part& part) const {
-    return part.share == 1.0 && !part.cut_at_valley && contact_.region.count == strips_.count;
-  }
-
-  /// The part's step, before it. One that is alone begins once.
-  tangential::PatchStep& begin_part(const Part& part) {
-    if (patch_ && part.number == filled_) return *patch_;
-    fill_region(part);
-    patch_.emplace(contact_,
-                   tangential::PatchStrips{in_.past, in_.past_count,
-                                           is_whole(part) ? written() : scratch_.written, scratch_.strips,
-                                           scratch_.number, scratch_.past_of_part, scratch_.inside, longest_},
-                   numbers_of(part));
-    return *patch_;
-  }
-
-  /// Adds a part's bounds, growths and displacements to those of its strips, by its share. Strips of two
-  /// partitions then roll alike in both, but for the yield.
-  void share_numbers(const Part& part) {
-    tangential::PatchStep& patch = begin_part(part);
-    patch.set_bounds();
-    const tangential::PatchNumbers& numbers = numbers_of(part);
-    const tangential::Creepage& c = part.means.creepage;
-    const double arm = numbers.arm, follows = patch.follows(in_.rolled);
-    for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-      const double weight = part.share * scratch_.inside[k];
-      const tangential::RememberingStrip& from = scratch_.strips[k];
-      tangential::RememberingStrip& to = scratch_.shared[j];
-      tangential::add_cells(weight, from.bound, to.bound);
-      to.bounds += weight * from.bounds;
-      to.growth_x += weight * from.growth_x;
-      to.growth_y += weight * from.growth_y;
-      to.turns += weight * from.turns;
-      to.arm += weight * arm;
-      // slips of the strip; beside the part's mean along x, and by spin, with the factor on arms
-      const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k];
-      to.own_x += weight * (c.longitudinal + arm * (strips_.slip_x[j] - c.longitudinal));
-      to.own_y += weight * (strips_.slip_y[j] + (arm - 1.0) * c.spin * x);
-      to.own_turn = strips_.spin[j];
+  /// Numbers of a patch, which it adds to those of its strips. Strips of several patches have means by
+  /// shares.
+  void add_patch(Patch& patch, PatchPlace& place) {
+    // means over the load within
+    double load = 0.0, at = 0.0, slip_x = 0.0, spin = 0.0;
+    for (std::int32_t j = patch.first; j < patch.end; ++j) {
+      const double own = patch.inside(j) * strips_.width[j] * scratch_.line_load[j];
+      load += own;
+      at += own * strips_.place[j];
+      slip_x += own * strips_.slip_x[j];
+      spin += own * strips_.spin[j];
+    }
+    if (!(load > 0.0)) return;
+    place.at = at /= load;
+    slip_x /= load;
+    spin /= load;
+    // twice the square of the half width of the ellipse with the load's second moment
+    double square = 0.0;
+    for (std::int32_t j = patch.first; j < patch.end; ++j) {
+      const double own = patch.inside(j) * strips_.width[j] * scratch_.line_load[j];
+      const double y = scratch_.y[j] = strips_.place[j] - at;
+      square += own * (y * y + strips_.width[j] * strips_.width[j] / 12.0);
+    }
+    place.square = 10.0 * square / load;
+    // the patch as a region of its own, with the widths within
+    take_region(patch.first, patch.end, scratch_.y + patch.first);
+    double* const width = scratch_.region.width;
+    for (const std::int32_t j : {patch.first, patch.end - 1}) width[j] = patch.inside(j) * strips_.width[j];
+    patch.numbers = tangential::patch_numbers(contact_, fault_);
+    patch.numbers.centre_y += at;
+    for (std::int32_t j = patch.first; j < patch.end; ++j)
+      if (scratch_.past[j]) add_past(patch.inside(j), *scratch_.past[j], j, patch, patch.before);
+    tangential::add_to_strips(contact_, patch, tangential::fitted_memory, scratch_.strips + patch.first);
+    for (const std::int32_t j : {patch.first, patch.end - 1}) width[j] = strips_.width[j];
+    // Slips of the strips; beside the patch's mean along x, and by spin, with the factor on arms
+    const double arm = patch.numbers.arm, follows = tangential::follows(patch.numbers, in_.rolled);
+    for_each_strip(patch, [&](std::int32_t j, double weight) {
+      tangential::RememberingStrip& to = scratch_.strips[j];
+      const double x = in_.along[j] - patch.numbers.centre_x;
+      to.own_x += weight * (slip_x + arm * (strips_.slip_x[j] - slip_x));
+      to.own_y += weight * (strips_.slip_y[j] + (arm - 1.0) * spin * x);
+      to.own_turn += weight * (arm * strips_.spin[j]);
       scratch_.lever_x[j] += weight * (arm - 1.0) * x;
-      scratch_.lever_y[j] += weight * (arm - 1.0) * y;
+      scratch_.lever_y[j] += weight * (arm - 1.0) * scratch_.y[j];
       scratch_.follows[j] += weight * follows;
     });
   }
 
-  /// Solves the step of one part, and adds its strips, by its share, to those of the contact.
-  void roll_part(const Part& part) {
-    if (from_now_) return;
-    tangential::PatchStep& patch = begin_part(part);
-    patch.take_shared(scratch_.of_part, left_beside(part));
-    const tangential::PatchNumbers& numbers = numbers_of(part);
-    // how much further than the bodies it takes the steady force, over the step
-    constexpr double none[3] = {};
-    double local[3], of_part[3], last = 0.0;
-    patch.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, local, of_part, last);
-    const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last);
-    const double ahead[3] = {factor * local[0], factor * local[1], factor * local[2]}, arm = numbers.arm;
-    last_ = last;
-    if (takes_over_ == 0.0) stored_ += part.share * patch.stored();
-    const bool whole = is_whole(part);
-    for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-      const double weight = part.share * scratch_.inside[k];
-      PastStrip& to = written()[j];
-      const PastStrip& from = whole ? to : scratch_.written[k];
-      const double fx = from.force[0], fy = from.force[1], mz = from.force[2];
-      if (whole) {
-        std::fill_n(to.force, 3, 0.0);
-      } else {
-        tangential::add_cells(weight, from.px, to.px);
-        tangential::add_cells(weight, from.py, to.py);
+  /// Adds a part of the force of a strip's past to that of a patch.
+  void add_past(double part, const PastStrip& past, std::int32_t j, const Patch& patch, double to[3]) const {
+    const double force[3] = {in_.direction * past.force[0], past.force[1], in_.direction * past.force[2]};
+    patch.add_force(part, force, in_.direction * past.centre, strips_.place[j], to);
+  }
+
+  /// Strips of the committed step whose forces, or parts of them, no strip bears any more.
+  void find_lost() {
+    std::int32_t from = 0;  // the first strip in contact with that number or a larger one
+    for (std::int64_t k = 0; k < in_.past_count; ++k) {
+      const PastStrip& strip = in_.past[k];
+      while (from < strips_.count && in_.number[from] < strip.y) ++from;
+      const std::int32_t heir = heir_of(k, from);
+      double share = 1.0;
+      if (heir >= 0) {
+        // the bounds of its cells do not bear the rest
+        const double had2 = strip.force[0] * strip.force[0] + strip.force[1] * strip.force[1],
+                     borne = borne_by_cells(heir);
+        if (borne * borne >= had2) continue;
+        share -= borne / std::sqrt(had2);
       }
-      // moments about the strip's own middle
-      const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k] - numbers.centre_y;
-      to.force[0] += part.share * fx;
-      to.force[1] += part.share * fy;
-      to.force[2] += part.share * (mz - arm * (x * fy - y * fx)) * (scratch_.shared[j].arm / arm);
-      scratch_.ahead_x[j] += weight * (ahead[0] - ahead[2] * y);
-      scratch_.ahead_y[j] += weight * (ahead[1] + ahead[2] * x);
-      scratch_.ahead_turn[j] += weight * ahead[2];
-      scratch_.cells_x[j] += weight * (ahead[0] - ahead[2] * arm * y);
-      scratch_.cells_y[j] += weight * (ahead[1] + ahead[2] * arm * x);
-      scratch_.cells_turn[j] += weight * ahead[2] * (arm / scratch_.shared[j].arm);
-    });
+      scratch_.lost[lost_++] = {k, heir, share};
+    }
+  }
+
+  /// Forces beside a patch, on its face, that strips no longer bear. At a distance r beyond the half width b
+  /// a force displaces the half-space as b / r, and turns it as (b / r)^2.
+  void find_left(Patch& patch, const PatchPlace& place) const {
+    const std::int32_t number = face_of(rail_strip(in_.number[patch.first]));
+    const FaceStrips& face = in_.rail.range[number];
+    const int row = is_second(in_.number[patch.first]) ? 1 : 0;
+    const int row_of[2] = {row_now(0, heirs_[number]), row_now(1, heirs_[number])};
+    double turn = 0.0;  // moment from the patch's place [N m]
+    for (std::int64_t k = 0; k < lost_; ++k) {
+      const LostForce& of = scratch_.lost[k];
+      const PastStrip& strip = in_.past[of.past];
+      const std::int32_t of_rail = rail_strip(strip.y);
+      if (!face.has(of_rail)) continue;
+      const int row_then = is_second(strip.y) ? 1 : 0;
+      if ((of.heir < 0 ? row_of[row_then] : (is_second(in_.number[of.heir]) ? 1 : 0)) != row) continue;
+      // the share outside the patch
+      double lost = of.share;
+      if (of.heir >= patch.first && of.heir < patch.end) lost *= 1.0 - patch.inside(of.heir);
+      if (!(lost > 0.0)) continue;
+      const double y = row_place(in_.rail, of_rail + row * second_places) - place.at;
+      const double near = y * y > place.square ? std::sqrt(place.square / (y * y)) : 1.0;
+      const double fx = lost * near * in_.direction * strip.force[0], fy = lost * near * strip.force[1];
+      patch.left[0] += fx;
+      patch.left[1] += fy;
+      turn += lost * near * in_.direction * strip.force[2] +
+              near * near * (in_.direction * strip.centre * fy - y * fx);
+    }
+    patch.left[2] = patch.numbers.arm * (turn - patch.numbers.centre_x * patch.left[1] +
+                                         (patch.numbers.centre_y - place.at) * patch.left[0]);
+  }
+
+  /// Solves the step of a run.
+  void roll_run(const Run& run) {
+    Patch* const patches = scratch_.patches + run.first_patch;
+    const std::int32_t count = run.end_patch - run.first_patch;
+    for (std::int32_t k = 0; k < count; ++k) find_left(patches[k], scratch_.places[run.first_patch + k]);
+    take_region(run.first, run.end, scratch_.region.y + run.first);
+    tangential::PatchStep step(contact_,
+                               {in_.past, in_.past_count, written() + run.first, scratch_.strips + run.first,
+                                in_.number + run.first, scratch_.past + run.first, longest_, run.first},
+                               patches, count);
+    constexpr double none[3] = {};
+    double of_part[3];
+    step.go(none, in_.travel, rests_ ? 0.0 : in_.rolled, of_part, last_);
+    if (takes_over_ == 0.0) stored_ += step.stored();
+    // moments about the strips' own middles
+    const double centre_x = patches->numbers.centre_x, centre_y = patches->numbers.centre_y;
+    for (std::int32_t j = run.first; j < run.end; ++j) {
+      double* const force = written()[j].force;
+      force[2] -= (in_.along[j] - centre_x) * force[1] - (strips_.place[j] - centre_y) * force[0];
+    }
+    // how much further than the bodies the yield takes the steady force, over the step
+    const double factor = tangential::fitted_memory.ahead * (rests_ ? 0.0 : in_.rolled / last_);
+    for (std::int32_t k = 0; k < count; ++k) {
+      const Patch& patch = patches[k];
+      const double arm = patch.numbers.arm, ahead_x = factor * patch.local[0],
+                   ahead_y = factor * patch.local[1], turn = factor * patch.local[2];
+      for_each_strip(patch, [&](std::int32_t j, double weight) {
+        const double x = in_.along[j] - patch.numbers.centre_x, y = strips_.place[j] - patch.numbers.centre_y;
+        scratch_.ahead_x[j] += weight * (ahead_x - turn * y);
+        scratch_.ahead_y[j] += weight * (ahead_y + turn * x);
+        scratch_.ahead_turn[j] += weight * turn;
+        scratch_.cells_x[j] += weight * (ahead_x - turn * arm * y);
+        scratch_.cells_y[j] += weight * (ahead_y + turn * arm * x);
+        scratch_.cells_turn[j] += weight * turn * arm;
+      });
+    }
   }
 
   /// Way of a strip under the same conditions before this step, over the contact's length [-].
@@ -428,8 +486,7 @@ class Rememberer {
 
   /// Share of steady rolling in the way under the same conditions, as long as it will be in the next step.
   double settled(double before) const {
-    const double step = in_.rolled / longest_;
-    return tangential::forgotten(before + step + std::min(step, 0.5 * before), 1.0);
+    return tangential::forgotten(before + step_ + std::min(step_, 0.5 * before));
   }
 
   /// Slips at which the steady forces of the strips are asked, those of the bodies and of the yield, and the
@@ -442,29 +499,29 @@ class Rememberer {
       const double y = in_.travel * strips_.slip_y[j] + ahead * scratch_.ahead_y[j];
       const double turn = in_.travel * strips_.spin[j] + ahead * scratch_.ahead_turn[j];
       const double size = std::max({std::abs(x), std::abs(y), std::abs(turn) * strips_.half_length[j]});
-      const double per = tangential::PatchStep::per_length(size, in_.rolled);
+      const double per = tangential::per_length(size, in_.rolled);
       scratch_.asked_x[j] = per * x;
       scratch_.asked_y[j] = per * y;
       scratch_.asked_spin[j] = per * turn;
       // seen from the strip's own middle
-      tangential::RememberingStrip& cells = scratch_.shared[j];
+      tangential::RememberingStrip& cells = scratch_.strips[j];
       cells.centre = in_.along[j];
-      cells.half_length = strips_.half_length[j];
+      cells.half_length = scratch_.region.half_length[j];
       cells.area = strips_.width[j] * cells.half_length * (2.0 / memory_cells);
       cells.x = cells.y = 0.0;
-      cells.reach = cells.arm * cells.half_length;
       cells.own_x = per * (in_.travel * cells.own_x + ahead * scratch_.cells_x[j]);
       cells.own_y = per * (in_.travel * cells.own_y + ahead * scratch_.cells_y[j]);
       cells.own_turn = per * (in_.travel * cells.own_turn + ahead * scratch_.cells_turn[j]);
     }
     constexpr double none[3] = {};
     const double h = from_now_ ? tangential::last_part(longest_) : last_;
-    tangential::march_steadily(contact_, scratch_.shared, strips_.count, none, h, scratch_.steady);
+    tangential::march_steadily(contact_, scratch_.strips, strips_.count, none, h, scratch_.steady);
   }
 
   /// Moment of a strip's cells about its own middle as the host adds it to that of its force [N m].
   double moment_of(std::int32_t j, const double (&force)[3]) const {
-    return force[2] + scratch_.lever_x[j] * force[1] - scratch_.lever_y[j] * force[0];
+    return scratch_.strips[j].arm * force[2] + scratch_.lever_x[j] * force[1] -
+           scratch_.lever_y[j] * force[0];
   }
 
   /// Forces of the strips: cells and the difference to the steady force, which follows; within friction.
@@ -487,9 +544,8 @@ class Rememberer {
       const double of_steady_cells[3] = {steady[0], steady[1], moment_of(j, steady)};
       const PastStrip* const past = scratch_.past[j];
       // a strip about to leave keeps no more of it than its friction
-      const double kept =
-          past ? std::sqrt(past->added[0] * past->added[0] + past->added[1] * past->added[1]) : 0.0;
-      const double held = std::min(1.0, limit_of(j) / std::max(kept, least_force));
+      const double kept2 = past ? past->added[0] * past->added[0] + past->added[1] * past->added[1] : 0.0;
+      const double limit = limit_of(j), held = kept2 > limit * limit ? limit / std::sqrt(kept2) : 1.0;
       double* const force[3] = {forces_.fx + j, forces_.fy + j, forces_.mz + j};
       for (int i = 0; i < 3; ++i) {
         double& added = strip.added[i];
@@ -507,42 +563,35 @@ class Rememberer {
   /// Little or nothing before the step is seen: the cells tend to those of steady rolling.
   void take_steady_cells() {
     for (std::int32_t j = 0; j < strips_.count; ++j)
-      tangential::tend_to(scratch_.steady[j], takes_over_, written()[j]);
-    for_each_part([&](const Part& part) {
-      // energy of the cells and of the half-spaces, whose moment is about the part's centre
-      fill_region(part);
-      const tangential::PatchNumbers& numbers = numbers_of(part);
-      double force[3] = {}, stored = 0.0;
-      for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-        const PastStrip& strip = written()[j];
-        const tangential::RememberingStrip& cells = scratch_.shared[j];
-        const double x = in_.along[j] - numbers.centre_x, y = contact_.region.y[k] - numbers.centre_y;
-        const double turn = strip.force[2] / cells.arm + (x * strip.force[1] - y * strip.force[0]);
-        force[0] += scratch_.inside[k] * strip.force[0];
-        force[1] += scratch_.inside[k] * strip.force[1];
-        force[2] += scratch_.inside[k] * numbers.arm * turn;
-        const double area = contact_.region.width[k] * strips_.half_length[j] * (2.0 / memory_cells);
-        stored += tangential::stored_in(strip, area, cells.growth_x, cells.growth_y);
-      });
-      stored_ += part.share * (stored + tangential::stored_by(numbers.yield, force));
-    });
+      tangential::tend_to(kernels(), scratch_.steady[j], takes_over_, written()[j]);
+    // energy of the cells and of the half-spaces, whose moments are about the patches' centres
+    for (std::int32_t j = 0; j < strips_.count; ++j) {
+      const tangential::RememberingStrip& cells = scratch_.strips[j];
+      if (cells.arm > 0.0)
+        stored_ += tangential::stored_in(kernels(), written()[j], cells.area, cells.growth_x, cells.growth_y);
+    }
+    for (std::int32_t k = 0; k < patches_; ++k) {
+      const Patch& patch = scratch_.patches[k];
+      double force[3] = {};
+      for (std::int32_t j = patch.first; j < patch.end; ++j)
+        patch.add_force(patch.inside(j), written()[j].force, in_.along[j], strips_.place[j], force);
+      stored_ += patch.share * tangential::stored_by(patch.numbers.yield, force);
+    }
   }
 
-  /// Lowers the forces of each part to its friction limit.
+  /// Lowers the forces of each patch to its friction limit.
   void stay_within_friction() {
-    for_each_part([&](const Part& part) {
-      fill_region(part);
+    for (std::int32_t k = 0; k < patches_; ++k) {
+      const Patch& patch = scratch_.patches[k];
       double fx = 0.0, fy = 0.0;
-      for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-        fx += scratch_.inside[k] * forces_.fx[j];
-        fy += scratch_.inside[k] * forces_.fy[j];
-      });
+      for (std::int32_t j = patch.first; j < patch.end; ++j) {
+        fx += patch.inside(j) * forces_.fx[j];
+        fy += patch.inside(j) * forces_.fy[j];
+      }
       const double size = std::max(std::sqrt(fx * fx + fy * fy), least_force);
-      const double within = std::min(1.0, part.means.friction * part.means.load / size);
-      for_each_strip(part, [&](std::int32_t j, std::int32_t k) {
-        scratch_.within[j] += part.share * scratch_.inside[k] * within;
-      });
-    });
+      const double within = std::min(1.0, patch.numbers.limit / size);
+      for_each_strip(patch, [&](std::int32_t j, double weight) { scratch_.within[j] += weight * within; });
+    }
     for (std::int32_t j = 0; j < strips_.count; ++j) {
       forces_.fx[j] *= scratch_.within[j];
       forces_.fy[j] *= scratch_.within[j];
@@ -553,7 +602,7 @@ class Rememberer {
   /// and outline [-].
   double change_of(std::int32_t j) const {
     const PastStrip &strip = written()[j], &past = *scratch_.past[j];
-    const tangential::RememberingStrip& cells = scratch_.shared[j];
+    const tangential::RememberingStrip& cells = scratch_.strips[j];
     const double length = 2.0 * strip.half_length,
                  stiff[3] = {cells.growth_x * length, cells.growth_y * length,
                              cells.growth_y * length * strip.half_length};
@@ -574,17 +623,17 @@ class Rememberer {
   /// this one's forces stay, so trials are as smooth as ever.
   void settle(std::int32_t j) {
     PastStrip& strip = written()[j];
-    const double step = in_.rolled / longest_, per = in_.travel / in_.rolled;
+    const double per = in_.travel / in_.rolled;
     strip.slip[0] = per * strips_.slip_x[j];
     strip.slip[1] = per * strips_.slip_y[j];
     strip.slip[2] = per * strips_.spin[j];
     double before = way_before(j);
     if (before > 0.0) before /= 1.0 + change_counts * change_of(j);
-    strip.way = std::min(before + step, tangential::all_forgotten);
-    const double rate = settles * step * settled(before), share = rate / (1.0 + rate);
+    strip.way = std::min(before + step_, tangential::all_forgotten);
+    const double rate = settles * step_ * settled(before), share = rate / (1.0 + rate);
     if (!(share > 0.0)) return;
     const PastStrip& steady = scratch_.steady[j];
-    tangential::tend_to(steady, share, strip);
+    tangential::tend_to(kernels(), steady, share, strip);
     for (int i = 0; i < 3; ++i) strip.added[i] += share * (steady.added[i] - strip.added[i]);
   }
 
@@ -596,6 +645,7 @@ class Rememberer {
     for (std::int32_t j = 0; j < count; ++j)
       work -= in_.travel * work_by_slips(forces_, strips_.slip_x, strips_.slip_y, strips_.spin, j);
     const tangential::EnergyLeft energy = tangential::count_energy(energy_, work, stored_);
+    const double part = 1.0 / count;
     for (std::int32_t j = 0; j < count; ++j) {
       PastStrip& strip = written()[j];
       strip.added[0] = forces_.fx[j] - strip.force[0];
@@ -607,15 +657,15 @@ class Rememberer {
         tangential::lower(energy.scale, strip);
         for (double& f : strip.added) f *= energy.scale;
       }
-      if (scratch_.shared[j].arm > 0.0) strip.force[2] /= scratch_.shared[j].arm;
-      strip.energy = energy.left / count;
-      std::copy_n(scratch_.shared[j].bound, std::size(strip.bound), strip.bound);
+      strip.energy = part * energy.left;
+      std::copy_n(scratch_.strips[j].bound, std::size(strip.bound), strip.bound);
       if (in_.direction < 0.0) strip = tangential::turned(strip, in_.direction);
     }
     return energy.dissipated;
   }
 
   PastStrip* written() const { return in_.written; }
+  const simd::TangentialKernels& kernels() const { return contact_.grid->kernels->tangential; }
 
   const RememberingInput& in_;
   const SurfaceRollingInput& strips_;
@@ -623,17 +673,14 @@ class Rememberer {
   Scratch scratch_;
   StripsInParts parts_;
   tangential::RollingContact contact_;
-  static constexpr std::int32_t kept_parts = 8;
-  tangential::PatchNumbers numbers_[kept_parts];
-  std::int32_t numbered_ = 0;                   // parts that have had their numbers
-  std::int32_t filled_ = -1;                    // the part in contact_
-  Part alone_;                                  // end > 0: the only one
-  std::optional<tangential::PatchStep> patch_;  // that of the part in contact_
-  double longest_ = 0.0;                        // strip [m]
-  double last_ = 0.0;                           // length of the step's last part [m]
-  double energy_ = 0.0;                         // could be given back before the step [J]
-  double stored_ = 0.0;                         // in the tractions of its end [J]
-  double takes_over_ = 0.0;                     // share of steady rolling in it [-]
+  std::int32_t runs_ = 0, patches_ = 0;
+  std::int64_t lost_ = 0;
+  double step_ = 0.0;        // distance rolled over the longest strip [-]
+  double longest_ = 0.0;     // strip [m]
+  double last_ = 0.0;        // length of the step's last part [m]
+  double energy_ = 0.0;      // could be given back before the step [J]
+  double stored_ = 0.0;      // in the tractions of its end [J]
+  double takes_over_ = 0.0;  // share of steady rolling in it [-]
   bool rests_ = false, from_now_ = false;
   bool two_rows_ = false;              // has either step second places along the track?
   Heirs heirs_[most_rail_faces] = {};  // with two rows
@@ -642,7 +689,7 @@ class Rememberer {
 
 }  // namespace
 
-void count_remembering(Arena& arena, std::int32_t most) { cut(arena, most); }
+void count_remembering(Arena& arena, std::int32_t most) { cut(arena, most, most); }
 
 RememberingResult roll_remembering(const RememberingInput& in, Arena arena,
                                    const SurfaceRollingForces& forces) noexcept {

@@ -6,8 +6,8 @@
 ///    Tractions of one that leaves are gone, and the half-spaces yield by that.
 ///    Faces of a rail are separate bodies: strips that left one face do not make another face yield.
 ///  - A strip's displacement over the step is its own: slip velocities of the rigid bodies times the time.
-///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, both
-///    are solved from the same past, and tractions and forces are their means by shares.
+///  - The yield U of the half-spaces is that of patches (strip_parts.hpp). Where two partitions hold, a strip's
+///    cells move by the mean of its patches' yields by their shares.
 ///  - The steady force that the memory tends to is that of the surface (surface_rolling.hpp), strip by strip.
 ///  - Under conditions that stay, the tractions that are kept settle to those of steady rolling after 1.5 to 2
 ///    lengths of the contact, as within one long step. Forces of the step itself are not touched.

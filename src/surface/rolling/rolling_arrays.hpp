@@ -22,15 +22,15 @@ namespace wrc::surface {
 /// Quantities of which strips take the mean over their neighbours: first times load, then the mean.
 struct RollingMeans {
   enum Mean {
-    slip,          ///< slip along x [-]
     slender,       ///< u [-]
+    location,      ///< arc length [m]
+    slip,          ///< slip along x [-]
     edge,          ///< elastic slip at the edge of a strip that slips as a whole [-]
     lateral,       ///< e: lateral force of lateral slip in linear theory over the load [-]
     spin,          ///< s: lateral force of spin in linear theory over the load [-]
     friction,      ///< mu [-]
-    location,      ///< arc length [m]
-    longitudinal,  ///< x: longitudinal force in linear theory over the load [-]
     variance,      ///< squared distance from `location` [m^2]
+    longitudinal,  ///< x: longitudinal force in linear theory over the load [-]
     means
   };
 };

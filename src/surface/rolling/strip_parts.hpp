@@ -29,9 +29,9 @@ struct StripsInParts {
   double *line_load, *load;
   LobeLimits limits{};
 
-  /// Calls take(first, end, share, low, high) for every part: strips first .. end - 1 between the cuts.
+  /// Calls take(first, end, cuts) for every run of strips first .. end - 1 side by side, with its valleys.
   template <class Take>
-  void for_each(Take&& take) const {
+  void for_each_run(Take&& take) const {
     for (std::int32_t j = 0; j < strips.count; ++j) line_load[j] = strips.half_length[j] * strips.peak[j];
     for (std::int32_t first = 0, end = 0; first < strips.count; first = end) {
       // a run of strips side by side: middles less than 1.5 mean widths apart
@@ -39,12 +39,20 @@ struct StripsInParts {
       while (end < strips.count &&
              strips.place[end] - strips.place[end - 1] < 0.75 * (strips.width[end] + strips.width[end - 1]))
         ++end;
-      // Its patches are the parts between valleys of the line load. Where a valley is neither deep nor
-      // shallow both partitions roll, each by its share.
-      for_each_part(
-          find_lobes(strips.place, line_load, first, end, limits),
-          [&](double share, const LobeCut* low, const LobeCut* high) { take(first, end, share, low, high); });
+      take(first, end, find_lobes(strips.place, line_load, first, end, limits));
     }
+  }
+
+  /// Calls take(first, end, share, low, high) for every part: strips first .. end - 1 between the cuts. The
+  /// patches of a run are the parts between valleys of the line load. Where a valley is neither deep nor
+  /// shallow both partitions roll, each by its share.
+  template <class Take>
+  void for_each(Take&& take) const {
+    for_each_run([&](std::int32_t first, std::int32_t end, const LobeCuts& cuts) {
+      for_each_part(cuts, [&](double share, const LobeCut* low, const LobeCut* high) {
+        take(first, end, share, low, high);
+      });
+    });
   }
 
   /// Loads of the strips within a part (a strip across its border counts with its width inside), and means

@@ -12,10 +12,12 @@ namespace {
 /// Access to the numbers of one strip in the arrays (strip_numbers.hpp).
 struct EachStrip {
   using Number = double;
+  using Still = double;
   using OneStrip = EachStrip;
   std::int32_t strip;
 
   double get(const double* of) const { return of[strip]; }
+  double still(const double* of) const { return of[strip]; }
   void put(double* of, double x) const { of[strip] = x; }
 };
 
@@ -29,7 +31,7 @@ void spread_slip(const SurfaceRollingInput& in, const RollingArrays& a) {
   double *const middle = a.mean[Mean::location], *const variance = a.mean[Mean::variance];
   for (int n = 1; n < times; ++n) {
     for (std::int32_t j = 0; j < in.count; ++j) middle[j] *= a.load[j];
-    strip_numbers::take_means<EachStrip, Mean::location, Mean::location + 1>(in.count, a);
+    strip_numbers::take_means<EachStrip, Mean::location, Mean::location, Mean::location + 1>(in.count, a);
   }
   for (std::int32_t j = 0; j < in.count; ++j) {
     const double off = in.place[j] - middle[j];
@@ -37,7 +39,7 @@ void spread_slip(const SurfaceRollingInput& in, const RollingArrays& a) {
   }
   for (int n = 0; n < times; ++n) {
     for (std::int32_t j = 0; j < in.count; ++j) variance[j] *= a.load[j];
-    strip_numbers::take_means<EachStrip, Mean::variance, Mean::variance + 1>(in.count, a);
+    strip_numbers::take_means<EachStrip, Mean::variance, Mean::variance, Mean::variance + 1>(in.count, a);
   }
   // 1 at the border of an ellipse, whose load has a fifth of its squared half width as variance
   for (std::int32_t j = 0; j < in.count; ++j) {

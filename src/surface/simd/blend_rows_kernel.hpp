@@ -7,17 +7,43 @@
 namespace wrc::simd {
 namespace {
 
+/// Vectors of a sum of rows, each in a register.
+template <int vectors>
+struct RowSum {
+  Native first;
+  RowSum<vectors - 1> others;
+
+  void clear() {
+    first = broadcast(0.0);
+    others.clear();
+  }
+  void add(Native share, const double* row) {
+    first = first + share * load_lanes(row);
+    others.add(share, row + native_lanes);
+  }
+  void put(double* to) const {
+    store_lanes(to, first);
+    others.put(to + native_lanes);
+  }
+};
+template <>
+struct RowSum<0> {
+  void clear() {}
+  void add(Native, const double*) {}
+  void put(double*) const {}
+};
+
 /// The next `vectors` vectors of the sum, in the order of the rows.
 template <int vectors>
 void blend_group(const BlendRowsTask& task, std::int64_t first) {
-  Native sum[vectors];
-  for (int k = 0; k < vectors; ++k) sum[k] = broadcast(0.0);
+  RowSum<vectors> sum;
+  sum.clear();
   for (std::int32_t i = 0; i < task.count; ++i) {
-    const Native share = broadcast(task.share[i]);
-    const double* const row = task.row[i] + first;
-    for (int k = 0; k < vectors; ++k) sum[k] = sum[k] + share * load_lanes(row + k * native_lanes);
+    const double* row = task.row[i] + first;
+    __asm__("" : "+r"(row));  // one register: gcc takes one for each vector otherwise, and runs out of them
+    sum.add(broadcast(task.share[i]), row);
   }
-  for (int k = 0; k < vectors; ++k) store_lanes(task.to + first + k * native_lanes, sum[k]);
+  sum.put(task.to + first);
 }
 
 /// Groups of so many vectors from `first` on, which is moved behind them.
@@ -29,9 +55,10 @@ void blend_groups(const BlendRowsTask& task, std::int64_t& first) {
 
 /// SurfaceKernels::blend_rows.
 inline void blend_rows_kernel(const BlendRowsTask& task) {
-  // As many vectors as stay in registers over all rows, then fewer.
+  // As many vectors as stay in 16 registers over all rows, then fewer.
   std::int64_t first = 0;
-  blend_groups<8>(task, first);
+  blend_groups<14>(task, first);
+  blend_groups<10>(task, first);
   blend_groups<6>(task, first);
   blend_groups<4>(task, first);
   blend_groups<2>(task, first);
@@ -44,11 +71,16 @@ inline void take_known_kernel(const double* row, std::int32_t first, std::int32_
   constexpr std::int32_t vectors = 4 / abreast;
   Columns left[vectors];
   for (std::int32_t k = 0; k < vectors; ++k) left[k] = load_columns(right + k * abreast);
-  for (std::int32_t c = first; c < end; ++c) {
+  const auto take = [&](std::int32_t c) {
     const Columns share = in_all_columns(row[c]);
     for (std::int32_t k = 0; k < vectors; ++k)
       left[k] = left[k] - share * load_columns(x + 4 * c + k * abreast);
-  }
+  };
+  // four at a time: one by one, counting takes as many instructions
+  std::int32_t c = first;
+  for (; c + 4 <= end; c += 4)
+    for (std::int32_t k = 0; k < 4; ++k) take(c + k);
+  for (; c < end; ++c) take(c);
   for (std::int32_t k = 0; k < vectors; ++k) store_columns(right + k * abreast, left[k]);
 }
 

@@ -282,7 +282,7 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.nz + first, strips.nz);
 
   // the circle at the top, without the contact's chord
-  if (task.tops_alone) {
+  if (!any(ends.depth > task.deep_enough)) {
     const surface::RayStart<Pack> from = strips.start(x);
     store_pack(s.overlap.depth + first, ends.depth);
     store_pack(s.overlap.centre + first, x);

@@ -10,6 +10,29 @@ namespace {
 
 namespace sloped {
 
+/// A number and its derivative by the source's half length: it does not change with the point's x.
+struct ByLength {
+  Pack v, l;
+
+  ByLength() = default;
+  ByLength(Pack value, Pack by_length) : v(value), l(by_length) {}
+  ByLength(double constant) : v(constant), l(0.0) {}  // NOLINT: constants mix freely
+
+  friend ByLength operator+(double a, const ByLength& b) { return {a + b.v, b.l}; }
+  friend ByLength operator-(double a, const ByLength& b) { return {a - b.v, -b.l}; }
+  friend ByLength operator*(double a, const ByLength& b) { return {a * b.v, a * b.l}; }
+  friend ByLength operator*(const ByLength& a, const ByLength& b) {
+    return {a.v * b.v, a.l * b.v + a.v * b.l};
+  }
+  friend ByLength operator/(const ByLength& a, const ByLength& b) {
+    const Pack inverse = 1.0 / b.v, q = a.v * inverse;
+    return {q, (a.l - q * b.l) * inverse};
+  }
+};
+inline ByLength select(Mask m, const ByLength& yes, const ByLength& no) {
+  return {select(m, yes.v, no.v), select(m, yes.l, no.l)};
+}
+
 /// A number and its derivatives by the source's half length and by the point's x.
 struct Sloped {
   Pack v, l, x;
@@ -19,30 +42,31 @@ struct Sloped {
   Sloped(double constant) : v(constant), l(0.0), x(0.0) {}  // NOLINT: constants mix freely
 
   friend Sloped operator+(const Sloped& a, const Sloped& b) { return {a.v + b.v, a.l + b.l, a.x + b.x}; }
+  friend Sloped operator+(const Sloped& a, const ByLength& b) { return {a.v + b.v, a.l + b.l, a.x}; }
   friend Sloped operator-(const Sloped& a, const Sloped& b) { return {a.v - b.v, a.l - b.l, a.x - b.x}; }
+  friend Sloped operator-(double a, const Sloped& b) { return {a - b.v, -b.l, -b.x}; }
+  friend Sloped operator-(const Sloped& a, double b) { return {a.v - b, a.l, a.x}; }
+  friend Sloped operator-(const ByLength& a, const Sloped& b) { return {a.v - b.v, a.l - b.l, -b.x}; }
   friend Sloped operator*(const Sloped& a, const Sloped& b) {
     return {a.v * b.v, a.l * b.v + a.v * b.l, a.x * b.v + a.v * b.x};
   }
-  friend Sloped operator*(double a, const Sloped& b) { return {a * b.v, a * b.l, a * b.x}; }
-  friend Sloped operator/(const Sloped& a, const Sloped& b) {
-    const Pack inverse = 1.0 / b.v, q = a.v * inverse;
-    return {q, (a.l - q * b.l) * inverse, (a.x - q * b.x) * inverse};
+  friend Sloped operator*(const ByLength& a, const Sloped& b) {
+    return {a.v * b.v, a.l * b.v + a.v * b.l, a.v * b.x};
   }
+  friend Sloped operator*(const Sloped& a, const ByLength& b) { return b * a; }
+  friend Sloped operator*(double a, const Sloped& b) { return {a * b.v, a * b.l, a * b.x}; }
 };
-inline Sloped root(const Sloped& a) {
-  const Pack r = root(a.v);
-  const Mask positive = r > 0.0;
-  const Pack slope = select(positive, 0.5 / select(positive, r, 1.0), 0.0);
-  return {r, slope * a.l, slope * a.x};
-}
 inline Sloped select(Mask m, const Sloped& yes, const Sloped& no) {
   return {select(m, yes.v, no.v), select(m, yes.l, no.l), select(m, yes.x, no.x)};
+}
+inline Sloped select(Mask m, const ByLength& yes, const Sloped& no) {
+  return {select(m, yes.v, no.v), select(m, yes.l, no.l), select(m, 0.0, no.x)};
 }
 inline Sloped larger(const Sloped& a, const Sloped& b) { return select(a.v > b.v, a, b); }
 inline Sloped smaller(const Sloped& a, const Sloped& b) { return select(a.v < b.v, a, b); }
 
 /// f(a) from its value and f'(a).
-inline Sloped chained(const Sloped& a, Pack value, Pack slope) { return {value, slope * a.l, slope * a.x}; }
+inline ByLength chained(const ByLength& a, Pack value, Pack slope) { return {value, slope * a.l}; }
 
 /// Derivative of the fraction of locate() by x: 0 beyond the axis.
 template <int lowest_exponent, int octaves, int bits_per_octave>
@@ -58,7 +82,7 @@ Pack fraction_slope(Pack x) {
 }
 
 /// read() of line_tables.hpp.
-inline Sloped read_sloped(const double* table, const Sloped& tau) {
+inline ByLength read_sloped(const double* table, const ByLength& tau) {
   constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours value = pick(table, indices(place.interval));
@@ -69,7 +93,7 @@ inline Sloped read_sloped(const double* table, const Sloped& tau) {
 }
 
 /// read_middle_plane() of the same.
-inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sloped& tau) {
+inline MiddlePlane<ByLength> read_middle_plane(const StripTables& tables, const ByLength& tau) {
   constexpr normal::OctaveAxis axis = normal::InfluenceTables::distance_axis;
   const Places place = locate<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(tau.v);
   const Neighbours twins = pick(tables.on_middle_plane, indices(place.interval));
@@ -84,7 +108,7 @@ inline MiddlePlane<Sloped> read_middle_plane(const StripTables& tables, const Sl
 
 /// Place on the rows' axis, of a distance in half lengths: the difference of two places, as in
 /// influence_kernel.hpp.
-inline Sloped row_place(Pack distance, Pack inverse_length) {
+inline ByLength row_place(Pack distance, Pack inverse_length) {
   constexpr std::uint64_t exponent = std::uint64_t{0x7ff} << 52;
   constexpr double origin = normal::InfluenceTables::line_rows.origin(),
                    last = normal::InfluenceTables::line_rows.last();
@@ -99,11 +123,11 @@ inline Sloped row_place(Pack distance, Pack inverse_length) {
   // By l, with d(1/l)/dl = -1/l^2; outside the table's rows the place is held and does not change.
   const Pack place = place_from_one(distance) + origin + place_from_one(inverse);
   const Mask inside = (place > 0.0) & (place < last);
-  return {place, select(inside, Pack(0.0) - slope * inverse * inverse, 0.0), 0.0};
+  return {place, select(inside, Pack(0.0) - slope * inverse * inverse, 0.0)};
 }
 
 /// line_potential_at() of the same, xi >= 0.
-inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row, const LineRows& rows,
+inline Sloped line_potential_sloped(const StripTables& tables, const ByLength& row, const LineRows& rows,
                                     const Sloped& xi) {
   constexpr normal::OctaveAxis axis = normal::InfluenceTables::from_end;
   constexpr double least = axis.node(0);
@@ -114,27 +138,27 @@ inline Sloped line_potential_sloped(const StripTables& tables, const Sloped& row
       fraction_slope<axis.lowest_exponent, axis.octaves, axis.bits_per_octave>(magnitude(from_end) + least);
   const Pack by_row = j.here_rise + j.fraction * (j.next_rise - j.here_rise);
   const Pack by_xi = sign * j.rise * per_distance;
-  return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_row * row.x + by_xi * xi.x};
+  return {j.here + j.fraction * j.rise, by_row * row.l + by_xi * xi.l, by_xi * xi.x};
 }
 
 /// A pack of sources and their distances from points of one place, in half lengths [-].
 struct SeenSources {
-  Sloped tau, half_width, factor;
-  Sloped row;  ///< place on the rows' axis
+  ByLength tau, half_width, factor;
+  ByLength row;  ///< place on the rows' axis
   Mask own;
 };
 
 inline SeenSources seen_sources(const SurfaceSources& sources, std::int32_t first, double place) {
   // a / l has the derivative -a / l^2 by l.
   const Pack inverse = load_pack(sources.inverse_length + first), zero = 0.0;
-  const auto over_length = [&](Pack a) { return Sloped{a * inverse, zero - a * inverse * inverse, zero}; };
+  const auto over_length = [&](Pack a) { return ByLength{a * inverse, zero - a * inverse * inverse}; };
   SeenSources s;
   const Pack distance = magnitude(load_pack(sources.place + first) - Pack(place));
   s.tau = over_length(distance);
   s.row = row_place(distance, inverse);
   const Pack half = load_pack(sources.half_width + first), factor = load_pack(sources.factor + first);
-  s.half_width = {half, zero - half * inverse, zero};
-  s.factor = {factor, zero - factor * inverse, zero};
+  s.half_width = {half, zero - half * inverse};
+  s.factor = {factor, zero - factor * inverse};
   s.own = s.tau.v <= 0.0;
   return s;
 }
@@ -159,10 +183,10 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
     // On the middle plane, and beside it where xi is not small: line_potential_near() of the values.
     const SeenSources s = seen_sources(sources, first, point.place);
     const Sloped xi = seen_along(sources, first, point.x);
-    const Sloped tau = select(s.own, 1.0, s.tau);
-    const MiddlePlane<Sloped> middle = read_middle_plane(tables.line, tau);
-    const Sloped towards_line = middle.inverse_to_end * middle.inverse_to_end;
-    const Sloped y = xi * xi * towards_line;
+    const ByLength tau = select(s.own, ByLength(1.0), s.tau);
+    const MiddlePlane<ByLength> middle = read_middle_plane(tables.line, tau);
+    const ByLength towards_line = middle.inverse_to_end * middle.inverse_to_end;
+    const Sloped y = towards_line * (xi * xi);
     const Sloped close = near_middle_plane(middle.potential, towards_line, y);
     Sloped seen = close;
     if (any(y.v > beside_middle_plane))
@@ -171,7 +195,7 @@ inline void surface_influence_slopes(const SurfaceTables& tables, const SurfaceS
     // The width of near sources, and the mean over the width for the point's own.
     const Mask is_near = s.tau.v < near_strip * s.half_width.v;
     if (any(is_near)) {
-      const Sloped correction = width_correction(s.half_width / tau, middle.inverse_to_end);
+      const ByLength correction = width_correction(s.half_width / tau, middle.inverse_to_end);
       seen = select(is_near & !s.own, seen + correction, seen);
       if (any(s.own)) seen = select(s.own, read_sloped(tables.own_middle, s.half_width), seen);
     }
@@ -187,7 +211,7 @@ inline void surface_edge_slopes(const SurfaceTables& tables, const SurfaceSource
     const SeenSources s = seen_sources(sources, first, place);
     const LineRows rows = line_rows_at(s.row.v);
     const bool any_own = any(s.own);
-    const Sloped own = any_own ? read_sloped(tables.line.edge_under, s.half_width) : Sloped(0.0);
+    const ByLength own = any_own ? read_sloped(tables.line.edge_under, s.half_width) : ByLength(0.0);
     for (std::int32_t edge = 0; edge < 2; ++edge) {
       const Sloped far = line_potential_sloped(tables.line, s.row, rows, seen_along(sources, first, x[edge]));
       store_sloped(s.factor * (any_own ? select(s.own, own, far) : far), first, slopes[edge]);

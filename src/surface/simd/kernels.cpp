@@ -8,8 +8,10 @@
 #include "surface/simd/look_along_kernel.hpp"
 #include "surface/simd/near_lines_kernel.hpp"
 #include "surface/simd/outline_kernel.hpp"
+#include "surface/simd/overlap_slopes_kernel.hpp"
 #include "surface/simd/section_strips_kernel.hpp"
 #include "surface/simd/slopes_row_kernel.hpp"
+#include "surface/simd/smoothed_slopes_kernel.hpp"
 #include "surface/simd/strip_gains_kernel.hpp"
 #include "surface/simd/strip_numbers_kernel.hpp"
 
@@ -20,6 +22,7 @@ constexpr SurfaceKernels surface_kernels = {
     .strip_numbers = strip_numbers_kernel,
     .strip_means_slopes = strip_means_slopes_kernel,
     .strip_arrays_slopes = strip_arrays_slopes_kernel,
+    .strip_forces_slopes = strip_forces_slopes_kernel,
     .influence = surface_influence,
     .own_influence = surface_own_influence,
     .edges = surface_edges,
@@ -29,6 +32,7 @@ constexpr SurfaceKernels surface_kernels = {
     .blend_rows = blend_rows_kernel,
     .take_known = take_known_kernel,
     .near_lines = near_lines_kernel,
+    .smoothed_slopes = smoothed_slopes_kernel,
     .section_strips = section_strips_kernel,
     .strip_gains = strip_gains_kernel,
     .look_along = look_along_kernel,
@@ -37,6 +41,7 @@ constexpr SurfaceKernels surface_kernels = {
     .outline = outline_kernel,
     .cross_rays = cross_rays_kernel,
     .follow_rays = follow_rays_kernel,
+    .overlap_slopes = overlap_slopes_kernel,
 };
 
 }  // namespace wrc::simd::WRC_SET

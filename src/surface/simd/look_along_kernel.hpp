@@ -2,6 +2,7 @@
 /// first look by parabolas, and rays far from the axle (surface/geometry/along_track.hpp).
 #pragma once
 
+#include "surface/geometry/strip_gain.hpp"
 #include "surface/simd/follow_rail_kernel.hpp"
 #include "surface/simd/strips_in_sections.hpp"
 
@@ -154,8 +155,9 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
   found.ends = ends;
   depth_along(strips, from, found.ends, Pack(0.0) < 1.0, surface::ray_steps);
 
-  // on, as long as the overlap grows, else back: one step finds ends of rays a centimetre on to micrometres
-  Mask moves = Pack(0.0) < 1.0;
+  // on, as long as the overlap grows, else back: one step finds ends of rays a centimetre on to micrometres.
+  // Between the places of a first look overlaps that are not deep enough are left as they are.
+  Mask moves = (found.ends.depth > task.deep_enough) | (distance > surface::last_place);
   constexpr double both_ways[] = {1.0, -1.0}, parts[] = {0.5, 0.25};
   for (const double direction : both_ways) {
     const Pack step = direction * way * surface::place_apart;
@@ -172,11 +174,13 @@ inline void climb_strips(const FollowRailTask& task, std::int32_t first, Followe
     if (!any(moves)) break;
   }
   // then between the places
+  const Mask worth = found.ends.depth > task.deep_enough;
   for (const double part : parts) {
+    if (!any(worth)) break;
     const FoundAlong middle = found;
     for (const double direction : both_ways) {
       const Pack x = middle.x + direction * part * surface::place_apart;
-      const Mask goes = on_face(x);
+      const Mask goes = worth & on_face(x);
       if (!any(goes)) continue;
       ends = middle.ends;
       found.take(goes & (depth_along(strips, x, ends, goes, 1) > found.ends.depth), x, ends);

@@ -13,7 +13,7 @@ inline void outline_kernel(const OutlineTask& task) {
   const surface::WheelCurve& wheel = *task.wheel;
   for (std::int32_t k = 0; k < wheel.knots; k += lanes) {
     const Pack slope = load_pack(wheel.knot_slope + k);
-    const surface::OutlinePlace<Pack> o = surface::outline_place<Pack>(
+    const surface::OutlinePlace<Pack> o = surface::outline_place(
         *task.pose, task.attitude, load_pack(wheel.knot_y + k), load_pack(wheel.knot_radius + k), slope);
     store_pack(task.scratch->y + k, o.y + task.pose->y);
     store_pack(task.scratch->z + k, o.z + task.pose->z);
@@ -58,7 +58,7 @@ struct RayWalk {
 /// SurfaceKernels::cross_rays. Follows the outline from knot to knot; the deepest crossing of a ray counts.
 /// Stretches of the outline further above the rail's top or beside it than the margin, and than wheels are
 /// pressed into rails, are passed over.
-inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32_t& begin,
+inline void cross_rays_kernel(const OutlineTask& task, const double* margin, std::int32_t& begin,
                               std::int32_t& end) {
   constexpr double nowhere = -1.0;     // [m]
   constexpr double rounding = 1e-9;    // [m]
@@ -70,9 +70,9 @@ inline void cross_rays_kernel(const OutlineTask& task, double margin, std::int32
     store(nowhere, scratch.overlap + j, rail.count - j < lanes ? rail.count - j : lanes);
   // Each range is walked on its own. Knots near it lie below its top and between its sides, by the margin.
   std::int32_t lowest = rail.count, highest = -1;
-  const double least = -margin - surface::chord_sagitta - rounding;
   for (std::int32_t r = 0; r < rail.ranges; ++r) {
     const surface::FaceStrips& range = rail.range[r];
+    const double least = -margin[r] - surface::chord_sagitta - rounding;
     const double top = range.top + least, beside = -least > pressed_in ? -least : pressed_in;
     const double left = range.leftmost - beside, right = range.rightmost + beside;
     RayWalk walk{rail.y, rail.z, rail.ty, rail.tz, range.first, range.first + range.count, range.first - 1};

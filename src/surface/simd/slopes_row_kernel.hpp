@@ -1,7 +1,8 @@
 /// A row of the differentiated equations of the pressures (surface/pressure/pressure_jacobian.hpp): one
-/// source per lane for the row, one direction per lane for the sums, which run in the order of the sources.
+/// source per lane.
 #pragma once
 
+#include "base/eight_parts.hpp"
 #include "base/pack.hpp"
 #include "surface/simd/tasks.hpp"
 
@@ -10,38 +11,36 @@ namespace {
 
 /// SurfaceKernels::slopes_row.
 inline void slopes_row_kernel(const SlopesRowTask& task) {
-  constexpr std::int32_t directions = SlopesRowTask::directions;
-  constexpr std::int32_t vectors = (SlopesRowTask::used + native_lanes - 1) / native_lanes;
+  constexpr std::int32_t inputs = SlopesRowTask::inputs;
   const std::int32_t n = task.count;
-  // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x.
-  for (std::int32_t first = 0; first < n; first += lanes) {
-    const std::int32_t count = n - first < lanes ? n - first : lanes;
-    const Pack cosine =
-        task.ny * load_pack(task.source_ny + first) + task.nz * load_pack(task.source_nz + first);
-    const Pack q = load(task.line_load, first, count, 0.0), q_dl_dL = load(task.q_dl_dL, first, count, 0.0);
-    double* const row = task.row + first;
-    store(load_pack(task.seen.value + first) * cosine, row, count);
-    store(load_pack(task.seen.by_length + first) * cosine * q_dl_dL, row + n, count);
-    store(-(load_pack(task.seen.by_x + first) * cosine * q), row + 2 * n, count);
-  }
-  // sums of q J times each element of the directions and of their derivatives by the inputs; sums of q dJ/dx
-  // times the directions alone, the first two numbers
-  constexpr std::int32_t alone = (2 + native_lanes - 1) / native_lanes;
-  Native sum[vectors], by_x[alone];
-  for (Native& each : sum) each = broadcast(0.0);
-  for (Native& each : by_x) each = broadcast(0.0);
-  for (std::int32_t b = 0; b < n; ++b) {
-    const Native weight = broadcast(task.line_load[b] * task.seen.value[b]);
-    const Native slope = broadcast(task.line_load[b] * task.seen.by_x[b]);
-    const double* const direction = task.direction + b * directions;
-    for (std::int32_t k = 0; k < vectors; ++k) {
-      const Native of_source = load_lanes(direction + k * native_lanes);
-      sum[k] = sum[k] + weight * of_source;
-      if (k < alone) by_x[k] = by_x[k] + slope * of_source;
-    }
-  }
-  for (std::int32_t k = 0; k < vectors; ++k) store_lanes(task.sum + k * native_lanes, sum[k]);
-  for (std::int32_t k = 0; k < alone; ++k) store_lanes(task.sum + directions + k * native_lanes, by_x[k]);
+  const Native ny = broadcast(task.ny), nz = broadcast(task.nz);
+  EightParts value = no_parts(), by_x = no_parts(), by_own = no_parts(), turned[inputs];
+  for (EightParts& each : turned) each = no_parts();
+  // Derivatives of u = sum of J q cos: by q, by L through l, and by the centre, the opposite of that by x. A
+  // source that turns by an angle changes cos by it times the sine between the directions, the point by the
+  // opposite.
+  for_eight_parts(n, [&](std::int32_t k, std::int32_t at, auto some) {
+    const Native y = load_lanes(task.source_ny + at), z = load_lanes(task.source_nz + at);
+    const Native q = load_lanes(task.line_load + at), J = load_lanes(task.seen.value + at);
+    const Native cosine = ny * y + nz * z, sine = nz * y - ny * z;
+    const Native by_q = J * cosine, x = load_lanes(task.seen.by_x + at) * cosine * q;
+    const Native by_L = load_lanes(task.seen.by_length + at) * cosine * load_lanes(task.q_dl_dL + at);
+    some.store(task.row + at, by_q);
+    some.store(task.row + n + at, by_L);
+    some.store(task.row + 2 * n + at, -x);
+    value.of[k] = value.of[k] + by_q * q;
+    by_x.of[k] = by_x.of[k] + x;
+    const Native turning = J * q * sine;
+    by_own.of[k] = by_own.of[k] - turning;
+    for (std::int32_t input = 0; input < inputs; ++input)
+      turned[input].of[k] = turned[input].of[k] + turning * load_lanes(task.turned[input] + at);
+  });
+  // sums over all sources
+  SlopesRowTask::Sums& sums = *task.sums;
+  sums.value = value.sum();
+  sums.by_x = by_x.sum();
+  sums.by_own = by_own.sum();
+  for (std::int32_t input = 0; input < inputs; ++input) sums.turned[input] = turned[input].sum();
 }
 
 }  // namespace

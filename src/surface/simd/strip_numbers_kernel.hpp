@@ -13,19 +13,23 @@ namespace {
 /// Access to the numbers of one strip in the arrays (strip_numbers.hpp).
 struct PlainStrip {
   using Number = double;
+  using Still = double;
   std::int32_t strip;
 
   double get(const double* of) const { return of[strip]; }
+  double still(const double* of) const { return of[strip]; }
   void put(double* of, double x) const { of[strip] = x; }
 };
 
 /// A pack's strips.
 struct StripLanes {
   using Number = Pack;
+  using Still = Pack;
   using OneStrip = PlainStrip;
   std::int32_t first, count;
 
   Pack get(const double* of) const { return load(of, first, count, 1.0); }
+  Pack still(const double* of) const { return get(of); }
   void put(double* of, Pack x) const { store(x, of + first, count); }
   template <class F>
   static void each(std::int32_t count, const F& f) {
@@ -34,22 +38,33 @@ struct StripLanes {
   }
 };
 
-/// One strip with derivatives, whose vectors fill the lanes.
+/// One strip with derivatives, whose vectors fill the lanes. Of `Still` numbers those by the first inputs
+/// alone, by the wheel's place, are not zero.
+template <class StillNumber>
 struct DualStrip {
   using Element = StripNumbersSlopesTask::Number;
   using Number = PackDual<StripNumbersSlopesTask::inputs>;
+  using Still = StillNumber;
   using OneStrip = DualStrip;
   static_assert(sizeof(Element) == (1 + Number::inputs) * sizeof(double), "value and derivatives");
   std::int32_t strip;
 
   double get(const double* of) const { return of[strip]; }
   Number get(const Element* of) const { return Number::load(reinterpret_cast<const double*>(of + strip)); }
-  void put(Element* of, const Number& x) const { x.store(reinterpret_cast<double*>(of + strip)); }
+  Still still(const Element* of) const { return Still::load(reinterpret_cast<const double*>(of + strip)); }
+  template <std::size_t n>
+  void put(Element* of, const PackDual<n>& x) const {
+    double* const to = reinterpret_cast<double*>(of + strip);
+    x.store(to);
+    for (std::size_t k = n; k < Number::inputs; k += abreast) store_columns(to + 1 + k, in_all_columns(0.0));
+  }
   template <class F>
   static void each(std::int32_t count, const F& f) {
     for (std::int32_t j = 0; j < count; ++j) f(DualStrip{j});
   }
 };
+using MovingStrip = DualStrip<PackDual<StripNumbersSlopesTask::inputs>>;
+using StillStrip = DualStrip<PackDual<StripNumbersSlopesTask::still_inputs>>;
 
 inline surface::StripCoefficientsOf<Pack> coefficients_at(const surface::StripCoefficientNodes& table,
                                                           const Pack& m) {
@@ -79,15 +94,56 @@ inline void strip_numbers_kernel(const StripNumbersTask& task) {
   if (task.for_strip_fastsim) surface::strip_numbers::fill_arrays<StripLanes>(in, *task.shared, a);
 }
 
+/// Calls act() with the access to strips that a task needs.
+template <class Act>
+void with_strips_of(const StripNumbersSlopesTask& task, const Act& act) {
+  if (task.still_loads)
+    act(StillStrip{0});
+  else
+    act(MovingStrip{0});
+}
+
 /// SurfaceKernels::strip_means_slopes.
 inline void strip_means_slopes_kernel(const StripNumbersSlopesTask& task) {
-  surface::strip_numbers::link<DualStrip>(*task.in, *task.arrays);
-  surface::strip_numbers::linear_theory<DualStrip>(*task.in, *task.shared, *task.arrays);
+  with_strips_of(task, [&](auto at) {
+    surface::strip_numbers::link<decltype(at)>(*task.in, *task.arrays);
+    surface::strip_numbers::linear_theory<decltype(at)>(*task.in, *task.shared, *task.arrays);
+  });
 }
 
 /// SurfaceKernels::strip_arrays_slopes.
 inline void strip_arrays_slopes_kernel(const StripNumbersSlopesTask& task) {
-  surface::strip_numbers::fill_arrays<DualStrip>(*task.in, *task.shared, *task.arrays);
+  with_strips_of(task, [&](auto at) {
+    surface::strip_numbers::fill_arrays<decltype(at)>(*task.in, *task.shared, *task.arrays);
+  });
+}
+
+/// SurfaceKernels::strip_forces_slopes.
+inline void strip_forces_slopes_kernel(const StripForcesSlopesTask& task) {
+  using Number = PackDual<StripNumbersSlopesTask::inputs>;
+  const auto number = [](const StripNumbersSlopesTask::Number* of, std::int32_t k) {
+    return Number::load(reinterpret_cast<const double*>(of + k));
+  };
+  constexpr std::int32_t results = 3;
+  for (std::int32_t k = 0; k < task.count; ++k) {
+    Number f[results];
+    for (std::int32_t r = 0; r < results; ++r) f[r] = task.found[r][k];
+    const auto add = [&](const double(&slope)[results], const Number& x) {
+      for (std::int32_t r = 0; r < results; ++r) f[r].add_derivatives(slope[r], x);
+    };
+    // forces are proportional to bound and half length, the moment to the square of that:
+    // dF = F (dB / B + dl / l) + sum over the inputs of dF/dx dx
+    const Number bound = number(task.bound, k), length = number(task.half_length, k);
+    const double per_bound = bound.value > 0.0 ? 1.0 / bound.value : 0.0, per_length = 1.0 / length.value;
+    add({f[0].value * per_bound, f[1].value * per_bound, f[2].value * per_bound}, bound);
+    add({f[0].value * per_length, f[1].value * per_length, 2.0 * f[2].value * per_length}, length);
+    for (std::int32_t i = 0; i < strip_inputs; ++i) {
+      const double* const slope = task.slopes + results * i * task.count + k;
+      const Number x = number(task.inputs[i], k);
+      add({slope[0], slope[task.count], slope[2 * task.count]}, i == strip_spin ? x * length : x);
+    }
+    for (std::int32_t r = 0; r < results; ++r) f[r].store(reinterpret_cast<double*>(task.to[r] + k));
+  }
 }
 
 }  // namespace

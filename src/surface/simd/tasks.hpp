@@ -7,6 +7,7 @@
 #include "base/dual.hpp"
 #include "normal/simd/tasks.hpp"
 #include "surface/geometry/outline.hpp"
+#include "tangential/simd/tasks.hpp"
 
 namespace wrc::surface {
 
@@ -71,19 +72,23 @@ struct SurfaceSlopes {
   double *value, *by_length, *by_x;
 };
 
-/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres. Also
-/// sums of J q times the sources' directions and their derivatives, and of dJ/dx q times the directions.
+/// Derivatives of a point's displacement u = sum of J q (n . n_source) by the sources' q, L and centres, and
+/// sums over the sources, whose directions turn as the inputs change. Arrays of sources have whole packs.
 struct SlopesRowTask {
+  static constexpr std::int32_t inputs = 4;
+
   std::int32_t count;
   SurfaceSlopes seen;
   double ny, nz;  ///< the point's direction
   const double *source_ny, *source_nz;
   const double *line_load, *q_dl_dL;  ///< each source: q [N/m], q dl/dL [Pa]
-  const double* direction;            ///< each source: `used` numbers of `directions`
+  const double* turned[inputs];       ///< angle by which each source turns, by each input
   double* row;                        ///< by q, by L and by centre, `count` of each
-  double* sum;                        ///< sums over the sources of q J direction, then of q dJ/dx direction
-
-  static constexpr std::int32_t used = 10, directions = 16, sums = directions + 8;
+  struct Sums {
+    double value, by_x;     ///< u [m], and its derivative by the point's x [-]
+    double by_own;          ///< by the angle by which the point's direction turns [m]
+    double turned[inputs];  ///< by the inputs, as the sources turn
+  } * sums;
 };
 
 /// to = sum of share_i row_i; columns: whole groups of eight.
@@ -104,6 +109,18 @@ struct NearLinesTask {
   std::int32_t sources;
   const double *source_place, *weight, *value;
   double* at;
+};
+
+/// The mean of values at strips near one of them, or the line of least squares through them at its place,
+/// with the weights (1 - y^2)^3 width q, y the distance over the reach. All strips are within reach.
+struct SmoothedSlopesTask {
+  std::int32_t count;
+  bool line;
+  double place, inverse_reach;         ///< [m], [1/m]
+  double least_spread;                 ///< added to the variance of y
+  const double *source_place, *width;  ///< [m]
+  const double *line_load, *value;
+  double *by_value, *by_load;  ///< results: derivatives by the strips' values and line loads
 };
 
 /// Strips of a rail between two sections (surface/geometry/varying_rail.hpp).
@@ -134,7 +151,8 @@ struct FollowRailTask {
   const surface::Curve* wheel;
   const surface::RelativePose* pose;
   double distance, low, high;  ///< as PlacedRail [m]
-  bool tops_alone;             ///< overlaps are those of the circles at the tops, not of whole contacts
+  double deep_enough;  ///< overlaps that are less deep are those of the circles at the tops, not of whole
+                       ///< contacts [m]
 };
 
 /// Overlaps of strips of one face, of which places along the track are looked at.
@@ -155,6 +173,17 @@ struct OutlineTask {
   const surface::OverlapScratch* scratch;
 };
 
+/// A strip of a rail that is the same everywhere, whose ray ends at length `u` on a piece of the wheel's
+/// curve (Overlaps).
+struct OverlapSlopesTask {
+  double y, z, ty, tz;  ///< the strip's middle [m] and unit tangent, rail axes
+  const surface::Curve* wheel;
+  const surface::RelativePoseOf<Dual<4>>* pose;  ///< numbers by PlaceInput
+  const surface::OutlineAttitudeOf<Dual<4>>* attitude;
+  std::int32_t piece;
+  double u;  ///< [m]
+};
+
 /// The numbers of strips that roll (surface/rolling/strip_numbers.hpp).
 struct StripNumbersTask {
   const surface::SurfaceRollingInputOf<double>* in;
@@ -166,12 +195,25 @@ struct StripNumbersTask {
 /// Numbers of strips with derivatives by the wrench's inputs in the rail's axes
 /// (surface/wrench/wrench_jacobian.hpp).
 struct StripNumbersSlopesTask {
-  static constexpr std::size_t inputs = 12;
+  static constexpr std::size_t inputs = 12, still_inputs = 4;
   using Number = Dual<inputs>;
 
   const surface::SurfaceRollingInputOf<Number>* in;
   const surface::strip_numbers::Shared* shared;
   const surface::RollingArraysOf<Number>* arrays;
+  bool still_loads;  ///< loads and lengths change with the first still_inputs alone
+};
+
+/// Forces of strips, from derivatives by their own numbers to those by the wrench's inputs.
+struct StripForcesSlopesTask {
+  using Number = StripNumbersSlopesTask::Number;
+
+  std::int32_t count;
+  const Number *bound, *half_length;
+  const Number* inputs[strip_inputs];  ///< by SurfaceStripInput; the spin not yet times the half length
+  const double* found[3];              ///< forces and moment
+  const double* slopes;                ///< as SurfaceStripsSlopesTask has them
+  Number* to[3];
 };
 
 }  // namespace wrc::simd

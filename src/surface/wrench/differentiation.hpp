@@ -18,6 +18,14 @@ inline RailFrameDual frame_number(const PlaceDual& a) {
   for (std::size_t k = 0; k < place_inputs; ++k) n.d[k] = a.d[k];
   return n;
 }
+inline const RailFrameDual& frame_number(const RailFrameDual& a) { return a; }
+
+/// The same again of a number that place and attitude alone change.
+inline PlaceDual place_number(const RailFrameDual& a) {
+  PlaceDual n = a.value;
+  for (std::size_t k = 0; k < place_inputs; ++k) n.d[k] = a.d[k];
+  return n;
+}
 
 /// Numbers of the strips that carry load; one element per strip.
 struct LoadedStrips {

@@ -46,28 +46,56 @@ double fall_from_above(const WheelProblem& problem, const RelativeMotion& motion
   return (top - lowest) / motion.cosine;
 }
 
-/// Least vertical distance between the wheel's outline and a surface's strips at a place along the track [m].
-/// The outline is raised there by the wheel's circle. Each eighth strip counts.
-double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
-                     const PlaceWeights& place) {
-  constexpr std::int32_t every = 8;
-  const SurfaceModel& model = problem.model;
-  const double rise = 0.5 * place.x * place.x / model.wheel_radius;
-  double nearest = 1e300;
+/// Some strips of a surface under the wheel's outline, each with a knot of the outline near its place.
+struct StripsBelow {
+  static constexpr std::int32_t every = 16, most = most_strips_of_a_rail / every + 1;
+
+  std::int32_t count = 0;
+  std::int32_t strip[most], knot[most];
+};
+
+/// Vertical distance of a place on the rail below a chord of the outline [m], from the knot given on; 1e300
+/// where the outline is not seen. Leaves the knot behind the chord.
+double fall_to_place(const OverlapScratch& outline, std::int32_t knots, double y, double z, std::int32_t& k) {
+  while (k + 1 < knots && outline.y[k] < y) ++k;
+  while (k > 1 && outline.y[k - 1] > y) --k;
+  const double left = outline.y[k - 1], right = outline.y[k];
+  if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
+    return 1e300;
+  const double share = (y - left) / (right - left);
+  return z - outline.z[k - 1] - share * (outline.z[k] - outline.z[k - 1]);
+}
+
+/// Each sixteenth strip of a surface that may be nearer to the wheel anywhere along the track than `nearest`
+/// [m].
+StripsBelow strips_below(const WheelProblem& problem, const OverlapScratch& outline, const FaceStrips& range,
+                         double nearest) {
+  // a strip gains along its normal, and the wheel's outline is round
+  constexpr double steepest = 0.2, doubt = 0.3e-3;  // [-], [m]
+  const PlacedRail& rail = problem.rail;
+  StripsBelow some;
   std::int32_t k = 1;
-  for (std::int32_t j = range.first; j < range.first + range.count; j += every) {
-    const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
-    // height of the outline above the strip, on a chord
-    while (k + 1 < model.wheel.knots && outline.y[k] < y) ++k;
-    while (k > 1 && outline.y[k - 1] > y) --k;
-    const double left = outline.y[k - 1], right = outline.y[k];
-    if (!(outline.seen[k - 1] > 0.0 && outline.seen[k] > 0.0 && left <= y && y <= right && left < right))
-      continue;
-    const double share = (y - left) / (right - left);
-    const double above = outline.z[k - 1] + share * (outline.z[k] - outline.z[k - 1]);
-    nearest = smaller(nearest, z - above + rise);
+  for (std::int32_t j = range.first; j < range.first + range.count; j += StripsBelow::every) {
+    const double fall = fall_to_place(outline, problem.model.wheel.knots, rail.y[j], rail.z[j], k);
+    if (fall < 1e300 && fall - outline.gain[j] / larger(rail.ty[j], steepest) > nearest + doubt) continue;
+    some.strip[some.count] = j;
+    some.knot[some.count++] = k;
   }
-  return nearest;
+  return some;
+}
+
+/// Least vertical distance between the wheel's outline and strips at a place along the track [m]. The outline
+/// is raised there by the wheel's circle.
+double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline, StripsBelow& strips,
+                     const PlaceWeights& place) {
+  const SurfaceModel& model = problem.model;
+  double nearest = 1e300;
+  for (std::int32_t i = 0; i < strips.count; ++i) {
+    const std::int32_t j = strips.strip[i];
+    const double y = place_of(model.varying, place, j, 0), z = place_of(model.varying, place, j, 1);
+    nearest = smaller(nearest, fall_to_place(outline, model.wheel.knots, y, z, strips.knot[i]));
+  }
+  return nearest + 0.5 * place.x * place.x / model.wheel_radius;
 }
 
 /// Least vertical distance over the rail's places along the track [m], to some tenths of a millimetre.
@@ -75,23 +103,30 @@ double fall_at_place(const WheelProblem& problem, const OverlapScratch& outline,
 double fall_along(const WheelProblem& problem, const RelativeMotion& motion, const OverlapScratch& outline) {
   constexpr double apart = 2.0 * place_apart, far = places_to_a_side * place_apart + apart;  // [m]
   const VaryingRail& varying = problem.model.varying;
-  const RailStrips strips = strips_before(problem.model, motion.pose, problem.rail);
+  const RailStrips ranges = strips_before(problem.model, motion.pose, problem.rail);
   double nearest = 1e300;
-  for (std::int32_t r = 0; r < strips.ranges; ++r) {
-    const FaceStrips& range = strips.range[r];
+  for (std::int32_t r = 0; r < ranges.ranges; ++r) {
+    const FaceStrips& range = ranges.range[r];
     const std::int32_t face = face_of(varying, range.first);
-    // a face that ends between two places counts at both
     const double low = problem.rail.low[face], high = problem.rail.high[face];
+    StripsBelow strips = strips_below(problem, outline, range, nearest);
+    const auto look = [&](const PlaceWeights& place) {
+      nearest = smaller(nearest, fall_at_place(problem, outline, strips, place));
+    };
+    // most strips are farther away than the nearest below the axle; a face counts at places beside its ends
+    const PlaceWeights& below_axle = problem.rail.place[face][places_to_a_side];
+    const auto is_there = [&](const PlaceWeights& place) {
+      return place.x >= low - place_apart && place.x <= high + place_apart;
+    };
+    if (is_there(below_axle)) look(below_axle);
+    strips = strips_below(problem, outline, range, nearest);
     for (const PlaceWeights& place : problem.rail.place[face])
-      if (place.x >= low - place_apart && place.x <= high + place_apart)
-        nearest = smaller(nearest, fall_at_place(problem, outline, range, place));
+      if (is_there(place)) look(place);
     for (const double way : {-1.0, 1.0}) {
       double x = far;
       while (x < farthest_along + place_apart) {
         if (way * x >= low - apart && way * x <= high + apart)
-          nearest = smaller(
-              nearest, fall_at_place(problem, outline, range,
-                                     place_at(varying, varying.face[face], problem.rail.distance, way * x)));
+          look(place_at(varying, varying.face[face], problem.rail.distance, way * x));
         x += apart;
       }
     }
@@ -103,39 +138,52 @@ double fall_along(const WheelProblem& problem, const RelativeMotion& motion, con
 /// known; at most farthest_touch.
 double fall_to_candidates(const WheelProblem& problem, const RelativeMotion& motion, double least_down) {
   const CandidatesAlong& c = problem.rail.candidates;
-  const double y = motion.pose.y - c.at_y, z = motion.pose.z - c.at_z;
   double fall = farthest_touch;
   for (std::int32_t k = 0; k < c.tops; ++k) {
     const CandidateAlong& top = c.top[k];
     const double down = downwards(motion, top.ny, top.nz);
-    if (down > least_down) fall = smaller(fall, -(top.depth + top.ny * y + top.nz * z) / down);
+    if (down > least_down) fall = smaller(fall, -c.depth(top, motion.pose.y, motion.pose.z) / down);
   }
   return fall;
 }
 
-/// First touch on a rail that varies along the track: from the height at which the outline meets its places,
-/// by the nearest of the candidates there. `height`: any.
-double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
-  constexpr int most_steps = 16;
-  constexpr double close = 1e-8, reach = 0.8e-3, near = 20e-6;  // [m]
-  constexpr double least_down = 0.1;
-  // the outline goes down to the rail's places, and candidates are looked for there
+/// Strips whose mean normals point down by less are not lowered onto along the track [-].
+constexpr double least_down_along = 0.1;
+
+/// Lowers the wheel on a rail that varies along the track to where its outline meets the rail's places, looks
+/// for candidates there, and returns the height of the nearest by first looks. `height`: any.
+double height_by_first_looks(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
+  constexpr double reach = 0.8e-3;  // [m]
   const SurfaceModel& model = problem.model;
   RelativeMotion motion = motion_at_height(model, problem.in, height);
   find_outline(*model.kernels, problem.rail, model.wheel, motion.pose, overlaps.outline);
+  find_gains(*model.kernels, model.varying, model.wheel_radius, problem.rail, overlaps.outline.gain);
   height += fall_along(problem, motion, overlaps.outline) - model.out_of_round.largest;
   motion = motion_at_height(model, problem.in, height);
   look_for_candidates(model, problem.rail, motion.pose, reach, overlaps.outline, overlaps);
-  // first to the nearest by first looks, then by Newton's method
-  if (const double fall = fall_to_candidates(problem, motion, least_down); fall < farthest_touch)
-    height += fall;
+  // down or up to the nearest of them
+  const double fall = fall_to_candidates(problem, motion, least_down_along);
+  return fall < farthest_touch ? height + fall : height;
+}
+
+/// The distance from overlaps found with a margin to first touch [m]; where they are further away than that,
+/// to candidates, which have been followed by now, or any strips.
+double fall_along_from(const WheelProblem& problem, const RelativeMotion& motion, double margin,
+                       WheelOverlaps& o) {
+  double fall = fall_of(o, motion, least_down_along);
+  if (!(fall < margin)) fall = smaller(fall, fall_to_candidates(problem, motion, least_down_along));
+  return fall < farthest_touch ? fall : fall_to_strips(problem, motion, least_down_along, o);
+}
+
+/// First touch on a rail that varies along the track: by first looks, then by Newton's method. `height`: any.
+double first_touch_along(const WheelProblem& problem, double height, WheelOverlaps& overlaps) {
+  constexpr int most_steps = 16;
+  constexpr double close = 1e-8, near = 20e-6;  // [m]
+  height = height_by_first_looks(problem, height, overlaps);
   for (int n = 0; n < most_steps; ++n) {
-    motion = motion_at_height(model, problem.in, height);
+    const RelativeMotion motion = motion_at_height(problem.model, problem.in, height);
     find_wheel_overlaps(problem, motion, near, overlaps);
-    double fall = fall_of(overlaps, motion, least_down);
-    // strips that are further away: candidates, which have been followed by now, or any
-    if (!(fall < near)) fall = smaller(fall, fall_to_candidates(problem, motion, least_down));
-    if (!(fall < farthest_touch)) fall = fall_to_strips(problem, motion, least_down, overlaps);
+    const double fall = fall_along_from(problem, motion, near, overlaps);
     height += fall;
     if (std::abs(fall) < close) break;
   }
@@ -187,6 +235,21 @@ double first_touch(const WheelProblem& problem, Arena scratch) {
     if (std::abs(fall) < close) break;
   }
   return height;
+}
+
+double tops_below_touch(const WheelProblem& problem, double below, RelativeMotion& motion,
+                        WheelOverlaps& overlaps) {
+  constexpr int most_steps = 8;
+  constexpr double close = 0.1e-3;  // [m]: tops within the margin are then those that will touch
+  double height = height_by_first_looks(problem, problem.in.wheel.position[2], overlaps) + below;
+  // tops there say where first touch is; few steps, as the nearest strip hardly changes
+  for (int n = 0;; ++n) {
+    motion = motion_at_height(problem.model, problem.in, height);
+    find_wheel_overlaps(problem, motion, tops_apart, overlaps, true);
+    const double off = fall_along_from(problem, motion, tops_apart, overlaps) + below;
+    if (std::abs(off) < close || n == most_steps) return height;
+    height += off;
+  }
 }
 
 double height_at_border(const WheelProblem& problem, double height, RelativeMotion& motion,

@@ -12,6 +12,14 @@ inline constexpr double deepest_overlap = 2e-3;
 /// a face is overlapped there already, until it does.
 double first_touch(const WheelProblem& problem, Arena scratch);
 
+/// Margin of tops that a height is predicted by [m].
+inline constexpr double tops_apart = 0.2e-3;
+
+/// On a rail that changes along the track: a height within 0.1 mm of that so far below first touch [m].
+/// Leaves the motion there, and the tops of overlaps deeper than -tops_apart.
+double tops_below_touch(const WheelProblem& problem, double below, RelativeMotion& motion,
+                        WheelOverlaps& overlaps);
+
 /// By how much a wheel that is apart must be lowered until the first strip of the rail overlaps it [m], 0 to
 /// farthest_touch, which stands for anything beyond: Newton's method on the nearest strip.
 double clearance(const WheelProblem& problem, Arena scratch);

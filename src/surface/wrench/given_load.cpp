@@ -106,18 +106,29 @@ double earlier_hill_load(const WheelProblem& problem, const WheelSolution& s, co
   return hills.load();
 }
 
-/// The change of height at which hills carry the load asked for, as they carried `load` in the earlier
-/// solution; 0 where that is not known [m], [N].
-double change_by_hills(const WheelProblem& problem, const WheelSolution& s, const PressureStart& earlier,
-                       double load, double farthest) {
+/// HillLoad at which hills carry the load asked for: that of the earlier solution in proportion to its
+/// `load`, where both are known, else by Hertz's contact of a sphere [N].
+double asked_of_hills(const WheelProblem& problem, const WheelSolution& s, const PressureStart* earlier,
+                      double load) {
+  // F = 4/3 E* root(R) d^(3/2), the sphere's hill having 2^(3/4) 3/8 root(pi) root(R) d^(3/2)
+  constexpr double per_hill = 1.192780;
+  const double asked = problem.in.vertical_load,
+               before = earlier ? earlier_hill_load(problem, s, *earlier) : 0.0;
+  if (load > 0.0 && before > 0.0) return before * asked / load;
+  const double modulus = 1.0 / (pi * pressure_model(problem.model).compliance);  // E* = G / (1 - nu) [Pa]
+  return asked / (per_hill * modulus);
+}
+
+/// Height at which the hills of overlaps along the track carry the load asked for, from those of `s` at
+/// `height` [m]: between light touch and twice the usual approach.
+double height_by_hills(const WheelProblem& problem, const WheelSolution& s, double asked, double height) {
   // the straightened load is nearly straight: few secants find it
   constexpr int most_steps = 5;
-  constexpr double close = 1e-9;  // [m]
-  const double asked = problem.in.vertical_load, before = earlier_hill_load(problem, s, earlier);
-  if (!(load > 0.0 && before > 0.0)) return 0.0;
+  constexpr double close = 1e-9, farthest = 1e-3;  // [m]
+  const double usual = usual_approach(problem.in.vertical_load), touch = -approach_of(s, -farthest);
   // secants of the straightened load, the first from the height of first touch
-  const double target = straightened(before * asked / load);
-  double last = -approach_of(s, -farthest), last_value = -target, change = last + usual_approach(asked);
+  const double target = straightened(asked);
+  double last = touch, last_value = -target, change = last + usual;
   for (int n = 0; n < most_steps && magnitude(change - last) > close; ++n) {
     const double value = straightened(hill_load(problem, s, change)) - target;
     const double slope = (value - last_value) / (change - last);
@@ -126,7 +137,8 @@ double change_by_hills(const WheelProblem& problem, const WheelSolution& s, cons
     last_value = value;
     change -= value / slope;
   }
-  return change;
+  change = smaller(larger(change, -farthest), farthest);
+  return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);
 }
 
 /// Hertz's F = c d^(3/2) has dF/dd = 1.5 F / d, d the approach [N/m]; 0 where nothing overlaps.
@@ -368,25 +380,29 @@ Fault solve_on_first_branch(const HeightSolver& solver, const Descent& d, double
 
 }  // namespace
 
-double predicted_height(const HeightSolver& solver, double height, double load) {
-  // a rail that changes may have fallen away from the wheel, or risen into it
+double first_height(const HeightSolver& solver) {
   const WheelProblem& problem = solver.problem;
-  const bool along = changes(problem.model.varying);
-  const double farthest = along ? 1e-3 : 0.1e-3, apart = along ? 0.3e-3 : 0.0;  // [m]
+  const double usual = usual_approach(problem.in.vertical_load);
+  if (!changes(problem.model.varying)) return first_touch(problem, solver.scratch) + usual;
+  WheelSolution& s = solver.solution;
+  const double height = tops_below_touch(problem, usual, s.motion, s.overlaps);
+  return height_by_hills(problem, s, asked_of_hills(problem, s, nullptr, 0.0), height);
+}
+
+double predicted_height(const HeightSolver& solver, double height, double load) {
+  const WheelProblem& problem = solver.problem;
   const PressureStart& earlier = solver.start.solution;
   WheelSolution& s = solver.solution;
   s.motion = motion_at_height(problem.model, problem.in, height);
-  find_wheel_overlaps(problem, s.motion, apart, s.overlaps, along);
-  if (along) {
-    const double usual = usual_approach(problem.in.vertical_load);
-    // where other strips touch now, the height is that of a usual approach to the nearest
-    if (s.overlaps.count == 0) return first_touch(problem, solver.scratch) + usual;
-    const double touch = -approach_of(s, -farthest);
-    // between light touch and twice the usual approach
-    double change = change_by_hills(problem, s, earlier, load, farthest);
-    change = smaller(larger(change, -farthest), farthest);
-    return height + smaller(larger(change, touch + 0.3 * usual), touch + 2.0 * usual);
+  // a rail that changes may have fallen away from the wheel, or risen into it
+  if (changes(problem.model.varying)) {
+    find_wheel_overlaps(problem, s.motion, tops_apart, s.overlaps, true);
+    // where other strips touch now, the height is as without an earlier solution
+    if (s.overlaps.count == 0) return first_height(solver);
+    return height_by_hills(problem, s, asked_of_hills(problem, s, &earlier, load), height);
   }
+  constexpr double farthest = 0.1e-3;  // [m]
+  find_wheel_overlaps(problem, s.motion, 0.0, s.overlaps);
   // Strips as springs of stiffness w L along their directions: the height at which they carry the same load.
   const Overlaps& o = s.overlaps;
   double grown = 0.0, stiffness = 0.0;

@@ -9,6 +9,10 @@ namespace wrc::surface {
 /// profiles.
 double usual_approach(double load);
 
+/// Height at which the load given is expected [m], without an earlier solution: the usual approach below
+/// first touch, along the track where hills of overlaps carry it by Hertz's theory.
+double first_height(const HeightSolver& solver);
+
 /// Height at which the load given is expected [m]: from that of the solution that the solver starts from, as
 /// far as its overlaps have grown since, and its load [N] is another. Along the track by hills of overlaps.
 double predicted_height(const HeightSolver& solver, double height, double load);

@@ -26,7 +26,7 @@ class HeightSearch {
   void take(double height, double load, double doubt) {
     const Place earlier = last_;
     last_ = {height, straightened(load) - target_, doubt};
-    if (magnitude(load - load_) > doubt * load_) (last_.value < 0.0 ? low_ : high_) = last_;
+    if (magnitude(load - load_) > beyond_doubt * doubt * load_) (last_.value < 0.0 ? low_ : high_) = last_;
     if (!earlier.known() || height == earlier.height) return;
     // a slope from two loads counts where their difference stands out of their errors
     const double risen = last_.value - earlier.value, known_to = (doubt + earlier.doubt) * target_;
@@ -69,6 +69,9 @@ class HeightSearch {
   }
 
  private:
+  /// Errors of loads from another height's solution reach 1.4 times the doubt: a height is on a side for sure
+  /// beyond so many times that.
+  static constexpr double beyond_doubt = 4.0;
   static constexpr double worth_halving =
       1e-5;  ///< part of the straightened load: slower than that is rounding
 

@@ -23,10 +23,11 @@ struct StripMotion {
   Number along, across, approach, spin;
 };
 
-/// The motion at a strip that presses at `x` [m]. `graded`: does the rail have a grade anywhere?
-template <class Number>
-StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOverlap<Number>& o,
-                              const Number& x, bool graded) {
+/// The motion at a strip that presses at `x` [m]. `graded`: does the rail have a grade anywhere? Overlap and
+/// x may have fewer derivatives than velocities.
+template <class Number, class Place>
+StripMotion<Number> motion_at(const RelativeVelocityOf<Number>& v, const StripOverlap<Place>& o,
+                              const Place& x, bool graded) {
   const auto& omega = v.angular;
   Number vx = v.linear[0] + omega[1] * o.wz - omega[2] * o.wy;
   // a roller's own point, as the wheel's, is that of the undeformed body: the overlap nearer to its axle
@@ -51,8 +52,8 @@ struct StripForce {
 
 /// Adds the forces at a strip that presses at `x` [m] to force [N] and moment [N m]. `graded`: as in
 /// motion_at().
-template <class Number>
-void add_force(const StripOverlap<Number>& o, const Number& x, bool graded, const StripForce<Number>& strip,
+template <class Number, class Place>
+void add_force(const StripOverlap<Place>& o, const Place& x, bool graded, const StripForce<Number>& strip,
                Number (&force)[3], Number (&moment)[3]) {
   const auto& [N, fx, fy, mz] = strip;
   // in rail axes: tangential forces and pressure, then the parts that a grade turns into one another

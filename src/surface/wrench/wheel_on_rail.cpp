@@ -248,8 +248,8 @@ Fault solve_wheel_on_rail(const SurfaceModel& model, const WheelOnRail& in, Solu
   const HeightSolver solver{problem, start, arena, solution, out};
   Fault fault;
   if (in.load_prescribed) {
-    const double guess = warm ? predicted_height(solver, last.head->height, last.head->load)
-                              : first_touch(problem, arena) + usual_approach(in.vertical_load);
+    const double guess =
+        warm ? predicted_height(solver, last.head->height, last.head->load) : first_height(solver);
     fault = solve_given_load(solver, guess);
   } else {
     fault = solve_given_height(solver);

@@ -20,10 +20,9 @@ namespace {
 
 using Number = RailFrameDual;
 
-StripOverlap<Number> frame_overlap(const OverlapSlopes& o) {
-  return {frame_number(o.depth), frame_number(o.centre), frame_number(o.curvature), frame_number(o.ny),
-          frame_number(o.nz),    frame_number(o.wy),     frame_number(o.wz),        frame_number(o.grade)};
-}
+/// Without damping no velocity changes a load.
+bool still_loads(const WheelOnRail& in) { return !(in.damping > 0.0); }
+static_assert(simd::StripNumbersSlopesTask::still_inputs == place_inputs);
 
 constexpr std::int32_t strips_at_a_time = 8;  ///< strips that march together: the widest vector
 constexpr std::int64_t kernel_numbers = 2 + simd::strip_inputs + 3;  // size, bound and results
@@ -80,10 +79,15 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
   const SurfaceModel& model = d.problem.model;
   const PlacedRail& rail = d.problem.rail;
   const Overlaps& overlaps = d.solved.overlaps;
-  const std::int32_t j = on_rail(overlaps.strip[i]), piece = overlaps.piece[i];
-  const double u = overlaps.u[i];
-  const StripPlace place{rail.y[j], rail.z[j], rail.ty[j], rail.tz[j]};
-  if (!varies(model)) return overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  const std::int32_t j = on_rail(overlaps.strip[i]);
+  const auto on_the_same_rail = [&] {
+    OverlapSlopes o;
+    model.kernels->surface.overlap_slopes({rail.y[j], rail.z[j], rail.ty[j], rail.tz[j], &model.wheel.curve,
+                                           &pose, &attitude, overlaps.piece[i], overlaps.u[i]},
+                                          o);
+    return o;
+  };
+  if (!varies(model)) return on_the_same_rail();
 
   // beyond the last section nothing changes with the distance
   PlaceDual distance = rail.distance, angle = d.problem.in.angle;
@@ -108,7 +112,7 @@ OverlapSlopes differentiate_overlap(const Differentiation& d, const RelativePose
     follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
     return o;
   }
-  OverlapSlopes o = overlap_slopes(place, model.wheel.curve, pose, attitude, piece, u);
+  OverlapSlopes o = on_the_same_rail();
   follow_others<PlaceDual>(model, rail, pose, j, o.y_wheel, distance, angle, o);
   return o;
 }
@@ -179,32 +183,38 @@ Number differentiate_loaded_strips(const Differentiation& d) {
   if (d.by == JacobianBy::place) loaded.friction_factor.d[frame_friction] = 1.0;
   Number load = 0.0, sliding = 0.0, below = 0.0;
   for (std::int32_t k = 0; k < s.count; ++k) {
-    const StripOverlap<Number> o = frame_overlap(s.overlap[k]);
-    const StripMotion<Number> m = motion_at(velocity, o, frame_number(s.centre_dual[k]), graded);
+    const OverlapSlopes& o = s.overlap[k];
+    const StripMotion<Number> m = motion_at<Number>(velocity, o, s.centre_dual[k], graded);
+    const PlaceDual half_length = root(s.length_squared_dual[k]);
     // N = pi/2 w q times the damping factor, which is never below zero
-    const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * m.approach);
-    const Number line_load = damped * frame_number(s.line_load_dual[k]);
-    const Number N = (0.5 * pi * s.width[k]) * line_load;
-    if (!(N.value > 0.0)) continue;
-
-    const std::int32_t i = loaded.count++;
-    loaded.pressed[i] = k;
-    // neighbours are told by row_place()
-    loaded.place[i] = k < s.behind ? s.place[k] : s.place[k] + rows_apart;
-    loaded.width[i] = s.width[k];
-    loaded.normal[i] = N;
-    loaded.centre[i] = frame_number(s.centre_dual[k]);
-    loaded.half_length[i] = root(frame_number(s.length_squared_dual[k]));
-    loaded.peak[i] = line_load / loaded.half_length[i];
-    loaded.curvature[i] = damped * o.curvature;
-    loaded.slip_x[i] = m.along;
-    loaded.slip_y[i] = m.across;
-    loaded.spin[i] = m.spin;
-    loaded.friction[i] = in.friction * loaded.friction_factor;
-    loaded.fx[i] = loaded.fy[i] = loaded.mz[i] = 0.0;
-    load += N;
-    sliding += N * m.along;
-    below += N * o.wz;
+    const auto take = [&](const auto& line_load, const auto& curvature) {
+      const auto N = (0.5 * pi * s.width[k]) * line_load;
+      if (!(N.value > 0.0)) return;
+      const std::int32_t i = loaded.count++;
+      loaded.pressed[i] = k;
+      // neighbours are told by row_place()
+      loaded.place[i] = k < s.behind ? s.place[k] : s.place[k] + rows_apart;
+      loaded.width[i] = s.width[k];
+      loaded.normal[i] = frame_number(N);
+      loaded.centre[i] = frame_number(s.centre_dual[k]);
+      loaded.half_length[i] = frame_number(half_length);
+      loaded.peak[i] = frame_number(line_load / half_length);
+      loaded.curvature[i] = frame_number(curvature);
+      loaded.slip_x[i] = m.along;
+      loaded.slip_y[i] = m.across;
+      loaded.spin[i] = m.spin;
+      loaded.friction[i] = in.friction * loaded.friction_factor;
+      loaded.fx[i] = loaded.fy[i] = loaded.mz[i] = 0.0;
+      load += N;
+      sliding += N * m.along;
+      below += N * o.wz;
+    };
+    if (still_loads(in)) {
+      take(s.line_load_dual[k], o.curvature);
+    } else {
+      const Number damped = larger(Number(0.0), 1.0 + 1.5 * in.damping * m.approach);
+      take(damped * s.line_load_dual[k], damped * o.curvature);
+    }
   }
   if (loaded.count == 0) return 0.0;
 
@@ -289,26 +299,15 @@ void differentiate_strips(const Differentiation& d, const SurfaceRollingInputOf<
   task.slopes = d.w.slopes;
   s.grid->kernels->tangential.surface_strips_slopes(task);
 
-  for (std::int32_t k = 0; k < n; ++k) {
-    const double found[3] = {task.fx[k], task.fy[k], task.mz[k]};
-    Number* const results[3] = {&forces.fx[k], &forces.fy[k], &forces.mz[k]};
-    const Number turned = s.spin[k] * s.half_length[k];
-    // Forces are proportional to bound and half length, the moment to the square of that:
-    // dF = F (dB / B + dl / l) + sum over the inputs of dF/dx dx.
-    const double per_bound = a.bound[k].value > 0.0 ? 1.0 / a.bound[k].value : 0.0;
-    const double per_length = 1.0 / s.half_length[k].value;
-    for (int r = 0; r < 3; ++r) {
-      Number& f = *results[r];
-      f = found[r];
-      const auto add = [&](double slope, const Number& x) {
-        pairwise::add<frame_inputs>(slope, x.d.data(), f.d.data());
-      };
-      add(found[r] * per_bound, a.bound[k]);
-      add((r == 2 ? 2.0 : 1.0) * found[r] * per_length, s.half_length[k]);
-      for (std::int32_t input = 0; input < simd::strip_inputs; ++input)
-        add(d.w.slopes[(3 * input + r) * n + k], input == simd::strip_spin ? turned : inputs[input][k]);
-    }
-  }
+  simd::StripForcesSlopesTask sums{n,
+                                   a.bound,
+                                   s.half_length,
+                                   {},
+                                   {task.fx, task.fy, task.mz},
+                                   d.w.slopes,
+                                   {forces.fx, forces.fy, forces.mz}};
+  std::copy_n(inputs, simd::strip_inputs, sums.inputs);
+  s.grid->kernels->surface.strip_forces_slopes(sums);
 }
 
 /// The layer of the k-th strip that carries load.
@@ -367,7 +366,8 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
   const RollingArraysOf<Number>& all = d.w.rolling;
   const strip_numbers::Shared shared = strip_numbers::shared(rolls);
   const simd::SurfaceKernels& kernels = model.grid->kernels->surface;
-  kernels.strip_means_slopes({&rolls, &shared, &all});
+  const bool still = still_loads(d.problem.in);
+  kernels.strip_means_slopes({&rolls, &shared, &all, still});
   for (std::int32_t first = 0; first < n; first += strips_at_a_time) {
     SurfaceRollingInputOf<Number> some = rolls;
     some.count = std::min(n - first, strips_at_a_time);
@@ -378,7 +378,7 @@ void differentiate_tractions(const Differentiation& d, bool backwards, const Dua
     if (some.flexibility != nullptr) begin_there(some.flexibility);
     begin_there(arrays.load, arrays.c11, arrays.c22, arrays.c23, arrays.own, arrays.pressed);
     for (Number*& mean : arrays.mean) mean += first;
-    kernels.strip_arrays_slopes({&some, &shared, &arrays});
+    kernels.strip_arrays_slopes({&some, &shared, &arrays, still});
 
     const DualForces found{forces.fx + first, forces.fy + first, forces.mz + first};
     if (rolls.layered()) {
@@ -448,8 +448,8 @@ Fault differentiate_wrench(const WheelProblem& problem, const WheelSolution& sol
   const bool graded = solved.overlaps.grade != nullptr;
   for (std::int32_t i = 0; i < loaded.count; ++i) {
     const std::int32_t k = loaded.pressed[i];
-    add_force(frame_overlap(w.pressed.overlap[k]), loaded.centre[i], graded,
-              {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
+    add_force<Number>(w.pressed.overlap[k], place_number(loaded.centre[i]), graded,
+                      {loaded.normal[i], loaded.fx[i], loaded.fy[i], loaded.mz[i]}, out.force, out.moment);
   }
   // the time of a step changes tractions alone
   if (!problem.memory || !rolls || by == JacobianBy::track) return {};

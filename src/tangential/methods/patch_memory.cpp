@@ -2,57 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/elementary.hpp"
 #include "base/number.hpp"
 #include "kernels/kernels.hpp"
-#include "tangential/methods/strip_fastsim.hpp"
 
 namespace wrc::tangential {
 namespace {
 
 constexpr std::int32_t cells = memory_cells, half = cells / 2;
 
-// Lengths of the longest strip: a step from which on steady rolling takes over, and one that is none; parts
-// of a step, from its end on.
-constexpr double forgets_from = 1.5, least_step = 1e-9;
+// Lengths of the longest strip: a step that is none; parts of a step, from its end on.
+constexpr double least_step = 1e-9;
 constexpr std::int32_t most_parts = 3;
 constexpr double usual_parts[most_parts] = {0.25, 0.5, all_forgotten};
 constexpr double yields_whole = 0.6,
                  yields_none = 2.0;    // parts of which the end sees all and none of the yield
 constexpr std::int32_t solutions = 2;  // Newton's steps for U in the last part, one in those before
 constexpr double carried = 0.5;        // share of the rest of the equation that goes to the next part
-constexpr double least = 1e-290;       // keeps divisions finite
 constexpr double everywhere = 1e3;     // farther than any place [m]
 
-constexpr double kept_back = 0.25;  // least part of the stored energy that can be given back
-
-/// Middles of the cells over the half length, and 1 - their square.
+/// Middles of the cells over the half length.
 struct Places {
-  double at[cells], parabola[cells];
+  double at[cells];
 };
 constexpr Places places = [] {
   Places p{};
-  for (std::int32_t i = 0; i < cells; ++i) {
-    p.at[i] = 1.0 - (2.0 * i + 1.0) / cells;
-    p.parabola[i] = 1.0 - p.at[i] * p.at[i];
-  }
+  for (std::int32_t i = 0; i < cells; ++i) p.at[i] = 1.0 - (2.0 * i + 1.0) / cells;
   return p;
-}();
-
-/// Bins of the cells' pressures, and the roots of their numbers.
-constexpr std::int32_t bins = 64;
-struct Roots {
-  double of[bins + 1];
-};
-constexpr Roots roots = [] {
-  Roots r{};
-  for (std::int32_t i = 1; i <= bins; ++i) {
-    double root = 1.0 + i / 4.0;
-    for (int step = 0; step < 8; ++step) root = 0.5 * (root + i / root);
-    r.of[i] = root;
-  }
-  return r;
 }();
 
 /// Parts of the step that come after the k-th, of those counted from its end on.
@@ -86,143 +64,74 @@ Neighbours neighbours(const PastStrip* past, std::int64_t count, double y) {
   return n;
 }
 
-/// Cells of a patch by their pressure: the share of the area where it is larger.
-struct PressureRanks {
-  double per_load;          ///< bins over the largest peak times half length
-  double larger[bins + 1];  ///< at pressures whose square over the largest one's is bin / bins
-  double cone;              ///< part of a cone in the pressures' form
-};
-
-PressureRanks rank_pressures(const patch::Strips& region, double largest_load) {
-  // Area of the cells by the square of their pressure: cells between two bins are of both.
-  PressureRanks ranks;
-  ranks.per_load = (bins - 1e-9) / std::max(largest_load, least);
-  double area[bins + 1] = {}, whole = 0.0;
-  for (std::int32_t j = 0; j < region.count; ++j) {
-    const double load = ranks.per_load * (region.peak[j] * region.half_length[j]);
-    const double of_cell = region.width[j] * region.half_length[j];
-    for (std::int32_t i = 0; i < half; ++i) {
-      const double square = load * places.parabola[i];
-      const std::int32_t bin = static_cast<std::int32_t>(square);
-      const double next = (square - bin) * of_cell;
-      area[bin] += of_cell - next;
-      area[bin + 1] += next;
-    }
-    whole += half * of_cell;
-  }
-  // Mean share under the pressure: 0.4 under Hertz's, 1/3 under a cone's, as displacements d of cells that
-  // begin to slide are 1 - x^2 and 1 - x. Between them it is linear in the parts of both.
-  constexpr double more_by_cells = 0.0023;  // mean share of an ellipse on 8 to 60 strips, less 0.4
-  const double per_area = 1.0 / std::max(whole, least);
-  double sum = 0.0, pressed = 0.0, mean = 0.0;
-  for (std::int32_t bin = 0; bin <= bins; ++bin) {
-    sum += area[bin];
-    ranks.larger[bin] = std::max(0.0, 1.0 - (sum - 0.5 * area[bin]) * per_area);
-    const double own = area[bin] * roots.of[bin];
-    pressed += own;
-    mean += own * ranks.larger[bin];
-  }
-  mean = mean / std::max(pressed, least) - more_by_cells;
-  ranks.cone = std::clamp(4.0 * (0.4 - mean) / (0.6 - mean), -0.5, 1.0);
-  return ranks;
-}
-
-/// Solves (1 + diag(s) k) x = r; positive, as k is that of a stiffness.
-void solve(const double s[3], const double k[3][3], const double r[3], double x[3]) {
-  double m[3][4];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[i][j] = (i == j ? 1.0 : 0.0) + s[i] * k[i][j];
-    m[i][3] = r[i];
-  }
-  for (int p = 0; p < 2; ++p) {
-    for (int i = p + 1; i < 3; ++i) {
+/// Solves n equations, whose right-hand sides are the last column; the solution takes its place.
+template <std::int32_t columns>
+void solve(std::int32_t n, double (*m)[columns]) {
+  for (std::int32_t p = 0; p < n; ++p) {
+    std::int32_t largest = p;
+    for (std::int32_t i = p + 1; i < n; ++i)
+      if (std::abs(m[i][p]) > std::abs(m[largest][p])) largest = i;
+    if (largest != p) std::swap_ranges(m[p], m[p] + n + 1, m[largest]);
+    for (std::int32_t i = p + 1; i < n; ++i) {
       const double f = m[i][p] / m[p][p];
-      for (int j = p; j < 4; ++j) m[i][j] -= f * m[p][j];
+      for (std::int32_t j = p + 1; j <= n; ++j) m[i][j] -= f * m[p][j];
     }
   }
-  for (int i = 2; i >= 0; --i) {
-    x[i] = m[i][3];
-    for (int j = i + 1; j < 3; ++j) x[i] -= m[i][j] * x[j];
-    x[i] /= m[i][i];
+  for (std::int32_t i = n - 1; i >= 0; --i) {
+    for (std::int32_t j = i + 1; j < n; ++j) m[i][n] -= m[i][j] * m[j][n];
+    m[i][n] /= m[i][i];
   }
 }
 
 }  // namespace
 
-/// A past strip as the bodies roll now: backwards it is the mirror image.
-PastStrip turned(const PastStrip& strip, double direction) {
-  PastStrip s = strip;
-  if (direction > 0.0) return s;
-  s.centre = -s.centre;
-  s.way = -s.way;
-  for (double* three : {s.force, s.added}) {
-    three[0] = -three[0];
-    three[2] = -three[2];
-  }
-  std::reverse(s.px, s.px + cells);
-  std::reverse(s.py, s.py + cells);
-  for (double& p : s.px) p = -p;
-  return s;
-}
-
-PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, const PatchNumbers& numbers,
-                     const MemoryFactors& factors)
-    : contact_(contact), strips_(strips), factors_(factors), numbers_(numbers) {
-  if (strips_.number)
-    take_past_of_rail();
-  else
-    take_past_of_plane();
+PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, YieldingPatch* patches,
+                     std::int32_t count)
+    : contact_(contact),
+      strips_(strips),
+      patches_(patches),
+      patch_count_(count),
+      x_(patches->numbers.centre_x),
+      y_(patches->numbers.centre_y) {
   set_strips();
+  find_groups();
+  for (std::int32_t l = 0; l < lobes_; ++l)
+    for (std::int32_t k = 0; k < lobes_; ++k) std::fill_n(yield_[l][k][0], 9, 0.0);
+  for (std::int32_t k = 0; k < count; ++k) add_yield(patches[k]);
+  if (strips_.number) let_strips_leave();
 }
 
-void PatchStep::take_shared(const RememberingStrip* const* shared, const LeftStrips& left) {
-  shared_ = shared;
-  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    const RememberingStrip& from = *shared_[j];
-    strip.growth_x = from.growth_x;
-    strip.growth_y = from.growth_y;
-    strip.turns = from.turns;
-    strip.bounds = from.bounds;
-    std::copy_n(from.bound, cells, strip.bound);
+void PatchStep::find_groups() {
+  // the strips within each lobe, and the one across its border to the next
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    const YieldingPatch& p = patches_[k];
+    lobes_ = std::max(lobes_, p.end_lobe);
+    if (p.end_lobe - p.first_lobe > 1) continue;
+    const std::int32_t first = p.first - strips_.first, end = p.end - strips_.first;
+    const std::int32_t within = first + (p.inside_first < 1.0 ? 1 : 0),
+                       border = end - (p.inside_last < 1.0 ? 1 : 0);
+    if (within < border) groups_[group_count_++] = {within, border, p.first_lobe, 1.0};
+    if (border < end) groups_[group_count_++] = {border, end, p.first_lobe, p.inside_last};
   }
-  left_[0] = left.fx;
-  left_[1] = left.fy;
-  left_[2] = numbers_.arm * (left.mz + left.turn - numbers_.centre_x * left.fy + numbers_.centre_y * left.fx);
-  let_strips_leave();
 }
 
-void PatchStep::add_past_of_rail(std::int32_t j, double share, double to[3]) const {
-  // the strip's width within the patch; moments about the patch's centre
-  const PastStrip* const strip = strips_.past_of[j];
-  if (strip == nullptr) return;
-  const double sign = contact_.memory.direction, part = share * strips_.inside[j];
-  const double fx = part * sign * strip->force[0], fy = part * strip->force[1];
-  to[0] += fx;
-  to[1] += fy;
-  to[2] += numbers_.arm * (part * sign * strip->force[2] + (sign * strip->centre - numbers_.centre_x) * fy -
-                           (contact_.region.y[j] - numbers_.centre_y) * fx);
-}
-
-void PatchStep::take_past_of_rail() {
-  for (std::int32_t j = 0; j < contact_.region.count; ++j) add_past_of_rail(j, 1.0, before_);
-}
-
-void PatchStep::take_past_of_plane() {
+PastOfPlane take_past_of_plane(const RollingContact& contact, const PatchStrips& strips,
+                               YieldingPatch& patch) {
   // the patch's borders on the plane
-  const patch::Strips& region = contact_.region;
-  const RollingMemory& memory = contact_.memory;
-  const double sign = memory.direction, centre = memory.y(numbers_.centre_y);
+  const patch::Strips& region = contact.region;
+  const RollingMemory& memory = contact.memory;
+  const double sign = memory.direction, centre = memory.y(patch.numbers.centre_y);
   double low = everywhere, high = -everywhere;
   for (std::int32_t j = 0; j < region.count; ++j) {
-    const double to_border = 0.5 * region.width[j];
-    low = std::min(low, key(j) - to_border);
-    high = std::max(high, key(j) + to_border);
+    const double to_border = 0.5 * region.width[j], y = memory.y(region.y[j]);
+    low = std::min(low, y - to_border);
+    high = std::max(high, y + to_border);
   }
   // forces, energy and difference to strip FASTSIM of the remembered strips up to half way to other patches.
   // Strips beside the patch count less, as forces at a distance displace and turn a half-space less
-  for (std::int64_t k = 0; k < strips_.past_count; ++k) {
-    const PastStrip& strip = strips_.past[k];
+  PastOfPlane before;
+  for (std::int64_t k = 0; k < strips.past_count; ++k) {
+    const PastStrip& strip = strips.past[k];
     const double border = strip.y > high ? high : low, off = std::abs(strip.y - centre);
     double weight = 1.0, near = 1.0;
     if (strip.y > high || strip.y < low) {
@@ -233,29 +142,39 @@ void PatchStep::take_past_of_plane() {
     weight *= near;
     const double fx = weight * sign * strip.force[0], fy = weight * strip.force[1];
     const double y = (strip.y - memory.origin) / memory.slope;
-    before_[0] += fx;
-    before_[1] += fy;
-    before_[2] += numbers_.arm *
-                  (weight * sign * strip.force[2] +
-                   near * ((sign * strip.centre - numbers_.centre_x) * fy - (y - numbers_.centre_y) * fx));
-    for (int i = 0; i < 3; ++i) added_[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
-    energy_ += weight * strip.energy;
+    patch.before[0] += fx;
+    patch.before[1] += fy;
+    patch.before[2] +=
+        patch.numbers.arm *
+        (weight * sign * strip.force[2] +
+         near * ((sign * strip.centre - patch.numbers.centre_x) * fy - (y - patch.numbers.centre_y) * fx));
+    for (int i = 0; i < 3; ++i) before.added[i] += weight * (i == 1 ? 1.0 : sign) * strip.added[i];
+    before.energy += weight * strip.energy;
   }
+  return before;
 }
 
 void PatchStep::let_strips_leave() {
   // Strips whose bounds have fallen far below their force are among those that leave, the more the further.
   constexpr double far = 0.25;
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
+    RememberingStrip& strip = strips_.strips[j];
     const PastStrip* const past = strips_.past_of[j];
     if (past == nullptr) continue;
     const double borne = strip.area * strip.bounds;
-    const double had = std::sqrt(past->force[0] * past->force[0] + past->force[1] * past->force[1]);
-    strip.kept = std::min(1.0, borne / std::max(far * strips_.inside[j] * had, least));
-    if (strip.kept == 1.0) continue;
-    add_past_of_rail(j, strip.kept - 1.0, before_);
-    add_past_of_rail(j, 1.0 - strip.kept, left_);
+    const double had2 = far * far * (past->force[0] * past->force[0] + past->force[1] * past->force[1]);
+    if (borne * borne >= had2) continue;
+    strip.kept = borne / std::sqrt(had2);
+    const double sign = contact_.memory.direction;
+    const double force[3] = {sign * past->force[0], past->force[1], sign * past->force[2]};
+    for (std::int32_t k = 0; k < patch_count_; ++k) {
+      YieldingPatch& p = patches_[k];
+      const std::int32_t number = strips_.first + j;
+      if (number < p.first || number >= p.end) continue;
+      const double leaves = (1.0 - strip.kept) * p.inside(number), x = sign * past->centre;
+      p.add_force(-leaves, force, x, contact_.region.y[j], p.before);
+      p.add_force(leaves, force, x, contact_.region.y[j], p.left);
+    }
   }
 }
 
@@ -267,47 +186,14 @@ Neighbours PatchStep::past_of(std::int32_t j) const {
 void PatchStep::set_strips() {
   const patch::Strips& r = contact_.region;
   for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
+    RememberingStrip& strip = strips_.strips[j];
     strip.centre = r.centre[j];
     strip.half_length = r.half_length[j];
     strip.area = r.width[j] * r.half_length[j] * (2.0 / cells);
-    strip.arm = numbers_.arm;
     strip.kept = 1.0;
-    strip.y = numbers_.arm * (r.y[j] - numbers_.centre_y);
-    strip.x = numbers_.arm * (r.centre[j] - numbers_.centre_x);
-    strip.reach = numbers_.arm * r.half_length[j];
-    strip.growth_x = numbers_.growth_x;
-    strip.growth_y = numbers_.growth_y;
-  }
-}
-
-void PatchStep::set_bounds() {
-  // Cells turn the faster, the less of the patch slides.
-  const double before2 = before_[0] * before_[0] + before_[1] * before_[1];
-  const double used2 = before2 / std::max(numbers_.limit * numbers_.limit, least);
-  const double turns = factors_.turns * std::max(0.0, 1.0 - used2 * used2 * used2);
-  // Bounds over that of the middle: 1 - x^2 - (2/3) q (1 - x^3) of an ellipse, 1 - x - (1/2) q (1 - x^2) of a
-  // cone, both over 1 - x. Then [Pa]: the whole is the friction limit.
-  const patch::Strips& r = contact_.region;
-  const double share = numbers_.share;
-  const PressureRanks ranks = rank_pressures(r, numbers_.largest_load);
-  const double curved = (2.0 / 3.0) * share, round = 1.0 - ranks.cone;
-  const double at_middle = round * (1.0 - curved) + ranks.cone * (1.0 - 0.5 * share);
-  const double by_x = round * (1.0 - curved) - ranks.cone * (0.5 * share), by_x2 = -(round * curved);
-  const simd::MemoryBoundsTask task{places.parabola, ranks.larger, share, at_middle, by_x, by_x2};
-  double whole = 0.0;
-  for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    strip.turns = turns;
-    const double load = ranks.per_load * (r.peak[j] * r.half_length[j]);
-    contact_.grid->kernels->tangential.memory_bounds(task, load, contact_.friction.share(j), strip);
-    whole += strip.bounds * strip.area;
-  }
-  const double per = numbers_.limit / std::max(whole, least);
-  for (std::int32_t j = 0; j < r.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    for (std::int32_t i = 0; i < half; ++i) strip.bound[cells - 1 - i] = strip.bound[i] *= per;
-    strip.bounds *= per;
+    strip.y = r.y[j] - y_;
+    strip.x = r.centre[j] - x_;
+    for (std::int32_t i = 0; i < half; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
   }
 }
 
@@ -315,7 +201,7 @@ void PatchStep::place_strips(double done) {
   // between their places of before and those at the end of the step; new strips have had theirs
   const double sign = contact_.memory.direction;
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
+    RememberingStrip& strip = strips_.strips[j];
     double centre = contact_.region.centre[j], l = contact_.region.half_length[j];
     double move = 0.0, growth = 0.0;
     const auto add = [&](const PastStrip* past, double share) {
@@ -333,21 +219,7 @@ void PatchStep::place_strips(double done) {
     strip.centre = centre;
     strip.half_length = l;
     strip.area = contact_.region.width[j] * l * (2.0 / cells);
-    strip.x = numbers_.arm * (centre - numbers_.centre_x);
-    strip.reach = numbers_.arm * l;
-  }
-}
-
-void PatchStep::set_own(double travel) {
-  // displacements of a shared strip's own over this travel [m], its turn on this patch's arm
-  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    RememberingStrip& strip = strips_.scratch[j];
-    strip.own_x = strip.own_y = strip.own_turn = 0.0;
-    if (shared_ == nullptr) continue;
-    const RememberingStrip& shared = *shared_[j];
-    strip.own_x = travel * shared.own_x;
-    strip.own_y = travel * shared.own_y;
-    strip.own_turn = travel * shared.own_turn * (shared.arm / numbers_.arm);
+    strip.x = centre - x_;
   }
 }
 
@@ -362,7 +234,7 @@ void PatchStep::bring(double h, bool first) {
     kernels.memory_bring(task, to);
   };
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    RememberingStrip& to = strips_.scratch[j];
+    RememberingStrip& to = strips_.strips[j];
     if (!first) {
       brought(strips_.written[j], to);
       continue;
@@ -400,54 +272,174 @@ void PatchStep::bring(double h, bool first) {
   }
 }
 
-void PatchStep::solve_part(const double shift[3], double h, const Part& part, double local[3],
-                           double rest[3]) {
+void PatchStep::motion_by(const YieldingPatch& patch, const double displaced[3], double motion[3]) const {
+  // motion about x_, y_ by a displacement of the patch: as its cells see it, with the factor on arms
+  const double turn = patch.numbers.arm * displaced[2];
+  motion[0] = displaced[0] + turn * (patch.numbers.centre_y - y_);
+  motion[1] = displaced[1] - turn * (patch.numbers.centre_x - x_);
+  motion[2] = turn;
+}
+
+void PatchStep::force_of_patch(const YieldingPatch& patch, const double (*of_lobes)[3], double of[3]) const {
+  of[0] = of[1] = of[2] = 0.0;
+  for (std::int32_t l = patch.first_lobe; l < patch.end_lobe; ++l)
+    patch.add_force(1.0, of_lobes[l], x_, y_, of);
+}
+
+void PatchStep::add_yield(const YieldingPatch& patch) {
+  // T S T' of the patch, T its motion by a displacement, to that of its lobes by forces on them
+  const double arm = patch.numbers.arm, x = patch.numbers.centre_x - x_, y = patch.numbers.centre_y - y_;
+  const double* const of = patch.numbers.yield;
+  const double turn = of[2] * arm * arm;
+  const double s[3][3] = {{of[0] + turn * y * y, -(turn * x * y), turn * y},
+                          {-(turn * x * y), of[1] + turn * x * x, -(turn * x)},
+                          {turn * y, -(turn * x), turn}};
+  for (std::int32_t l = patch.first_lobe; l < patch.end_lobe; ++l)
+    for (std::int32_t k = patch.first_lobe; k < patch.end_lobe; ++k)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) yield_[l][k][i][j] += patch.share * s[i][j];
+}
+
+void PatchStep::find_motions() {
+  // those of the lobes: means of the patches' by their shares
+  for (std::int32_t l = 0; l < lobes_; ++l) std::fill_n(motion_[l], 3, 0.0);
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    const YieldingPatch& p = patches_[k];
+    double motion[3];
+    motion_by(p, p.local, motion);
+    for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
+      for (int i = 0; i < 3; ++i) motion_[l][i] += p.share * motion[i];
+  }
+}
+
+void PatchStep::aim(simd::MemoryPassTask& task, const Group& group) const {
+  task.strips = group.end - group.first;
+  task.from = strips_.strips + group.first;
+  task.px = strips_.written[group.first].px;
+  task.force = strips_.written[group.first].force;
+  std::copy_n(motion_[group.lobe], 3, task.local);
+  if (group.share == 1.0) return;
+  const double* const next = motion_[group.lobe + 1];
+  for (int i = 0; i < 3; ++i) task.local[i] += (1.0 - group.share) * (next[i] - task.local[i]);
+}
+
+void PatchStep::sum_lobes(simd::MemoryPassTask& task, LobeSums& sums) const {
+  for (std::int32_t l = 0; l < lobes_; ++l) {
+    std::fill_n(sums.force[l], 3, 0.0);
+    for (std::int32_t k = 0; k < lobes_; ++k) std::fill_n(sums.slope[l][k][0], 9, 0.0);
+  }
+  // a strip across a border has its shares in both lobes
+  for (std::int32_t g = 0; g < group_count_; ++g) {
+    const Group& group = groups_[g];
+    aim(task, group);
+    simd::MemoryPassSums of;
+    contact_.grid->kernels->tangential.memory_pass_sums(task, of);
+    const double share[2] = {group.share, 1.0 - group.share};
+    const int lobes = group.share < 1.0 ? 2 : 1;
+    for (int a = 0; a < lobes; ++a) {
+      for (int i = 0; i < 3; ++i) sums.force[group.lobe + a][i] += share[a] * of.force[i];
+      for (int b = 0; b < lobes; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k)
+            sums.slope[group.lobe + a][group.lobe + b][i][k] += share[a] * share[b] * of.slope[i][k];
+    }
+  }
+}
+
+template <std::int32_t known>
+void PatchStep::take_newton_step(double yields, LobeSums& sums) {
+  // Motions m of the lobes, their forces f - K dm: dm is the sum of T (shift + S (F - F') - local) over the
+  // patches, by shares, less the yield by K dm.
+  constexpr std::int32_t most = 3 * most_lobes;
+  const std::int32_t lobes = known > 0 ? known : lobes_, n = 3 * lobes;
+  double m[most][most + 1];
+  // 1 + S K
+  for (std::int32_t l = 0; l < lobes; ++l)
+    for (int i = 0; i < 3; ++i) {
+      double* const row = m[3 * l + i];
+      std::fill_n(row, n + 1, 0.0);
+      for (std::int32_t q = 0; q < lobes; ++q)
+        for (int p = 0; p < 3; ++p) {
+          const double yield = yields * yield_[l][q][i][p];
+          for (std::int32_t k = 0; k < lobes; ++k)
+            for (int j = 0; j < 3; ++j) row[3 * k + j] += yield * sums.slope[q][k][p][j];
+        }
+      row[3 * l + i] += 1.0;
+    }
+  for (std::int32_t at = 0; at < patch_count_; ++at) {
+    const YieldingPatch& p = patches_[at];
+    double force[3], rest[3], motion[3];
+    force_of_patch(p, sums.force, force);
+    // by how much the displacement is too small
+    for (int i = 0; i < 3; ++i) rest[i] = p.shift[i] + p.yield[i] * (force[i] - p.before[i]) - p.local[i];
+    motion_by(p, rest, motion);
+    for (std::int32_t l = p.first_lobe; l < p.end_lobe; ++l)
+      for (int i = 0; i < 3; ++i) m[3 * l + i][n] += p.share * motion[i];
+  }
+  solve(n, m);
+  // the displacements of the patches by those forces
+  for (std::int32_t l = 0; l < lobes; ++l)
+    for (std::int32_t k = 0; k < lobes; ++k)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) sums.force[l][i] -= sums.slope[l][k][i][j] * m[3 * k + j][n];
+  for (std::int32_t at = 0; at < patch_count_; ++at) {
+    YieldingPatch& p = patches_[at];
+    double force[3];
+    force_of_patch(p, sums.force, force);
+    for (int i = 0; i < 3; ++i) p.local[i] = p.shift[i] + p.yield[i] * (force[i] - p.before[i]);
+  }
+  find_motions();
+}
+
+void PatchStep::solve_part(const double of_part[3], double h, double travel, const Part& part) {
   // local = shift + S (F - F'), by Newton's method, from no yield; F' of strips that leave in proportion
   bring(h, part.first);
-  const std::int32_t count = contact_.region.count;
-  simd::MemoryPassTask task{count,
-                            strips_.scratch,
-                            places.at,
-                            {shift[0], shift[1], shift[2]},
-                            h,
-                            0.5 * numbers_.arm * h,
-                            part.to_come,
-                            strips_.written->px,
-                            strips_.written->force,
-                            sizeof(PastStrip) / sizeof(double)};
-  const simd::TangentialKernels& kernels = contact_.grid->kernels->tangential;
+  simd::MemoryPassTask task{0,      nullptr,      places.at, {},      h,
+                            travel, part.to_come, nullptr,   nullptr, sizeof(PastStrip) / sizeof(double)};
   // cells at the end of a long part have seen less of the yield than those that have left
-  const double yields =
-      1.0 - smooth_step((h / std::max(length(), least) - yields_whole) / (yields_none - yields_whole));
-  double yield[3];
-  for (int i = 0; i < 3; ++i) {
-    yield[i] = yields * numbers_.yield[i];
-    before_[i] += part.share * left_[i];
+  const double yields = 1.0 - smooth_step((h / std::max(length(), least_divisor) - yields_whole) /
+                                          (yields_none - yields_whole));
+  // each part begins from no yield, with the rest of the equation that the part before has left
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    YieldingPatch& p = patches_[k];
+    for (int i = 0; i < 3; ++i) {
+      p.yield[i] = yields * p.numbers.yield[i];
+      p.before[i] += part.share * p.left[i];
+      p.local[i] = p.shift[i] = of_part[i] + carried * p.rest[i];
+    }
   }
-  const auto left_over = [&](const double force[3]) {
-    for (int i = 0; i < 3; ++i) rest[i] = shift[i] + yield[i] * (force[i] - before_[i]) - task.local[i];
-  };
+  find_motions();
   for (int solution = part.to_come > 0.0 ? 1 : 0; solution < solutions; ++solution) {
-    simd::MemoryPassSums sums;
-    kernels.memory_pass_sums(task, sums);
-    left_over(sums.force);
-    double change[3];
-    solve(yield, sums.slope, rest, change);
-    for (int i = 0; i < 3; ++i) task.local[i] += change[i];
+    LobeSums sums;
+    sum_lobes(task, sums);
+    if (lobes_ == 1)
+      take_newton_step<1>(yields, sums);
+    else if (lobes_ == 2)
+      take_newton_step<2>(yields, sums);
+    else
+      take_newton_step<0>(yields, sums);
   }
   // tractions, and the forces of the strips
-  kernels.memory_pass(task);
-  for (std::int32_t j = 0; j < count; ++j) {
-    const RememberingStrip& at = strips_.scratch[j];
-    PastStrip& strip = strips_.written[j];
-    strip.centre = at.centre;
-    strip.half_length = at.half_length;
+  for (std::int32_t g = 0; g < group_count_; ++g) {
+    aim(task, groups_[g]);
+    contact_.grid->kernels->tangential.memory_pass(task);
   }
-  double force[3];
-  forces(force);
-  left_over(force);
-  std::copy_n(force, 3, before_);
-  std::copy_n(task.local, 3, local);
+  for (std::int32_t j = 0; j < contact_.region.count; ++j) {
+    strips_.written[j].centre = strips_.strips[j].centre;
+    strips_.written[j].half_length = strips_.strips[j].half_length;
+  }
+  // forces before the next part, and the rest of the equation
+  double force[most_lobes][3];
+  written_forces(force);
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    YieldingPatch& p = patches_[k];
+    double of[3];
+    force_of_patch(p, force, of);
+    for (int i = 0; i < 3; ++i) {
+      p.rest[i] = p.shift[i] + p.yield[i] * (of[i] - p.before[i]) - p.local[i];
+      p.before[i] = of[i];
+    }
+  }
 }
 
 void march_steadily(const RollingContact& contact, const RememberingStrip* strips, std::int32_t count,
@@ -463,43 +455,62 @@ void march_steadily(const RollingContact& contact, const RememberingStrip* strip
 }
 
 void PatchStep::steady(const double per[3], double h, PastStrip* into, double of[3]) {
-  set_own(0.0);
-  march_steadily(contact_, strips_.scratch, contact_.region.count, per, h, into);
-  for (int i = 0; i < 3; ++i) of[i] = 0.0;
+  double motion[3], force[3] = {};
+  motion_by(*patches_, per, motion);
+  march_steadily(contact_, strips_.strips, contact_.region.count, motion, h, into);
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
     into[j].y = key(j);
     into[j].centre = contact_.region.centre[j];
     into[j].half_length = contact_.region.half_length[j];
-    for (int i = 0; i < 3; ++i) of[i] += into[j].force[i];
+    for (int i = 0; i < 3; ++i) force[i] += into[j].force[i];
+  }
+  force_of_patch(*patches_, &force, of);
+}
+
+void PatchStep::written_forces(double (*of_lobes)[3]) const {
+  for (std::int32_t l = 0; l < lobes_; ++l) std::fill_n(of_lobes[l], 3, 0.0);
+  for (std::int32_t g = 0; g < group_count_; ++g) {
+    const Group& group = groups_[g];
+    double sum[3] = {};
+    for (std::int32_t j = group.first; j < group.end; ++j)
+      for (int i = 0; i < 3; ++i) sum[i] += strips_.written[j].force[i];
+    for (int i = 0; i < 3; ++i) of_lobes[group.lobe][i] += group.share * sum[i];
+    if (group.share < 1.0)
+      for (int i = 0; i < 3; ++i) of_lobes[group.lobe + 1][i] += (1.0 - group.share) * sum[i];
   }
 }
 
 void PatchStep::forces(double of[3]) const {
-  for (int i = 0; i < 3; ++i) of[i] = 0.0;
-  for (std::int32_t j = 0; j < contact_.region.count; ++j)
-    for (int i = 0; i < 3; ++i) of[i] += strips_.written[j].force[i];
+  double force[most_lobes][3];
+  written_forces(force);
+  force_of_patch(*patches_, force, of);
 }
 
-void PatchStep::about_centre(const Creepage& c, double length, double shift[3]) const {
-  shift[0] = length * (c.longitudinal - c.spin * numbers_.centre_y);
-  shift[1] = length * (c.lateral + c.spin * numbers_.centre_x);
+void about_centre(const PatchNumbers& numbers, const Creepage& c, double length, double shift[3]) {
+  shift[0] = length * (c.longitudinal - c.spin * numbers.centre_y);
+  shift[1] = length * (c.lateral + c.spin * numbers.centre_x);
   shift[2] = length * c.spin;
 }
 
-Creepage PatchStep::about_origin(const double shift[3], double length) const {
+Creepage about_origin(const PatchNumbers& numbers, const double shift[3], double length) {
   const double per =
-      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * numbers_.a}), length);
-  return {per * (shift[0] + shift[2] * numbers_.centre_y), per * (shift[1] - shift[2] * numbers_.centre_x),
+      per_length(std::max({std::abs(shift[0]), std::abs(shift[1]), std::abs(shift[2]) * numbers.a}), length);
+  return {per * (shift[0] + shift[2] * numbers.centre_y), per * (shift[1] - shift[2] * numbers.centre_x),
           per * shift[2]};
 }
 
 double PatchStep::stored() const {
-  double force[3];
-  forces(force);
-  double sum = stored_by(numbers_.yield, force);
+  double force[most_lobes][3], sum = 0.0;
+  written_forces(force);
+  for (std::int32_t k = 0; k < patch_count_; ++k) {
+    double of[3];
+    force_of_patch(patches_[k], force, of);
+    sum += patches_[k].share * stored_by(patches_[k].numbers.yield, of);
+  }
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    const RememberingStrip& at = strips_.scratch[j];
-    sum += stored_in(strips_.written[j], at.area, at.growth_x, at.growth_y);
+    const RememberingStrip& at = strips_.strips[j];
+    sum +=
+        stored_in(contact_.grid->kernels->tangential, strips_.written[j], at.area, at.growth_x, at.growth_y);
   }
   return sum;
 }
@@ -511,7 +522,7 @@ void PatchStep::lower(double scale) {
 double PatchStep::adhesion_fraction() const {
   double sticks = 0.0, whole = 0.0;
   for (std::int32_t j = 0; j < contact_.region.count; ++j) {
-    const RememberingStrip& at = strips_.scratch[j];
+    const RememberingStrip& at = strips_.strips[j];
     std::int32_t stuck = 0;
     for (std::int32_t i = 0; i < cells; ++i) {
       const double px = strips_.written[j].px[i], py = strips_.written[j].py[i];
@@ -524,105 +535,42 @@ double PatchStep::adhesion_fraction() const {
   return whole > 0.0 ? sticks / whole : 0.0;
 }
 
-void PatchStep::go(const double per[3], double travel, double rolled, double local[3], double of_part[3],
-                   double& last) {
+void PatchStep::go(const double per[3], double travel, double rolled, double of_part[3], double& last) {
   // Parts from the end of the step on; those before the last are seen less.
-  double left = rolled / std::max(length(), least), share[most_parts];
+  double left = rolled / std::max(length(), least_divisor), share[most_parts];
   std::int32_t parts = 0;
   for (const double usual : usual_parts) {
     if (parts > 0 && !(left > 0.0)) break;
     share[parts++] = std::min(left, usual);
     left -= usual;
   }
-  const double whole = std::max(rolled / std::max(length(), least), least);
-  double rest[3] = {};
+  const double whole = std::max(rolled / std::max(length(), least_divisor), least_divisor);
   for (std::int32_t k = parts - 1; k >= 0; --k) {
     const double part_of_step = parts == 1 ? 1.0 : share[k] / whole;
     last = part_of_step * rolled;
     const double to_come = left_of_step(share, k) / whole;
     if (parts > 1) place_strips(1.0 - to_come);
-    set_own(part_of_step * travel);
-    double shift[3];
-    for (int i = 0; i < 3; ++i) {
-      of_part[i] = part_of_step * travel * per[i];
-      shift[i] = of_part[i] + carried * rest[i];
-    }
-    solve_part(shift, last, {k == parts - 1, part_of_step, to_come}, local, rest);
+    for (int i = 0; i < 3; ++i) of_part[i] = part_of_step * travel * per[i];
+    solve_part(of_part, last, part_of_step * travel, {k == parts - 1, part_of_step, to_come});
   }
   for (std::int32_t j = 0; j < contact_.region.count; ++j) strips_.written[j].y = key(j);
 }
 
-double last_part(double length) { return usual_parts[0] * std::max(length, least); }
+double last_part(double length) { return usual_parts[0] * std::max(length, least_divisor); }
 
-double PatchStep::follows(double rolled) const {
-  const double length = std::max(numbers_.length, least);
-  return 1.0 - (1.0 - forgotten(rolled, length)) * natural_exp(-rolled / (factors_.follows * 0.5 * length));
+double follows(const PatchNumbers& numbers, double rolled, const MemoryFactors& factors) {
+  const double length = std::max(numbers.length, least_divisor);
+  return 1.0 - (1.0 - forgotten(rolled / length)) * natural_exp(-rolled / (factors.follows * 0.5 * length));
 }
 
-double PatchStep::per_length(double size, double length) {
+double per_length(double size, double length) {
   // no more than slides everywhere: creepages of 10
   constexpr double most = 10.0;
-  return std::min(1.0 / std::max(length, least), most / std::max(size, least));
+  return std::min(1.0 / std::max(length, least_divisor), most / std::max(size, least_divisor));
 }
 
-bool hardly_rolls(double rolled, double length) { return rolled <= least_step * std::max(length, least); }
-double forgotten(double rolled, double length) {
-  return smooth_step((rolled / std::max(length, least) - forgets_from) / (all_forgotten - forgets_from));
+bool hardly_rolls(double rolled, double length) {
+  return rolled <= least_step * std::max(length, least_divisor);
 }
-void tend_to(const PastStrip& __restrict steady, double share, PastStrip& __restrict strip) {
-  const double own = 1.0 - share;
-  for (std::int32_t i = 0; i < cells; ++i) strip.px[i] = own * strip.px[i] + share * steady.px[i];
-  for (std::int32_t i = 0; i < cells; ++i) strip.py[i] = own * strip.py[i] + share * steady.py[i];
-  for (int i = 0; i < 3; ++i) strip.force[i] = own * strip.force[i] + share * steady.force[i];
-}
-
-double stored_in(const PastStrip& strip, double area, double growth_x, double growth_y) {
-  // 1/2 L p^2; the sums of both halves do not wait for one another
-  double x2[2] = {}, y2[2] = {};
-  for (std::int32_t i = 0; i < half; ++i) {
-    x2[0] += strip.px[i] * strip.px[i];
-    y2[0] += strip.py[i] * strip.py[i];
-    x2[1] += strip.px[half + i] * strip.px[half + i];
-    y2[1] += strip.py[half + i] * strip.py[half + i];
-  }
-  return 0.5 * area * ((x2[0] + x2[1]) / growth_x + (y2[0] + y2[1]) / growth_y);
-}
-
-double stored_by(const double yield[3], const double force[3]) {
-  // 1/2 S F^2
-  double sum = 0.0;
-  for (int i = 0; i < 3; ++i) sum += 0.5 * yield[i] * force[i] * force[i];
-  return sum;
-}
-
-void add_cells(double weight, const double* __restrict from, double* __restrict to) {
-  for (std::int32_t i = 0; i < cells; ++i) to[i] += weight * from[i];
-}
-
-void lower(double scale, PastStrip& strip) {
-  for (std::int32_t i = 0; i < cells; ++i) {
-    strip.px[i] *= scale;
-    strip.py[i] *= scale;
-  }
-  for (double& part : strip.force) part *= scale;
-}
-
-EnergyLeft count_energy(double before, double work, double stored) {
-  // before + scale work >= kept_back scale^2 stored
-  EnergyLeft e;
-  const double least_kept = kept_back * stored;
-  if (before + work < least_kept) {
-    e.scale = least_kept > 0.0
-                  ? (work + std::sqrt(work * work + 4.0 * least_kept * before)) / (2.0 * least_kept)
-                  : (work < 0.0 ? before / -work : 1.0);
-    e.scale = std::clamp(e.scale, 0.0, 1.0);
-  }
-  const double there = std::max(0.0, before + e.scale * work);
-  e.left = std::min(e.scale * e.scale * stored, there);
-  e.dissipated = there - e.left;
-  return e;
-}
-
-const double* memory_places() { return places.at; }
 
 }  // namespace wrc::tangential

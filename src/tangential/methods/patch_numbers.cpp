@@ -9,8 +9,6 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr double least = 1e-290;  // keeps divisions finite
-
 /// Yield at rest of an ellipse whose surfaces stick, Cattaneo's and Mindlin's: displacement over force along
 /// x and y [m/N]. Int R dt and Int R cos^2 t dt, R the radius, are complete elliptic integrals, by the
 /// arithmetic-geometric mean.
@@ -23,7 +21,7 @@ Yield yield_at_rest(double a, double b, double shear_modulus, double poisson) {
   // K and (K - E) / e^2 of the eccentricity e
   double mean = 1.0, root = shorter / longer, square = std::max(0.0, 1.0 - root * root);
   double weight = 0.5, sum = 0.5;
-  const double e2 = std::max(square, least);
+  const double e2 = std::max(square, least_divisor);
   for (int k = 0; k < 6; ++k) {
     const double next = 0.5 * (mean + root);
     root = std::sqrt(mean * root);
@@ -57,7 +55,7 @@ double yield_of_outline(const patch::Strips& region) {
   // area 2 Int l dy over that of the ellipse whose second moments are Int 2/3 l^3 dy and Int 2 l y^2 dy
   const double middle = first / length;
   const double moments = (4.0 / 3.0) * along * (4.0 * (across - length * middle * middle));
-  return std::sqrt(std::sqrt((2.0 / pi) * length * length / std::sqrt(std::max(moments, least))));
+  return std::sqrt(std::sqrt((2.0 / pi) * length * length / std::sqrt(std::max(moments, least_divisor))));
 }
 
 /// The same of a rotation, times G sqrt(ab)^3: 3/8 on a circle (Mindlin), others by the exact solver within
@@ -81,8 +79,8 @@ PatchNumbers patch_numbers(const RollingContact& contact, Fault& fault, const Me
     n.centre_y += own * region.y[j];
     square += own * region.y[j] * region.y[j];
   }
-  n.centre_x /= std::max(load, least);
-  n.centre_y /= std::max(load, least);
+  n.centre_x /= std::max(load, least_divisor);
+  n.centre_y /= std::max(load, least_divisor);
 
   // Local flexibilities, of linear rolling; the yield of the patch as a whole, of linear theory at rest less
   // theirs.
@@ -105,7 +103,7 @@ PatchNumbers patch_numbers(const RollingContact& contact, Fault& fault, const Me
   n.yield[2] = std::max(0.0, (1.0 + factors.torsion) * turned - cells_turned);
   // Humps whose load spreads wider than an ellipse's displace one another in proportion to their forces. That
   // part of the yield forms no bounds. Of two circles that touch, of spread 1.5, it is 0.24.
-  const double spread = 5.0 * (square / std::max(load, least) - n.centre_y * n.centre_y) / (b * b);
+  const double spread = 5.0 * (square / std::max(load, least_divisor) - n.centre_y * n.centre_y) / (b * b);
   const double wider = std::clamp(spread - 1.0, 0.0, 0.5), mutual = wider * wider;
   const double whole = 0.5 * (n.yield[0] / rest.x + n.yield[1] / rest.y) + factors.share;
   n.share = std::clamp((whole - mutual) / (1.0 - mutual), 0.0, 0.9);

@@ -6,6 +6,8 @@
 
 namespace wrc::tangential {
 
+inline constexpr double least_divisor = 1e-290;  ///< keeps divisions finite
+
 /// Factors of the law, fitted by tools/calibration.
 struct MemoryFactors {
   double flexibility_x, flexibility_y;  ///< L over that of linear rolling, less 1

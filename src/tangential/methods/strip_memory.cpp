@@ -9,8 +9,6 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr double least = 1e-290;  // keeps divisions finite
-
 Memory& memory_at(void* memory) { return *static_cast<Memory*>(memory); }
 
 /// Lists of the patch: its strips are written behind those of the patches before.
@@ -18,7 +16,7 @@ PatchStrips strips_of(Memory& memory) {
   return {.past = memory.remembered(),
           .past_count = memory.count,
           .written = memory.other() + memory.written,
-          .scratch = memory.scratch()};
+          .strips = memory.scratch()};
 }
 
 /// Keeps the patch's strips, as of bodies rolling forwards, with their parts of the energy and of the
@@ -34,10 +32,15 @@ void keep_strips(const RollingContact& contact, double energy, const double adde
     const RememberingStrip& at = memory.scratch()[j];
     std::copy_n(at.bound, std::size(written[j].bound), written[j].bound);
     double* const force = written[j].force;
-    force[2] = (force[2] - at.x * force[1] + at.y * force[0]) / at.arm;
+    force[2] += at.y * force[0] - at.x * force[1];
     written[j] = turned(written[j], contact.memory.direction);
   }
   memory.written += contact.region.count;
+}
+
+/// Brings forces from the centre, with its longer arms, to the origin.
+void refer_to_origin(const PatchNumbers& numbers, double of[3]) {
+  of[2] += numbers.centre_x * of[1] - numbers.centre_y * of[0];
 }
 
 }  // namespace
@@ -59,24 +62,27 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
                                   const MemoryFactors& factors) {
   Memory& memory = memory_at(contact.memory.at);
   const PatchNumbers numbers = patch_numbers(contact, fault, factors);
-  PatchStep patch(contact, strips_of(memory), numbers, factors);
-  patch.set_bounds();
+  YieldingPatch whole{.numbers = numbers, .end = contact.region.count};
+  const PastOfPlane before = take_past_of_plane(contact, strips_of(memory), whole);
+  std::for_each_n(memory.scratch(), contact.region.count, clear_strip);
+  add_to_strips(contact, whole, factors, memory.scratch());
+  PatchStep patch(contact, strips_of(memory), &whole, 1);
   const double rolled = contact.memory.at_rest ? 0.0 : contact.memory.rolled;
-  const double takes_over = forgotten(rolled, patch.length());
-  const bool rests = hardly_rolls(rolled, patch.length()), from_now = takes_over == 1.0;
+  const double takes_over = forgotten(rolled / std::max(numbers.length, least_divisor));
+  const bool rests = hardly_rolls(rolled, numbers.length), from_now = takes_over == 1.0;
   // Cells at the end of the step, and the displacements per length at which strip FASTSIM is asked
-  double local[3] = {}, shift[3] = {}, last = 0.0, cells_force[3] = {};
+  double shift[3] = {}, last = 0.0, cells_force[3] = {};
   Creepage asked = contact.creepage;
   if (from_now) {
-    patch.about_centre(contact.creepage, 1.0, shift);
-    patch.steady(shift, last_part(patch.length()), memory.other() + memory.written, cells_force);
+    about_centre(numbers, contact.creepage, 1.0, shift);
+    patch.steady(shift, last_part(numbers.length), memory.other() + memory.written, cells_force);
   } else {
     double per[3];
-    patch.about_centre(contact.creepage, 1.0, per);
-    patch.go(per, rests ? contact.memory.rolled : rolled, rests ? 0.0 : rolled, local, shift, last);
+    about_centre(numbers, contact.creepage, 1.0, per);
+    patch.go(per, rests ? contact.memory.rolled : rolled, rests ? 0.0 : rolled, shift, last);
     const double ahead = factors.ahead * (1.0 - takes_over);
-    for (int i = 0; i < 3; ++i) shift[i] += ahead * (local[i] - shift[i]);
-    if (!rests) asked = patch.about_origin(shift, last);
+    for (int i = 0; i < 3; ++i) shift[i] += ahead * (whole.local[i] - shift[i]);
+    if (!rests) asked = about_origin(numbers, shift, last);
   }
   // The difference to strip FASTSIM follows over the length that is rolled.
   TangentialForces forces;
@@ -85,27 +91,28 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   if (!rests || fields.any()) forces = strip_fastsim(steady, fields, fault);
   const double steady_power = forces.power_per_speed;
   double added[3];
-  std::copy_n(patch.added(), 3, added);
+  std::copy_n(before.added, 3, added);
   if (!rests) {
     double per[3], of_cells[3];
-    patch.about_centre(asked, 1.0, per);
+    about_centre(numbers, asked, 1.0, per);
     patch.steady(per, last, memory.list(2), of_cells);
     if (from_now)
       std::copy_n(cells_force, 3, of_cells);
     else if (takes_over > 0.0)
       for (std::int32_t j = 0; j < contact.region.count; ++j)
-        tend_to(memory.list(2)[j], takes_over, memory.other()[memory.written + j]);
-    patch.refer_to_origin(of_cells);
-    const double share = patch.follows(rolled);
+        tend_to(contact.grid->kernels->tangential, memory.list(2)[j], takes_over,
+                memory.other()[memory.written + j]);
+    refer_to_origin(numbers, of_cells);
+    const double share = follows(numbers, rolled, factors);
     const double of_strips[3] = {forces.fx, forces.fy, forces.mz};
     for (int i = 0; i < 3; ++i) added[i] += share * (of_strips[i] - of_cells[i] - added[i]);
   }
   // Forces, within friction
   double force[3];
   patch.forces(force);
-  patch.refer_to_origin(force);
+  refer_to_origin(numbers, force);
   const double fx = force[0] + added[0], fy = force[1] + added[1];
-  const double within = std::min(1.0, numbers.limit / std::max(std::sqrt(fx * fx + fy * fy), least));
+  const double within = std::min(1.0, numbers.limit / std::max(std::sqrt(fx * fx + fy * fy), least_divisor));
   added[0] = within * fx - force[0];
   added[1] = within * fy - force[1];
   for (int i = 0; i < 3; ++i) force[i] += added[i];
@@ -113,7 +120,7 @@ TangentialForces roll_with_memory(const RollingContact& contact, const Tangentia
   const Creepage& c = contact.creepage;
   const double work =
       -contact.memory.rolled * (force[0] * c.longitudinal + force[1] * c.lateral + force[2] * c.spin);
-  const EnergyLeft energy = count_energy(patch.energy(), work, patch.stored());
+  const EnergyLeft energy = count_energy(before.energy, work, patch.stored());
   patch.lower(energy.scale);
   for (double& part : added) part *= energy.scale;
   forces.adhesion_fraction = from_now ? forces.adhesion_fraction : patch.adhesion_fraction();

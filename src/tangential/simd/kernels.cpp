@@ -27,6 +27,8 @@ constexpr TangentialKernels tangential_kernels = {
     .memory_pass = memory_pass_kernel,
     .memory_pass_sums = memory_pass_sums_kernel,
     .memory_march = memory_march_kernel,
+    .memory_tend = memory_tend_kernel,
+    .memory_squares = memory_squares_kernel,
     .layered_march = layered_march_kernel<Output::forces>,
     .layered_march_fields = layered_march_kernel<Output::fields>,
 };

@@ -11,10 +11,10 @@ namespace {
 constexpr std::int32_t memory_cells = tangential::memory_cells;
 static_assert(memory_cells % lanes == 0, "packs are whole");
 
-/// TangentialKernels::memory_bounds: bounds of a strip's cells up to its middle, and twice their sum. `load`:
-/// square of the pressure in its middle, as the table counts it.
-inline void memory_bounds_kernel(const MemoryBoundsTask& t, double load, double friction,
-                                 RememberingStrip& to) {
+/// TangentialKernels::memory_bounds: bounds of a strip's cells up to its middle, in `had`, with twice their
+/// sum behind, which it returns. `load`: square of the pressure in its middle, as the table counts it.
+inline double memory_bounds_kernel(const MemoryBoundsTask& t, double load, double friction,
+                                   RememberingStrip& to) {
   constexpr std::int32_t half = memory_cells / 2;
   const Native square_of_middle = broadcast(load), one = broadcast(1.0), share = broadcast(t.share),
                rest = broadcast(1.0 - t.share), middle = broadcast(t.middle), by_x = broadcast(t.by_x),
@@ -24,12 +24,12 @@ inline void memory_bounds_kernel(const MemoryBoundsTask& t, double load, double 
     Native at, behind;
     pick_lanes(t.larger, indices(bin).at, at, behind);
     const Native rank = at + (square - bin) * (behind - at), x = rank / (rest + share * rank);
-    store_lanes(to.bound + i, mu * ((one - x) * (middle + x * (by_x + x * by_x2))));
+    store_lanes(to.had + i, mu * ((one - x) * (middle + x * (by_x + x * by_x2))));
   }
   static_assert(half == 8, "the sum below has four numbers");
   double sum[half / 2];
-  for (std::int32_t i = 0; i < half / 2; ++i) sum[i] = to.bound[i] + to.bound[i + half / 2];
-  to.bounds = 2.0 * ((sum[0] + sum[2]) + (sum[1] + sum[3]));
+  for (std::int32_t i = 0; i < half / 2; ++i) sum[i] = to.had[i] + to.had[i + half / 2];
+  return to.had[half] = 2.0 * ((sum[0] + sum[2]) + (sum[1] + sum[3]));
 }
 
 /// The first of two cells, and the weights of both in the traction at a place: straight lines from cell to
@@ -136,22 +136,23 @@ inline double sum_of_cells(StripCells& cells) {
   return of[0];
 }
 
-/// Numbers that cells of a strip share: displacements over the flexibility [Pa], their change along x over
-/// arms, and the square of the length rolled in half lengths, times `turned_by_rolling`.
+/// Numbers that cells of a strip share: displacements over the flexibility [Pa], their change along x, and
+/// the square of the length rolled in half lengths, times `turned_by_rolling`.
 struct PassedStrip {
   Native vx, vy, turn, rolled2, x, reach, turns, half_way, to_come;
 };
 inline PassedStrip pass_strip(const MemoryPassTask& t, const RememberingStrip& s) {
   PassedStrip p;
   const double rolled = turned_by_rolling * (t.h / s.half_length);
-  p.vx = broadcast(s.growth_x * ((t.local[0] - t.local[2] * s.y) + s.own_x));
-  p.vy = broadcast(s.growth_y * ((t.local[1] + s.own_y) - s.own_turn * s.x));
-  p.turn = broadcast(s.growth_y * (t.local[2] + s.own_turn));
+  const double own_turn = t.travel * s.own_turn;
+  p.vx = broadcast(s.growth_x * ((t.local[0] - t.local[2] * s.y) + t.travel * s.own_x));
+  p.vy = broadcast(s.growth_y * ((t.local[1] + t.travel * s.own_y) - own_turn * s.x));
+  p.turn = broadcast(s.growth_y * (t.local[2] + own_turn));
   p.rolled2 = broadcast(rolled * rolled);
   p.x = broadcast(s.x);
-  p.reach = broadcast(s.reach);
+  p.reach = broadcast(s.half_length);
   p.turns = broadcast(s.turns);
-  p.half_way = broadcast(t.half_way);
+  p.half_way = broadcast(0.5 * t.h);
   p.to_come = broadcast(t.to_come);
   return p;
 }
@@ -303,6 +304,27 @@ inline void memory_pass_sums_kernel(const MemoryPassTask& t, MemoryPassSums& sum
     sum_passed_strips<false>(t, sums);
 }
 
+/// TangentialKernels::memory_tend: gives the tractions of a strip's cells, along x and then y, a share of
+/// others.
+inline void memory_tend_kernel(const double* others, double share, double* to) {
+  const Native of_others = broadcast(share), own = broadcast(1.0 - share);
+  for (std::int32_t i = 0; i < 2 * memory_cells; i += native_lanes)
+    store_lanes(to + i, own * load_lanes(to + i) + of_others * load_lanes(others + i));
+}
+
+/// TangentialKernels::memory_squares: sum of the squares of these tractions.
+inline void memory_squares_kernel(const double* tractions, double& along_x, double& along_y) {
+  StripCells x, y;
+  for (std::int32_t k = 0; k < vectors; ++k) {
+    const Native px = load_lanes(tractions + k * native_lanes),
+                 py = load_lanes(tractions + memory_cells + k * native_lanes);
+    x.of[k] = px * px;
+    y.of[k] = py * py;
+  }
+  along_x = sum_of_cells(x);
+  along_y = sum_of_cells(y);
+}
+
 /// Strips of the lanes of a vector; lanes without a strip have the first.
 struct StripsOfLanes {
   const RememberingStrip* at[native_lanes];
@@ -344,8 +366,6 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
     const Native rolled = broadcast(turned_by_rolling) * (path / half), rolled2 = rolled * rolled,
                  per_cell = broadcast(1.0) / cell;
     const Native y = of_strips(strips, &RememberingStrip::y), x = of_strips(strips, &RememberingStrip::x);
-    const Native reach = of_strips(strips, &RememberingStrip::reach);
-    const Native half_arm = broadcast(0.5) * of_strips(strips, &RememberingStrip::arm);
     const Native turns = of_strips(strips, &RememberingStrip::turns);
     const Native own_turn = of_strips(strips, &RememberingStrip::own_turn);
     // displacements over the flexibility, per length
@@ -368,8 +388,8 @@ inline void memory_march_kernel(const MemoryMarchTask& t) {
       const BetweenCells b = between_cells((from_lead - path) * per_cell - broadcast(0.5));
       Native now_x, now_y;
       take_between(b, indices(row + b.first), px, py, now_x, now_y);
-      const Native at = x + reach * broadcast(t.place[i]);
-      const Native on_way = at + half_arm * smaller_of(h, way);
+      const Native at = x + half * broadcast(t.place[i]);
+      const Native on_way = at + broadcast(0.5) * smaller_of(h, way);
       const Native vx = growth_x * way * by_x, vy = growth_y * way * (by_y + turn * on_way);
       now_x = now_x - vx;
       now_y = now_y - vy;

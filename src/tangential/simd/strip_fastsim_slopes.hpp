@@ -174,8 +174,9 @@ WRC_IN_LOOP CellMeans cell_means(const Group& g, const Cell& cell, Mask moving, 
   return m;
 }
 
-/// Derivatives by an input: those of the state are taken over, those of the cell's tractions added.
-template <bool entering, class Changes>
+/// Derivatives by an input: those of the state are taken over, those of the cell's tractions added. `onset`:
+/// does the input move the end of the stick zone, or the tractions in it?
+template <bool entering, bool onset, class Changes>
 WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before, const State& after,
                                 const MarchStep& step, const CellMeans& m, Pack ratio, Pack angle, Pack ahead,
                                 Changes& d) {
@@ -189,9 +190,11 @@ WRC_IN_LOOP void end_derivative(const Group& g, Mask moving, const State& before
     y += m.mean * ratio * after.ey;
   }
   if constexpr (entering) {
-    const Pack ds = step.shape.by_end * d.slip_end + step.shape.by_form * d.form;
-    x += m.x_by_s * ds;
-    y += m.y_by_s * ds + m.y_by_psi * d.psi;
+    if constexpr (onset) {
+      const Pack ds = step.shape.by_end * d.slip_end + step.shape.by_form * d.form;
+      x += m.x_by_s * ds;
+      y += m.y_by_s * ds + m.y_by_psi * d.psi;
+    }
     if (g.any_strong) cut_derivative(g, step.share, step.x, step.y, x, y);
   }
   add_cell(x, y, d.force);
@@ -212,7 +215,7 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       stick_derivative<entering>(g, s, cell, before, after, step,
                                  Growth{d.over_cell.gx, d.over_cell.gy, d.over_cell.curvature}, d, ratio,
                                  angle);
-    end_derivative<entering>(g, moving, before, after, step, means, ratio, angle, ahead, d);
+    end_derivative<entering, entering>(g, moving, before, after, step, means, ratio, angle, ahead, d);
   }
 }
 

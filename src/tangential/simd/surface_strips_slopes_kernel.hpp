@@ -112,7 +112,8 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
       ahead += s.ahead_by_t22;
     }
     // only growths move the onset; the traction before counts where it was below the bound
-    if constexpr (entering && k <= strip_curvature) {
+    constexpr bool onset = entering && k <= strip_curvature;
+    if constexpr (onset) {
       angle += s.by_onset * d.slip_end;
       ahead += s.ahead_by_onset * d.slip_end;
     }
@@ -125,9 +126,9 @@ WRC_IN_LOOP void differentiate(const Group& g, const Cell& cell, Mask moving, co
     if (step.any_sticks) {
       const Growth over_cell{k == strip_growth_x ? h : 0.0, k == strip_growth_y ? h : 0.0,
                              k == strip_curvature ? h : 0.0};
-      stick_derivative<entering>(g, s, cell, before, after, step, over_cell, d, ratio, angle);
+      stick_derivative<onset>(g, s, cell, before, after, step, over_cell, d, ratio, angle);
     }
-    end_derivative<entering>(g, moving, before, after, step, means, ratio, angle, ahead, d);
+    end_derivative<entering, onset>(g, moving, before, after, step, means, ratio, angle, ahead, d);
   });
 }
 

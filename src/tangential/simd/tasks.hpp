@@ -144,22 +144,21 @@ struct SurfaceStripsSlopesTask : SurfaceStripsTask {
   double* slopes;
 };
 
-/// A strip of a patch that remembers, in a part of a step (methods/patch_memory.hpp). Arms are distances from
-/// the patch's centre times the factor on them.
+/// A strip that remembers, in a part of a step (methods/patch_memory.hpp).
 struct RememberingStrip {
   /// Tractions as the bodies bring them [Pa], and the share of the part for which a cell was in contact.
   double px[tangential::memory_cells], py[tangential::memory_cells], share[tangential::memory_cells];
   double bound[tangential::memory_cells];  ///< bounds of the tractions at the end of the step [Pa]
-  double had[tangential::memory_cells];    ///< those before it [Pa]
+  double had[tangential::memory_cells];    ///< those before it; until then of one patch, with their sum [Pa]
   double bounds;                           ///< sum of the former [Pa]
   double centre, half_length;              ///< [m]
   double area;                             ///< area of a cell [m^2]
-  double arm;                              ///< the factor on arms [-]
+  double arm;                              ///< the factor on arms of its moments [-]
   double kept;                             ///< share of its tractions of before [-]
-  double y, x, reach;                      ///< arms: of its middle, and of its half length along x [m]
+  double y, x;                             ///< its middle, from where motions are counted about [m]
   double growth_x, growth_y;               ///< 1 / L [Pa/m]
   double turns;                            ///< by which tractions turn faster as cells slide
-  double own_x, own_y, own_turn;           ///< displacements beyond the patch's [m], [rad], or per length
+  double own_x, own_y, own_turn;           ///< displacements beyond the yield per length [-], [1/m]
 };
 
 /// Bounds of cells from the share r of the area where pressure is larger: x = r / (1 - q + q r), the bound is
@@ -180,16 +179,16 @@ struct MemoryBringTask {
   bool adds;  ///< true: adds to the cells' tractions; false: replaces them
 };
 
-/// Cells displaced by `local` [m], [m], [rad]. Tractions go to px and 16 behind it, forces of each strip to
-/// force[0..2], `stride` from strip to strip.
+/// Cells displaced by `local` [m], [m], [rad] and by `travel` times their own [m]. Tractions go to px and 16
+/// behind it, forces of each strip to force[0..2], `stride` from strip to strip.
 struct MemoryPassTask {
   std::int32_t strips;
   const RememberingStrip* from;
   const double* place;  ///< middles of the cells over the half length
   double local[3];
-  double h;         ///< rolled [m]
-  double half_way;  ///< arm of half of it [m]
-  double to_come;   ///< share of the step that comes after [-]
+  double h;        ///< rolled [m]
+  double travel;   ///< [m]
+  double to_come;  ///< share of the step that comes after [-]
   double *px, *force;
   std::int64_t stride;
 };
