@@ -133,6 +133,7 @@ const Iterate& best_of(const StripSet& s, std::int32_t iterations, const Iterati
   const auto allowed = [&](const Iterate& each) {
     return w.work <= work_in_contact(strips_of(each, s), limits.in_contact);
   };
+  // Few strips may have taken the work of many: then an iterate on many is returned.
   if (allowed(*best)) return *best;
   const Iterate* other = nullptr;
   for (std::int32_t ago = 1; ago <= kept; ++ago) {
@@ -197,7 +198,7 @@ void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, 
 }
 
 /// Does the accelerated step lead farther than the preconditioned one should? Few strips may leave the least
-/// squares nothing to choose from, where earlier steps are nearly parallel. No step puts right the last one.
+/// squares nothing to choose from, where earlier steps are nearly parallel.
 bool leads_astray(std::int32_t iteration, const PressureScratch& w) {
   const Iterate& now = w.iterate[slot_of(iteration, 0)];
   double accelerated = 0.0, alone = 0.0;
@@ -348,6 +349,7 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     if (k == 0) return true;
     const double next = w.work + 2.0 * work_of_pass(w.active.count);
     w.max_work = limits.max_work;
+    // Work that any number of strips may take needs no count of them.
     if (next > work_in_contact(1, limits.in_contact)) {
       const std::int32_t strips = std::min(w.active.count, strips_of(best_of(s, k, limits, w), s));
       w.max_work = smaller(limits.max_work, work_in_contact(strips, limits.in_contact));
@@ -382,6 +384,7 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     std::int32_t used = limits.accelerated ? std::min(remembered++, history) : 0;
     accelerate(s, shift_weight, k, used, w);
     if (result.converged) {
+      // Behind the last step no other one puts it right.
       if (leads_astray(k, w)) accelerate(s, shift_weight, k, used = 0, w);
       extrapolate_loads(s, k, used, w);
     }

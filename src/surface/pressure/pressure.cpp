@@ -119,6 +119,7 @@ bool is_used_up(const PressureOptions& options, const PressureResult& best, cons
 void keep_best(const StripSet& s, const PressureOptions& options, const PressureResult& result,
                PressureScratch& w) {
   const auto allowed = [&](std::int32_t strips) { return w.work <= allowed_work(options, strips); };
+  // Attempts on as many strips as the work allows come before all others.
   const bool enough = allowed(result.strips);
   const bool better = w.best.moved == any_change || enough == allowed(strips_of(w.best, s))
                           ? result.residual < w.best.moved
@@ -149,6 +150,7 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
       }
     }
     IterationLimits limits{options.tolerance, any_change, options.max_work, most_in_contact(options)};
+    // Without acceleration steps are small, and many of them lead out of a minimum.
     limits.accelerated = accelerated;
     if (!accelerated) limits.most = plain_iterations;
     result = iterate(problem, s, limits, w);
@@ -156,6 +158,7 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
     if (result.converged) return result;
     keep_best(s, options, result, w);
     if (is_used_up(options, result, w)) break;
+    // Newton's method from the iterate that the map moves least.
     limits.max_work = allowed_work(options, result.strips);
     result = solve_by_newton(problem, s, limits, w);
     result.iterations = spent += result.iterations;

@@ -237,7 +237,8 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
   }
   const StripSet& s = w.fine;
   const bool few = s.count < 2 * fewest_pairs;
-  double* const top = w.next;  // D, the overlap on top of a strip's hill; no iteration has begun
+  // D, the overlap on top of the hill that a strip lies on: on the way up to the left, then to the right.
+  double* const top = w.next;  // no iteration has begun
   for (std::int32_t i = 0; i < s.count; ++i)
     top[i] = i > 0 && s.depth[i - 1] > s.depth[i] ? top[i - 1] : s.depth[i];
   double to_right = 0.0;
