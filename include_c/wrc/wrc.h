@@ -976,7 +976,8 @@ WRC_API int32_t wrc_contact_last_error(const wrc_contact* contact, char* buffer,
  *  - _ITERATION_CAP; _CLIMBING; _BEYOND_SECTIONS; _TABLE_RANGE; _ROTATION_TRANSPOSED.
  *  - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies more than 160 mm ahead
  *    or behind, where it is not looked for. _MORE_PATCHES: more regions or strips than there is room for. Or a
- *    round wheel touches a rail at three places along the track, of which two carry the load.
+ *    round wheel touches a rail at three places along the track, of which two carry the load. Or at two
+ *    nearer to each other than a contact is long, as on a ramp of 1:20. The force is about 5 % off or more.
  *  - _CREEPAGES_LIMITED: slower than 0.1 m/s, as wrc_planar_creepages(). Or the wheel turns against its travel and slides at more
  *    than 10 times its speed of rolling. The sentence then asks for the sign of pitch_rate. Neither with config.surface.memory.
  *  - _MEMORY_DROPPED: with config.surface.memory the wheel moved, since the committed step, 1 mm further than its velocities take it.

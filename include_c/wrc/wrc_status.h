@@ -16,7 +16,7 @@
   X(WRC_FLAG_NO_CONTACT, 1, "the bodies do not touch: all forces are zero")                             \
   X(WRC_FLAG_ITERATION_CAP, 2, "an iteration reached its cap: the last iterate is returned")            \
   X(WRC_FLAG_PATCH_AT_EDGE, 3, "the patch reaches the edge of the given gap, profile or surface")                \
-  X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches exist than the configuration has room for")         \
+  X(WRC_FLAG_MORE_PATCHES, 4, "more contact patches than there is room for, or two along the track that are not resolved") \
   X(WRC_FLAG_TABLE_RANGE, 5, "the patch is more slender than the coefficient tables: their end is used") \
   X(WRC_FLAG_CREEPAGES_LIMITED, 6, "nearly at rest, or sliding far faster than rolling: creepages are limited") \
   X(WRC_FLAG_LOAD_JUMPS, 7, "no approach of this normal method carries the load: its force jumps past it there") \

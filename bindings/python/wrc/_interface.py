@@ -35,7 +35,7 @@ class Status(s.Choice):
     FLAG_NO_CONTACT = 1, 'the bodies do not touch: all forces are zero'
     FLAG_ITERATION_CAP = 2, 'an iteration reached its cap: the last iterate is returned'
     FLAG_PATCH_AT_EDGE = 3, 'the patch reaches the edge of the given gap, profile or surface'
-    FLAG_MORE_PATCHES = 4, 'more contact patches exist than the configuration has room for'
+    FLAG_MORE_PATCHES = 4, 'more contact patches than there is room for, or two along the track that are not resolved'
     FLAG_TABLE_RANGE = 5, 'the patch is more slender than the coefficient tables: their end is used'
     FLAG_CREEPAGES_LIMITED = 6, 'nearly at rest, or sliding far faster than rolling: creepages are limited'
     FLAG_LOAD_JUMPS = 7, 'no approach of this normal method carries the load: its force jumps past it there'
@@ -74,7 +74,7 @@ class Flags(enum.IntFlag):
     NO_CONTACT: the bodies do not touch: all forces are zero
     ITERATION_CAP: an iteration reached its cap: the last iterate is returned
     PATCH_AT_EDGE: the patch reaches the edge of the given gap, profile or surface
-    MORE_PATCHES: more contact patches exist than the configuration has room for
+    MORE_PATCHES: more contact patches than there is room for, or two along the track that are not resolved
     TABLE_RANGE: the patch is more slender than the coefficient tables: their end is used
     CREEPAGES_LIMITED: nearly at rest, or sliding far faster than rolling: creepages are limited
     LOAD_JUMPS: no approach of this normal method carries the load: its force jumps past it there
@@ -3946,7 +3946,8 @@ class ContactCalls(_l.Handle):
           - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
               more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
               strips than there is room for. Or a round wheel touches a rail at three places along the track,
-              of which two carry the load.
+              of which two carry the load. Or at two nearer to each other than a contact is long, as on a ramp
+              of 1:20. The force is about 5 % off or more.
           - _CREEPAGES_LIMITED: slower than 0.1 m/s, as Contact.planar_creepages(). Or the wheel turns against
               its travel and slides at more than 10 times its speed of rolling. The sentence then asks for the
               sign of pitch_rate. Neither with config.surface.memory.

@@ -40,7 +40,7 @@ class Status(s.Choice):
     FLAG_PATCH_AT_EDGE = 3
     """the patch reaches the edge of the given gap, profile or surface"""
     FLAG_MORE_PATCHES = 4
-    """more contact patches exist than the configuration has room for"""
+    """more contact patches than there is room for, or two along the track that are not resolved"""
     FLAG_TABLE_RANGE = 5
     """the patch is more slender than the coefficient tables: their end is used"""
     FLAG_CREEPAGES_LIMITED = 6
@@ -102,7 +102,7 @@ class Flags(enum.IntFlag):
     PATCH_AT_EDGE = 8
     """the patch reaches the edge of the given gap, profile or surface"""
     MORE_PATCHES = 16
-    """more contact patches exist than the configuration has room for"""
+    """more contact patches than there is room for, or two along the track that are not resolved"""
     TABLE_RANGE = 32
     """the patch is more slender than the coefficient tables: their end is used"""
     CREEPAGES_LIMITED = 64
@@ -3945,7 +3945,8 @@ class ContactCalls(_l.Handle):
           - _PATCH_AT_EDGE: contact reaches the end of a profile, or of a surface along the track. Or it lies
               more than 160 mm ahead or behind, where it is not looked for. _MORE_PATCHES: more regions or
               strips than there is room for. Or a round wheel touches a rail at three places along the track,
-              of which two carry the load.
+              of which two carry the load. Or at two nearer to each other than a contact is long, as on a ramp
+              of 1:20. The force is about 5 % off or more.
           - _CREEPAGES_LIMITED: slower than 0.1 m/s, as Contact.planar_creepages(). Or the wheel turns against
               its travel and slides at more than 10 times its speed of rolling. The sentence then asks for the
               sign of pitch_rate. Neither with config.surface.memory.
