@@ -87,7 +87,7 @@ void clear_strip(RememberingStrip& strip) {
 }
 
 void complete_bounds(RememberingStrip& strip) {
-  for (std::int32_t i = 0; i < half; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
+  for (std::int32_t i = 0; i < half_cells; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
 }
 
 void add_to_strips(const RollingContact& contact, const YieldingPatch& patch, const MemoryFactors& factors,
