@@ -98,16 +98,18 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Y
 }
 
 void PatchStep::find_groups() {
-  // the strips within each lobe, and the one across its border to the next
+  // The strips within each lobe, and the one across its border to the next. Lobes begin where the one before
+  // ends: of a border between two strips, rounding may leave a hair of one on either side.
+  std::int32_t within = 0;
   for (std::int32_t k = 0; k < patch_count_; ++k) {
     const YieldingPatch& p = patches_[k];
     lobes_ = std::max(lobes_, p.end_lobe);
     if (p.end_lobe - p.first_lobe > 1) continue;
-    const std::int32_t first = p.first - strips_.first, end = p.end - strips_.first;
-    const std::int32_t within = first + (p.inside_first < 1.0 ? 1 : 0),
-                       border = end - (p.inside_last < 1.0 ? 1 : 0);
+    const std::int32_t end = p.end - strips_.first, border = end - (p.inside_last < 1.0 ? 1 : 0);
     if (within < border) groups_[group_count_++] = {within, border, p.first_lobe, 1.0};
-    if (border < end) groups_[group_count_++] = {border, end, p.first_lobe, p.inside_last};
+    within = std::max(within, border);
+    if (within < end) groups_[group_count_++] = {within, end, p.first_lobe, p.inside_last};
+    within = std::max(within, end);
   }
 }
 
@@ -150,7 +152,7 @@ void PatchStep::set_strips() {
     strip.kept = 1.0;
     strip.y = r.y[j] - y_;
     strip.x = r.centre[j] - x_;
-    for (std::int32_t i = 0; i < half_cells; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
+    complete_bounds(strip);
   }
 }
 

@@ -86,6 +86,10 @@ void clear_strip(RememberingStrip& strip) {
   strip.own_x = strip.own_y = strip.own_turn = 0.0;
 }
 
+void complete_bounds(RememberingStrip& strip) {
+  for (std::int32_t i = 0; i < half_cells; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
+}
+
 void add_to_strips(const RollingContact& contact, const YieldingPatch& patch, const MemoryFactors& factors,
                    RememberingStrip* strips) {
   // Bounds over that of the middle: 1 - x^2 - (2/3) q (1 - x^3) of an ellipse, 1 - x - (1/2) q (1 - x^2) of a
