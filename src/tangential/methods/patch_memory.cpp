@@ -11,7 +11,8 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells, half = cells / 2;
+constexpr std::int32_t cells = memory_cells;
+constexpr std::int32_t half = cells / 2;
 
 // Lengths of the longest strip: a step that is none; parts of a step, from its end on.
 constexpr double least_step = 1e-9;

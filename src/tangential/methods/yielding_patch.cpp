@@ -7,7 +7,8 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells, half = cells / 2;
+constexpr std::int32_t cells = memory_cells;
+constexpr std::int32_t half = cells / 2;
 
 /// 1 - the square of the cells' places over the half length, up to the middle.
 struct Parabola {
