@@ -435,7 +435,7 @@ typedef struct wrc_config_surface {
                             WRC_NORMAL_STRIP_HALFSPACE. Forces, and a prescribed load, are met to a tenth of it [1e-5] */
   double max_work;     /**< work that a call may take, all heights of a prescribed load included, 1e3..1e9; of
                             WRC_NORMAL_STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
-                            takes 2 n^2. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
+                            takes 2 n^2, n at least 4. One that would exceed it is not begun: WRC_FLAG_ITERATION_CAP [2e7] */
   double max_iterations; /**< cap of the normal problem at one height, in iterations over all strips that overlap there; over
                             those in contact about twice as many, 2..1e6; of WRC_NORMAL_STRIP_HALFSPACE. The call then ends as
                             with max_work [1e6] */

@@ -193,6 +193,61 @@ TEST(SurfacePressure, AFlatStripIsSolved) {
   EXPECT_GT(late, 3);  // or they are no such cases
 }
 
+/// Some strips under a paraboloid whose top lies beside the middle of one.
+struct NarrowGap : TurnedGap {
+  NarrowGap(double B, double beside, double approach) : TurnedGap(1.07, B, 0.0, approach) {
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const double y = place[i] - beside * width;
+      depth[i] = approach - B * y * y;
+    }
+  }
+  double load_to(double compliance, double tolerance) {
+    from = StartFrom::overlaps;
+    EXPECT_TRUE(solve_from_start(compliance, {.tolerance = tolerance}).converged);
+    double load = 0.0;
+    for (const double q : line_load) load += q;
+    return load;
+  }
+};
+
+// Three strips have little to accelerate: differences of their iterates are nearly parallel. Nothing comes
+// behind the last step that would put a wild one right.
+TEST(SurfacePressure, TheLastStepOfNarrowContactsIsNoLeap) {
+  const double compliance = test::steel.normal_compliance();
+  double worst = 0.0;
+  for (const double B : {60.0, 90.0, 140.0})
+    for (const double beside : {0.1, 0.21, 0.35})
+      for (int step = 0; step < 600; ++step) {
+        NarrowGap gap(B, beside, 10e-6 + 0.05e-6 * step);
+        const double exact = gap.load_to(compliance, 1e-10);
+        worst = std::fmax(worst, std::fabs(gap.load_to(compliance, 1e-3) / exact - 1.0));
+      }
+  EXPECT_LT(worst, 3e-3);
+}
+
+// At most four times the usual work of as many strips as are in contact, however many there were before.
+TEST(SurfacePressure, WorkIsLimitedByTheStripsLeftInContact) {
+  const double compliance = test::steel.normal_compliance();
+  constexpr double iterations = 8.0;
+  int ended = 0;
+  for (const double flattest : {0.01, 0.05, 0.2})
+    for (const double jump : {4e-3, 7e-3, 12e-3})
+      for (const double approach : {50e-6, 100e-6, 200e-6, 300e-6, 400e-6}) {
+        SCOPED_TRACE(testing::Message()
+                     << "curvature " << flattest << " 1/m, " << jump << " m, " << approach << " m");
+        FlatStrip gap(flattest, jump, approach);
+        const PressureResult result =
+            gap.solve_from_start(compliance, {.tolerance = 1e-3, .max_iterations = iterations});
+        const auto strips = static_cast<double>(
+            std::count_if(gap.line_load.begin(), gap.line_load.end(), [](double q) { return q > 0.0; }));
+        // usual: four to five iterations
+        EXPECT_LE(result.work, 16.0 * 2.0 * (strips + 0.5) * (strips + 0.5));
+        EXPECT_EQ(result.converged, result.residual <= 1e-3);
+        ended += result.converged ? 0 : 1;
+      }
+  EXPECT_GT(ended, 3);  // or nothing is limited
+}
+
 /// Derivatives of a solution: of a contact askew to strips that lie on an arc, by numbers that every strip
 /// has its own of. Input k of the four changes one of them: depth, deepest point, curvature, direction.
 struct ArcedGap : TurnedGap {

@@ -1007,8 +1007,8 @@ class ConfigSurface(s.Struct):
           1e-2; default 1e-5)
       max_work: work that a call may take, all heights of a prescribed load included; of
           NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
-          takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
-          2e7)
+          takes 2 n^2, n at least 4. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 ..
+          1e9; default 2e7)
       max_iterations: cap of the normal problem at one height, in iterations over all strips that overlap
           there; over those in contact about twice as many; of NormalMethod.STRIP_HALFSPACE. The call then
           ends as with max_work (2 .. 1e6; default 1e6)

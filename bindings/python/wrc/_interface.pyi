@@ -920,8 +920,8 @@ class ConfigSurface(s.Struct):
     max_work: float
     """max_work: work that a call may take, all heights of a prescribed load included; of
         NormalMethod.STRIP_HALFSPACE. Its unit is one strip displacing another: an iteration over n strips
-        takes 2 n^2. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 .. 1e9; default
-        2e7)
+        takes 2 n^2, n at least 4. One that would exceed it is not begun: Status.FLAG_ITERATION_CAP (1e3 ..
+        1e9; default 2e7)
     """
     max_iterations: float
     """max_iterations: cap of the normal problem at one height, in iterations over all strips that overlap there;

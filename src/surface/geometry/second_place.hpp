@@ -200,7 +200,8 @@ struct TwoTops {
 /// of both tops, then of the valley [m].
 template <class Number>
 TwoTops<Number> share_tops(const Number (&x)[3], const Number (&depth)[3]) {
-  constexpr double whole = 5e-6;  // [m]: rise of a lower top that counts as a whole
+  // rise of a lower top that counts, and how much more as a whole
+  constexpr double counts_from = 1e-6, whole = 5e-6;  // [m]
   // valley's overlap over the higher top's [-]: up to left_free chords end before the valley
   constexpr double left_free = 1.0 - 0.5 * contact_share, filled = 0.8;
   constexpr double least = 1e-6;  // [-]: keeps divisions finite
@@ -208,7 +209,8 @@ TwoTops<Number> share_tops(const Number (&x)[3], const Number (&depth)[3]) {
   // how far both rise out of the valley, and how deep that is
   const Number rise[2] = {larger(depth[0] - depth[2], none), larger(depth[1] - depth[2], none)};
   const Number highest = larger(larger(depth[0], depth[1]), none);
-  const Number by_rise = smaller(smaller(rise[0], rise[1]) * (1.0 / whole), all);
+  const Number rises = larger(smaller(rise[0], rise[1]) - counts_from, none);
+  const Number by_rise = smaller(rises * (1.0 / whole), all);
   const Number free = larger(filled * highest - depth[2], none);
   const Number by_depth =
       smaller(free, (filled - left_free) * highest + 1e-12) / ((filled - left_free) * highest + 1e-12);

@@ -109,7 +109,7 @@ bool deactivate(PressureScratch& w) {
 void solve_loads(const PressureProblem& problem, const StripSet& s, PressureScratch& w) {
   const std::int32_t n = w.active.count;
   const ActiveStrips& active = w.active;
-  w.work += 1.0 * n * n;
+  w.work += work_of_pass(n);
   const std::int32_t size = (n + 3) / 4 * 4;
   const std::int64_t stride = simd::elimination_stride(size);
   // As many rows as have a place, then some at a time; usually all have one.
@@ -215,7 +215,7 @@ void solve_contact(const PressureProblem& problem, const StripSet& s, Asked aske
     bool changed = activate(problem, s, asked, w);
     changed = deactivate(w) || changed;
     // Another round takes the loads, and there must be work left for the edges.
-    if (!changed || w.work + 2.0 * w.active.count * w.active.count > w.max_work) return;
+    if (!changed || w.work + 2.0 * work_of_pass(w.active.count) > w.max_work) return;
   }
   // Rounds or work used up: strips may still pull. Their loads count as 0, and the next iteration goes on
   // from there.

@@ -18,7 +18,7 @@ void displace_edges(const PressureProblem& problem, const StripSet& s, PressureS
   for (std::int64_t a = 0; a < end; ++a) active.load_factor[a] = a < n ? active.factor[a] * active.q[a] : 0.0;
   simd::SurfaceSources sources = sources_of(active);
   sources.factor = active.load_factor;
-  w.work += 1.0 * n * n;
+  w.work += work_of_pass(n);
   // Without yaw both edges are alike, and half of them are looked at.
   problem.kernels.surface.edges(problem.tables, sources, faces_of(active),
                                 {active.half_length, w.u_leading, s.skewed ? w.u_trailing : nullptr});

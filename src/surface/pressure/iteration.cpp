@@ -24,9 +24,6 @@ constexpr double settled = 0.05, farthest_step = 4.0;
 constexpr std::int32_t early_iterations = 6;  ///< in which L changes at most by these factors
 constexpr double early_shrinking = 0.1, early_growth = 10.0;
 
-/// Iterations before the limit over the strips in contact holds. In them many strips may enter and leave.
-constexpr std::int32_t first_iterations = 4;
-
 /// Iterations that find no solution by then are late. A strip's move that changes its sign from one to the
 /// next is no longer enforced: the length asked for lies between.
 constexpr std::int32_t late_iterations = 20;
@@ -123,24 +120,43 @@ void remember(const StripSet& s, std::int32_t iteration, PressureScratch& w) {
   precondition(s, now.f, w);
 }
 
-/// Goes back to the iterate of the last ones that the map moves least: at a cap it is the best there is.
-double take_best(const StripSet& s, std::int32_t iterations, PressureScratch& w) {
+/// The iterate that a cap returns: of the last ones that the map moves least, or of those with as many strips
+/// in contact as the work was allowed for, if there are any.
+const Iterate& best_of(const StripSet& s, std::int32_t iterations, const IterationLimits& limits,
+                       const PressureScratch& w) {
+  const std::int32_t kept = std::min(iterations, history + 1);
   const Iterate* best = &w.iterate[slot_of(iterations, 1)];
-  for (std::int32_t ago = 2; ago <= std::min(iterations, history + 1); ++ago) {
+  for (std::int32_t ago = 2; ago <= kept; ++ago) {
     const Iterate& earlier = w.iterate[slot_of(iterations, ago)];
     if (earlier.moved < best->moved) best = &earlier;
   }
+  const auto allowed = [&](const Iterate& each) {
+    return w.work <= work_in_contact(strips_of(each, s), limits.in_contact);
+  };
+  // Few strips may have taken the work of many: then an iterate on many is returned.
+  if (allowed(*best)) return *best;
+  const Iterate* other = nullptr;
+  for (std::int32_t ago = 1; ago <= kept; ++ago) {
+    const Iterate& earlier = w.iterate[slot_of(iterations, ago)];
+    if (allowed(earlier) && (!other || earlier.moved < other->moved)) other = &earlier;
+  }
+  return other ? *other : *best;
+}
+
+/// Goes back to that iterate.
+void take_best(const StripSet& s, const Iterate& best, PressureResult& result, PressureScratch& w) {
   const std::int32_t n = s.count;
-  std::copy_n(best->x, n, s.L);
-  std::copy_n(best->x + n, n, s.shift);
-  std::copy_n(best->q, n, s.q);
+  std::copy_n(best.x, n, s.L);
+  std::copy_n(best.x + n, n, s.shift);
+  std::copy_n(best.q, n, s.q);
   for (std::int32_t i = 0; i < n; ++i) {
     // A strip that entered in that iteration has a load and no length yet: its least length.
     const double least = least_half_length * s.width[i];
     w.in_contact[i] = s.q[i] > 0.0;
     if (w.in_contact[i]) s.L[i] = larger(s.L[i], least * least);
   }
-  return best->moved;
+  result.residual = best.moved;
+  result.strips = strips_of(best, s);
 }
 
 /// Anderson's acceleration, into w.next: combines the last `used` iterates so that the step becomes smallest.
@@ -179,6 +195,19 @@ void accelerate(const StripSet& s, double shift_weight, std::int32_t iteration, 
     for (std::int32_t i = 0; i < unknowns; ++i)
       w.next[i] -= g[a] * ((x[i] - earlier.x[i]) + (f[i] - earlier.f[i]));
   }
+}
+
+/// Does the accelerated step lead farther than the preconditioned one should? Few strips may leave the least
+/// squares nothing to choose from, where earlier steps are nearly parallel.
+bool leads_astray(std::int32_t iteration, const PressureScratch& w) {
+  const Iterate& now = w.iterate[slot_of(iteration, 0)];
+  double accelerated = 0.0, alone = 0.0;
+  for (std::int32_t a = 0; a < w.active.count; ++a) {
+    const std::int32_t i = w.active.index[a];
+    accelerated += magnitude(w.next[i] - now.x[i]);
+    alone += magnitude(now.f[i]);
+  }
+  return accelerated > farthest_step * alone;
 }
 
 /// Extrapolates q over the last step, after which the contact condition is not solved again: q is mixed from
@@ -239,6 +268,11 @@ void finish(const StripSet& s, const PressureScratch& w) {
 }
 
 }  // namespace
+
+std::int32_t strips_of(const Iterate& iterate, const StripSet& s) {
+  return static_cast<std::int32_t>(
+      std::count_if(iterate.q, iterate.q + s.count, [](double q) { return q > 0.0; }));
+}
 
 double product(std::int32_t n, const double* a, const double* b) {
   constexpr std::int32_t parts = 8;
@@ -309,11 +343,18 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
   w.max_work = limits.max_work;
   std::int32_t remembered = 0, slow = 0;  // iterates to combine; iterations in a row that hardly gained
   double moved_before = any_change, shift_weight = 0.0;
-  // work after one more iteration, against the limits on all work and over the strips in contact
+  // Work after one more iteration, against the limits on all work and over the strips in contact: those of
+  // the present iterate, or of the one that a cap would return if it has fewer.
   const auto affordable = [&](std::int32_t k) {
-    const double n = w.active.count, most = budgeted_in_contact(n), took = w.work + 2.0 * n * n;
-    const double in_contact = k < first_iterations ? any_change : limits.in_contact * 2.0 * most * most;
-    return k == 0 || (k < limits.most && took <= smaller(limits.max_work, in_contact));
+    if (k == 0) return true;
+    const double next = w.work + 2.0 * work_of_pass(w.active.count);
+    w.max_work = limits.max_work;
+    // Work that any number of strips may take needs no count of them.
+    if (next > work_in_contact(1, limits.in_contact)) {
+      const std::int32_t strips = std::min(w.active.count, strips_of(best_of(s, k, limits, w), s));
+      w.max_work = smaller(limits.max_work, work_in_contact(strips, limits.in_contact));
+    }
+    return k < limits.most && next <= w.max_work;
   };
   std::int32_t k = 0;
   for (; affordable(k); ++k) {
@@ -327,7 +368,10 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     const auto [moved, area] = w.change;
     result.converged =
         moved <= limits.tolerance * area && (asked == Asked::all || !activate(problem, s, Asked::all, w));
-    if (k == 0 && moved > limits.farthest * area) return result;
+    if (k == 0 && moved > limits.farthest * area) {
+      result.strips = w.active.count;
+      return result;
+    }
 
     // Acceleration from scratch where it does not pay twice in a row, as while strips enter.
     slow = moved > hardly_less * moved_before ? slow + 1 : 0;
@@ -337,16 +381,22 @@ PressureResult iterate(const PressureProblem& problem, StripSet& s, const Iterat
     // Preconditioned and accelerated step. Beside lengths squared [m^4], shifts squared weigh by the mean L.
     remember(s, k, w);
     if (k == 0) shift_weight = area / (s.count * s.width[0]);
-    const std::int32_t used = std::min(remembered++, history);
+    std::int32_t used = limits.accelerated ? std::min(remembered++, history) : 0;
     accelerate(s, shift_weight, k, used, w);
-    if (result.converged) extrapolate_loads(s, k, used, w);
+    if (result.converged) {
+      // Behind the last step no other one puts it right.
+      if (leads_astray(k, w)) accelerate(s, shift_weight, k, used = 0, w);
+      extrapolate_loads(s, k, used, w);
+    }
     take_step(s, k, w);
     if (result.converged) break;
   }
   if (w.active.count == 0)
     result.converged = true;  // nothing overlaps
+  else if (result.converged)
+    result.residual = moved_part(w);
   else
-    result.residual = result.converged ? moved_part(w) : take_best(s, k, w);
+    take_best(s, best_of(s, k, limits, w), result, w);
   finish(s, w);
   return result;
 }

@@ -11,13 +11,13 @@ namespace wrc::surface {
 
 inline constexpr double any_change = 1e300;  ///< for `farthest` and `in_contact`
 
-/// Strips that the limit over strips in contact counts, for at most four times the usual work of so many
-/// strips. Five count as 1.25 times as many, so that they may take 1.5 times the iterations, ten as 1.15
-/// times. Many, whose start is better, count as 0.92 times, for 0.85 times the iterations.
-inline double budgeted_in_contact(double strips) {
-  constexpr double many = 18.0;
-  const double few = smaller(1.3 * strips - 0.27, 1.05 * strips + 1.0);
-  return smaller(few, larger(0.92 * strips, many));
+/// Work of so many iterations over strips in contact, times a factor by their number, for at most four times
+/// the usual work of so many strips. `iterations`: any_change for no limit.
+inline double work_in_contact(std::int32_t strips, double iterations) {
+  const double few = strips < 5 ? 0.3 * strips + 3.2 : strips + 0.5;
+  const double many = larger(0.91 * strips, 1.2 * strips - 12.0);
+  const double counted = smaller(few, larger(many, 17.0));
+  return iterations * 2.0 * counted * counted;
 }
 
 inline constexpr std::int32_t usual_iterations = 30;  ///< in which nearly every solve ends
@@ -29,6 +29,7 @@ struct IterationLimits {
   double max_work;   ///< that w.work may reach (PressureOptions)
   double in_contact = any_change;  ///< the same in iterations over the strips in contact
   std::int32_t most = usual_iterations;
+  bool accelerated = true;
 };
 
 /// Iterates from the lengths and shifts in `s`; the solution stands in `s`, or the iterate that the map moves
@@ -43,6 +44,9 @@ void evaluate(const PressureProblem& problem, const StripSet& s, Asked asked, Pr
 /// Preconditioner: turns the fixed-point residual in `step`, L and then shifts, into a step near that of
 /// Newton's method.
 void precondition(const StripSet& s, double* step, PressureScratch& w);
+
+/// Strips in contact at an iterate of `s`.
+std::int32_t strips_of(const Iterate& iterate, const StripSet& s);
 
 /// Sum of a_i b_i, in eight parts, which compilers turn into vectors of any width with the same bits.
 double product(std::int32_t n, const double* a, const double* b);

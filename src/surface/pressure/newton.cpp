@@ -29,11 +29,16 @@ constexpr std::int32_t vectors = 2 * (history + 1);
 /// A solve: unknowns L [m^2] and, on skewed contacts, shifts [m].
 class Newton {
  public:
-  Newton(const PressureProblem& problem, StripSet& s, double max_work, PressureScratch& w)
-      : problem_(problem), s_(s), w_(w), count_(s.count), start_(w.next), loads_(w.iterate[0].q) {
+  Newton(const PressureProblem& problem, StripSet& s, const IterationLimits& limits, PressureScratch& w)
+      : problem_(problem),
+        limits_(limits),
+        s_(s),
+        w_(w),
+        count_(s.count),
+        start_(w.next),
+        loads_(w.iterate[0].q) {
     begin_iterations(s, w);
     unknowns_ = s.skewed ? 2 * count_ : count_;
-    w.max_work = max_work;
     for (std::int32_t i = 0; i <= history; ++i) {
       v_[2 * i] = w.iterate[i].x;
       v_[2 * i + 1] = w.iterate[i].f;
@@ -42,7 +47,7 @@ class Newton {
 
   PressureResult solve(double tolerance) {
     PressureResult result;
-    if (!look(Asked::all)) return {0, 0.0, any_change, false};
+    if (!look(Asked::all)) return {.residual = any_change};
     // Shifts weigh by the mean L beside lengths squared, as in iterate().
     shift_weight_ = w_.change.area / (count_ * s_.width[0]);
     double moved = moved_part();
@@ -61,8 +66,10 @@ class Newton {
     result.iterations = looks_;
     // The last iterate kept, with its loads. Strips that are not in contact have none.
     go_back();
-    for (std::int32_t i = 0; i < count_; ++i)
+    for (std::int32_t i = 0; i < count_; ++i) {
+      result.strips += w_.in_contact[i];
       if (!w_.in_contact[i]) s_.L[i] = s_.q[i] = 0.0;
+    }
     return result;
   }
 
@@ -77,9 +84,10 @@ class Newton {
 
   /// Evaluates the map at the lengths and shifts in `s`. False, if that exceeds the work or nothing presses.
   bool look(Asked asked) {
-    double n = 0.0;
+    std::int32_t n = 0;
     for (std::int32_t i = 0; i < count_; ++i) n += w_.in_contact[i];
-    if (!(n > 0.0) || w_.work + 2.0 * n * n > w_.max_work) return false;
+    w_.max_work = smaller(limits_.max_work, work_in_contact(n, limits_.in_contact));
+    if (n == 0 || w_.work + 2.0 * work_of_pass(n) > w_.max_work) return false;
     ++looks_;
     evaluate(problem_, s_, asked, w_);
     return true;
@@ -194,6 +202,7 @@ class Newton {
   }
 
   const PressureProblem& problem_;
+  const IterationLimits& limits_;
   StripSet& s_;
   PressureScratch& w_;
   std::int32_t count_, unknowns_ = 0, looks_ = 0;
@@ -204,9 +213,9 @@ class Newton {
 
 }  // namespace
 
-PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, double tolerance, double max_work,
+PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, const IterationLimits& limits,
                                PressureScratch& w) {
-  return Newton(problem, s, max_work, w).solve(tolerance);
+  return Newton(problem, s, limits, w).solve(limits.tolerance);
 }
 
 }  // namespace wrc::surface

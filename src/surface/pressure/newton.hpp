@@ -6,9 +6,9 @@
 
 namespace wrc::surface {
 
-/// Goes on from the lengths and shifts in `s`, at most to this work. Without a solution `s` has the last
+/// Goes on from the lengths and shifts in `s`, within the limits of work. Without a solution `s` has the last
 /// iterate, with its loads: the best but for jumps.
-PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, double tolerance, double max_work,
+PressureResult solve_by_newton(const PressureProblem& problem, StripSet& s, const IterationLimits& limits,
                                PressureScratch& w);
 
 }  // namespace wrc::surface

@@ -21,12 +21,19 @@ constexpr double farthest_start = 0.3;
 /// on a rail that changes along the track, where contact moves over the strips from step to step.
 constexpr double farthest_followed = 0.5, farthest_along_track = 0.1;
 
-/// Ways to a solution that is not found from the overlaps: by that at overlaps so many times as deep, which
-/// is found roughly first. Beside a pose with two solutions, or where two have just vanished, most of these
-/// ways lead past the place that holds up the first.
-constexpr double detours[] = {1.0, 0.7, 1.4, 0.5,  2.0,  0.85, 1.15, 0.6,
-                              1.7, 0.4, 2.5, 0.92, 1.08, 0.77, 1.27};
-constexpr double found_roughly = 1e-3;  ///< tolerance at those overlaps
+/// A way to a solution: by that at overlaps so many times as deep, which is found roughly first.
+struct Way {
+  double by;
+  bool accelerated = true;
+};
+
+/// Ways that are taken until one finds the solution. Where two solutions have just vanished, acceleration and
+/// Newton's method end in the minimum that the residual has there; the preconditioned map leads past it.
+/// Beside a pose with two solutions most detours lead past the place that holds up the first.
+constexpr Way ways[] = {{1.0}, {0.7}, {1.0, false}, {1.4}, {0.5},  {2.0},  {0.85}, {1.15},
+                        {0.6}, {1.7}, {0.4},        {2.5}, {0.92}, {1.08}, {0.77}, {1.27}};
+constexpr std::int32_t plain_iterations = 100;  ///< steps of the way without acceleration
+constexpr double found_roughly = 1e-3;          ///< tolerance at those overlaps
 
 /// Strips of the candidates, with the lengths and shifts of the start. Returns whether any has a length.
 bool load_strips(const RailStrips& rail, const Overlaps& o, const PressureStart& start, StartFrom from,
@@ -74,15 +81,6 @@ void store(const Overlaps& o, const PressureScratch& w, PressureStart& start, co
   }
 }
 
-/// Keeps the outcome of an attempt that failed, if it is better than those before.
-void keep_best(const StripSet& s, double moved, PressureScratch& w) {
-  if (!(moved < w.best.moved)) return;
-  w.best.moved = moved;
-  std::copy_n(s.L, s.count, w.best.x);
-  std::copy_n(s.shift, s.count, w.best.x + s.count);
-  std::copy_n(s.q, s.count, w.best.q);
-}
-
 /// Takes the best of the attempts that failed.
 void return_to_best(const StripSet& s, const PressureScratch& w) {
   std::copy_n(w.best.x, s.count, s.L);
@@ -91,30 +89,46 @@ void return_to_best(const StripSet& s, const PressureScratch& w) {
 }
 
 /// Strips that a limit counts at least: small contacts may take more iterations than others.
-constexpr double fewest_budgeted = 9.3;
+constexpr std::int32_t fewest_budgeted = 10;
 
 /// The options with the work that a solve of these overlaps may take.
 PressureOptions limited_by_overlaps(const Overlaps& o, PressureOptions options) {
-  double overlapping = 0.0;
-  for (std::int32_t i = 0; i < o.count; ++i) overlapping += o.depth[i] > 0.0 ? 1.0 : 0.0;
-  overlapping = larger(overlapping, fewest_budgeted);
-  options.max_work = smaller(options.max_work, options.max_iterations * 2.0 * overlapping * overlapping);
+  std::int32_t overlapping = 0;
+  for (std::int32_t i = 0; i < o.count; ++i) overlapping += o.depth[i] > 0.0;
+  overlapping = std::max(overlapping, fewest_budgeted);
+  options.max_work = smaller(options.max_work, options.max_iterations * 2.0 * work_of_pass(overlapping));
   return options;
 }
 
 /// Iterations over the strips in contact that a solve may take: many may overlap where few are in contact.
 double most_in_contact(const PressureOptions& options) { return 1.9 * options.max_iterations; }
 
-/// Work that a solve with the present strips in contact may take.
-double allowed_work(const PressureOptions& options, const PressureScratch& w) {
-  const double most = budgeted_in_contact(w.active.count);
-  return smaller(options.max_work, most_in_contact(options) * 2.0 * most * most);
+/// Work that a solve may take whose best iterate has so many strips in contact.
+double allowed_work(const PressureOptions& options, std::int32_t strips) {
+  return smaller(options.max_work, work_in_contact(strips, most_in_contact(options)));
 }
 
 /// Is too little work left for another attempt, which takes several iterations?
-bool is_used_up(const PressureOptions& options, const PressureScratch& w) {
-  const double several = 8.0 * w.active.count * w.active.count;
-  return w.work + several > allowed_work(options, w);
+bool is_used_up(const PressureOptions& options, const PressureResult& best, const PressureScratch& w) {
+  const double several = 8.0 * work_of_pass(w.active.count);
+  return w.work + several > allowed_work(options, best.strips);
+}
+
+/// Keeps the outcome of an attempt that failed, if it is better than those before: if its strips, and not
+/// those of the best, are as many as the work was allowed for, or else if the map moves it less.
+void keep_best(const StripSet& s, const PressureOptions& options, const PressureResult& result,
+               PressureScratch& w) {
+  const auto allowed = [&](std::int32_t strips) { return w.work <= allowed_work(options, strips); };
+  // Attempts on as many strips as the work allows come before all others.
+  const bool enough = allowed(result.strips);
+  const bool better = w.best.moved == any_change || enough == allowed(strips_of(w.best, s))
+                          ? result.residual < w.best.moved
+                          : enough;
+  if (!better) return;
+  w.best.moved = result.residual;
+  std::copy_n(s.L, s.count, w.best.x);
+  std::copy_n(s.shift, s.count, w.best.x + s.count);
+  std::copy_n(s.q, s.count, w.best.q);
 }
 
 /// Solves from the overlaps, in one way after the other until one finds the solution.
@@ -123,7 +137,7 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
   StripSet& s = w.fine;
   PressureResult result;
   std::int32_t spent = 0;
-  for (const double by : detours) {
+  for (const auto& [by, accelerated] : ways) {
     for (std::int32_t i = 0; i < s.count; ++i) s.depth[i] *= by;
     spent += start_from_overlaps(problem, o, options.max_work, w);
     if (by != 1.0) {
@@ -135,18 +149,22 @@ PressureResult solve_from_overlaps(const PressureProblem& problem, const Overlap
         s.L[i] /= by;
       }
     }
-    result =
-        iterate(problem, s, {options.tolerance, any_change, options.max_work, most_in_contact(options)}, w);
+    IterationLimits limits{options.tolerance, any_change, options.max_work, most_in_contact(options)};
+    // Without acceleration steps are small, and many of them lead out of a minimum.
+    limits.accelerated = accelerated;
+    if (!accelerated) limits.most = plain_iterations;
+    result = iterate(problem, s, limits, w);
     result.iterations = spent += result.iterations;
     if (result.converged) return result;
-    keep_best(s, result.residual, w);
-    if (is_used_up(options, w)) break;
+    keep_best(s, options, result, w);
+    if (is_used_up(options, result, w)) break;
     // Newton's method from the iterate that the map moves least.
-    result = solve_by_newton(problem, s, options.tolerance, allowed_work(options, w), w);
+    limits.max_work = allowed_work(options, result.strips);
+    result = solve_by_newton(problem, s, limits, w);
     result.iterations = spent += result.iterations;
     if (result.converged) return result;
-    keep_best(s, result.residual, w);
-    if (is_used_up(options, w)) break;
+    keep_best(s, options, result, w);
+    if (is_used_up(options, result, w)) break;
   }
   return_to_best(s, w);
   result.residual = w.best.moved;
@@ -189,8 +207,8 @@ PressureResult solve_pressure(const PressureModel& model, const RailStrips& rail
   if (started) {
     result = iterate(problem, s,
                      {options.tolerance, farthest_start, options.max_work, most_in_contact(options)}, w);
-    started = result.converged || is_used_up(options, w);
-    if (!result.converged && result.residual > 0.0) keep_best(s, result.residual, w);
+    started = result.converged || is_used_up(options, result, w);
+    if (!result.converged && result.residual > 0.0) keep_best(s, options, result, w);
   }
   // Else from the overlaps, which is the only way of a call without a past.
   if (!started) {

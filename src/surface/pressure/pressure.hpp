@@ -114,6 +114,7 @@ struct PressureResult {
   std::int32_t iterations = 0;  ///< in all, those at half resolution included
   double work = 0.0;            ///< in all (PressureOptions::max_work)
   double residual = 0.0;        ///< part of the area that the last iteration moved; of the best one at a cap
+  std::int32_t strips = 0;      ///< in contact, of the best one at a cap
   bool converged = false;
 };
 

@@ -30,6 +30,15 @@ inline constexpr std::int32_t rows_at_a_time = 8;  ///< rows of the elimination 
 
 inline constexpr std::int32_t history = 5;  ///< earlier iterates the acceleration combines
 
+/// Fewer strips count as so many: kernels and the elimination take as many at once.
+inline constexpr std::int32_t fewest_counted = 4;
+
+/// Work in which each of so many strips displaces each: twice that in an iteration.
+inline double work_of_pass(std::int32_t strips) {
+  const double n = strips < fewest_counted ? fewest_counted : strips;
+  return n * n;
+}
+
 /// Constants of a solve.
 struct PressureProblem {
   const Kernels& kernels;

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double coarse_tolerance = 0.3;  ///< for the solution on pairs, part of the area
 constexpr std::int32_t fewest_pairs = 12;
+/// Part of a hill's overlap from which on few strips press at first. Others enter as soon as they are asked:
+/// where all press at first, most leave again, and small contacts take half of their work in doing so.
+constexpr double upper_part = 2.0 / 3.0;
 constexpr std::int32_t most_by_hills = 64;  ///< strips of contacts that are like Hertz's
 /// Parts of the growth of an overlap, in the mean and beside that, that L follows: fewest iterations on poses
 /// a millisecond apart.
@@ -232,28 +235,27 @@ std::int32_t start_from_overlaps(const PressureProblem& problem, const Overlaps&
     touch_hills(w.fine);
     return 0;
   }
-  // Few strips: half of the overlap's own squared half length, 2 d / kappa. Hertz's a^2 = R d between
-  // spheres.
   const StripSet& s = w.fine;
-  for (std::int32_t i = 0; i < s.count; ++i) {
-    s.L[i] = larger(s.depth[i], 0.0) / s.curvature[i];
-    s.shift[i] = 0.0;
-  }
-  if (s.count < 2 * fewest_pairs) return 0;
-  // Many: (2 d - D) / kappa, D the overlap on top of the hill that the strip lies on. Contact of spheres ends
-  // where d = D / 2.
-  double* const top = w.next;  // on the way up to the left; no iteration has begun
+  const bool few = s.count < 2 * fewest_pairs;
+  // D, the overlap on top of the hill that a strip lies on: on the way up to the left, then to the right.
+  double* const top = w.next;  // no iteration has begun
   for (std::int32_t i = 0; i < s.count; ++i)
     top[i] = i > 0 && s.depth[i - 1] > s.depth[i] ? top[i - 1] : s.depth[i];
   double to_right = 0.0;
   for (std::int32_t i = s.count - 1; i >= 0; --i) {
-    if (!(i + 1 < s.count && s.depth[i + 1] > s.depth[i])) to_right = s.depth[i];
-    s.L[i] = larger(2.0 * s.depth[i] - larger(top[i], to_right), 0.0) / s.curvature[i];
+    const double d = s.depth[i];
+    if (!(i + 1 < s.count && s.depth[i + 1] > d)) to_right = d;
+    const double D = larger(top[i], to_right);
+    // Few strips: half of the overlap's own squared half length, 2 d / kappa, on the upper part of a hill.
+    // Hertz's a^2 = R d between spheres. Many: (2 d - D) / kappa, as contact of spheres ends where d = D / 2.
+    s.L[i] = larger(few ? (d < upper_part * D ? 0.0 : d) : 2.0 * d - D, 0.0) / s.curvature[i];
+    s.shift[i] = 0.0;
   }
+  if (few) return 0;
   pair_up(o, w);
   // An iteration over all strips must be left.
-  const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * s.count * s.count, any_change,
-                                 most};
+  const IterationLimits on_pairs{coarse_tolerance, any_change, max_work - 2.0 * work_of_pass(s.count),
+                                 any_change, most};
   const std::int32_t spent = iterate(problem, w.coarse, on_pairs, w).iterations;
   interpolate_pairs(w);
   return spent;

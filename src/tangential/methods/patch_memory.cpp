@@ -12,7 +12,6 @@ namespace wrc::tangential {
 namespace {
 
 constexpr std::int32_t cells = memory_cells;
-constexpr std::int32_t half = cells / 2;
 
 // Lengths of the longest strip: a step that is none; parts of a step, from its end on.
 constexpr double least_step = 1e-9;
@@ -211,10 +210,10 @@ void PatchStep::bring(double h, bool first) {
       for (std::int32_t i = 0; i < cells; ++i)
         to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
-    std::fill_n(to.had, half, 0.0);
+    std::fill_n(to.had, half_cells, 0.0);
     const auto add = [&](const PastStrip* one, double share) {
       if (one == nullptr) return;
-      for (std::int32_t i = 0; i < half; ++i) to.had[i] += share * one->bound[i];
+      for (std::int32_t i = 0; i < half_cells; ++i) to.had[i] += share * one->bound[i];
       task.weight = share;
       if (contact_.memory.direction > 0.0)
         brought(*one, to);
@@ -224,7 +223,7 @@ void PatchStep::bring(double h, bool first) {
     };
     add(from.first, from.of_first);
     add(from.second, from.of_second);
-    for (std::int32_t i = 0; i < half; ++i) to.had[cells - 1 - i] = to.had[i];
+    for (std::int32_t i = 0; i < half_cells; ++i) to.had[cells - 1 - i] = to.had[i];
     // tractions that leave with their strip; the cells are displaced all the same
     if (to.kept == 1.0) continue;
     for (double* const numbers : {to.px, to.py, to.had})
