@@ -329,7 +329,7 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   o.wy = from.y + ends.depth * strips.ny;
   o.wz = from.z + ends.depth * strips.nz;
   o.grade = 0.0;
-  // a strip's overlap does not depend on what strips it is followed with
+  // a strip's overlap depends on no other strip of its vector
   const Mask deep = ends.depth > task.deep_enough;
   if (any(deep)) take_contact(strips, s.bounds, first, {x, ends, beside}, deep, o);
   store_pack(s.overlap.depth + first, o.depth);
