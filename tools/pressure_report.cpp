@@ -80,7 +80,8 @@ class Case {
     return {kernels_for(best_instruction_set()),
             {influence_->tables(), influence_->mean_under.data()},
             steel.normal_compliance(),
-            surface::usual_lambda_length};
+            surface::usual_lambda_length,
+            false};
   }
 
   surface::PressureScratch w;

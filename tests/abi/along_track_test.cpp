@@ -572,6 +572,29 @@ TEST_F(TwoPlaces, OfAGentleRampAreFlaggedWhereTheForceIsTooSmall) {
   }
 }
 
+/// Where one top of a strip is deep enough for a contact and the other is not, the strips that share a vector
+/// differ from one instruction set to the next. The result does not.
+TEST_F(TwoPlaces, HaveTheSameBitsOnEveryInstructionSet) {
+  give_ramp(0.04);
+  input.prescribed = WRC_PRESCRIBE_VERTICAL_LOAD;
+  input.vertical_load = 20e3;
+  std::vector<wrc_wrench> baseline;
+  for (const int32_t set : {WRC_INSTRUCTIONS_BASELINE, WRC_INSTRUCTIONS_AVX2, WRC_INSTRUCTIONS_AVX512}) {
+    config.instruction_set = set;
+    if (set != WRC_INSTRUCTIONS_BASELINE && refused() != WRC_OK) continue;  // not of this processor
+    create();
+    std::size_t call = 0;
+    for (const double y : {0.0, 1e-3})
+      for (int k = 0; k < 8; ++k) {
+        wheel.y = y;
+        input.distance = 70.2e-3 + 0.6e-3 * k;
+        ASSERT_GE(step(), WRC_OK) << error();
+        if (set == WRC_INSTRUCTIONS_BASELINE) baseline.push_back(wrench);
+        EXPECT_EQ(std::memcmp(&baseline[call++], &wrench, sizeof wrench), 0) << set << ' ' << input.distance;
+      }
+  }
+}
+
 /// Regions, fields, wear and sums along the line are of both places.
 TEST_F(TwoPlaces, HaveResultsOfTheirOwn) {
   touch_both();

@@ -41,6 +41,8 @@ void* memcpy(void*, const void*, size_t);
 void* memmove(void*, const void*, size_t);
 size_t strlen(const char*);
 size_t strspn(const char*, const char*);
+size_t strcspn(const char*, const char*);
+char* strpbrk(const char*, const char*);
 int strcmp(const char*, const char*);
 int strncmp(const char*, const char*, size_t);
 char* strchr(const char*, int);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -104,6 +105,10 @@ class Strips {
     strips.shear_modulus = strips.normal_shear_modulus = 82e9;
     strips.coefficients = &coefficients_;
     strips.grid = &grid_;
+    // nothing is read before it is written
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::fill(scratch_.begin(), scratch_.end(), nan);
+    std::fill_n(&memory().other()->y, count * sizeof(tangential::PastStrip) / sizeof(double), nan);
     const RememberingInput step{strips,         along_,          number_,
                                 rail_,          theory_,         travel,
                                 rolled,         direction,       memory().remembered(),
@@ -160,7 +165,8 @@ TEST(SurfaceRemembering, GivesBackNoMoreThanWasPutIn) {
 
 /// Strips that a test gives one by one.
 struct GivenStrips : Strips {
-  using Strips::memory, Strips::roll, Strips::rail_, Strips::rail_place_, Strips::fx_;
+  using Strips::memory, Strips::roll, Strips::rail_, Strips::rail_place_, Strips::fx_, Strips::peak_,
+      Strips::friction_, Strips::half_length_;
   std::int32_t count = 0;
 
   /// A strip with this number, under creepages, and spin about `place` = 0.
@@ -204,6 +210,50 @@ TEST(SurfaceRemembering, AStripThatAValleyCutsIsOfBothPatches) {
         const double bound = strip.bound[std::min(cell, tangential::memory_cells - 1 - cell)];
         EXPECT_LE(std::hypot(strip.px[cell], strip.py[cell]), (1.0 + 1e-9) * bound) << i << " " << cell;
       }
+    }
+  }
+}
+
+/// The valley's lowest point lies midway between two strips. Rounded, their border is on either side of it,
+/// or both strips overlap there: each counts once.
+TEST(SurfaceRemembering, AValleyMidwayBetweenStripsIsTheLimitOfThoseBeside) {
+  constexpr double width = 0.5e-3;
+  const double loads[] = {0.7, 1.0, 0.8, 0.1, 0.1, 0.8, 1.0, 0.7};
+  for (int place = 0; place < 100; ++place) {
+    double force[8];
+    for (const double more : {1e-9, 0.0}) {
+      GivenStrips strips;
+      for (int i = 0; i < 8; ++i)
+        strips.add(i, 1e-5 * place + width * (i - 3.5), width,
+                   4e-3 * std::sqrt(loads[i] * (i == 3 ? 1.0 + more : 1.0)), 0.0, 0.0);
+      strips.roll(strips.count, 5e-4, 5e-4, 1.0);
+      for (int i = 0; i < 8; ++i) {
+        if (more > 0.0) force[i] = strips.fx_[i];
+        ASSERT_NEAR(strips.fx_[i], force[i], 1e-6 * std::abs(force[i])) << place << " " << i;
+      }
+    }
+  }
+}
+
+/// A hump whose load is too small for its means leaves the others as they are.
+TEST(SurfaceRemembering, AHumpOfTheLeastLoadIsNone) {
+  double force[4];
+  for (const double peak : {1e-200, 1e-320}) {
+    GivenStrips strips;
+    for (int i = 0; i < 7; ++i) {
+      const double l = i < 4 ? 4e-3 - 1e-3 * std::abs(i - 1) : 4e-3;
+      strips.add(i, 0.5e-3 * i, 0.5e-3, l, 0.0, 0.0);
+    }
+    strips.peak_[4] = strips.peak_[5] = strips.peak_[6] = 0.0;
+    strips.peak_[5] = peak;
+    for (int step = 0; step < 2; ++step) {
+      strips.roll(strips.count, 5e-4, 5e-4, 1.0);
+      strips.memory().turn_over();
+      strips.friction_[0] = 0.0;  // its force is lost
+    }
+    for (int i = 0; i < 4; ++i) {
+      if (peak == 1e-200) force[i] = strips.fx_[i];
+      EXPECT_NEAR(strips.fx_[i], force[i], 1e-9 * std::abs(force[i])) << i;
     }
   }
 }
@@ -256,6 +306,26 @@ TEST(SurfaceRemembering, EnergyGoesOnWhereSteadyRollingBegins) {
   };
   const double below = dissipated(1.5 - 1e-6);
   EXPECT_NEAR(dissipated(1.5 + 1e-6), below, 1e-4 * below);
+}
+
+/// Where nothing before the step is seen, its end has the cells of steady rolling: those of a step that is
+/// hardly shorter.
+TEST(SurfaceRemembering, CellsGoOnWhereNothingBeforeIsSeen) {
+  GivenStrips strips;
+  for (int i = 0; i < 16; ++i)
+    strips.add(i, 0.5e-3 * (i - 7.5), 0.5e-3, 4e-3 * std::sqrt(1.0 - (i - 7.5) * (i - 7.5) / 80.0), 0.0, 1.0);
+  const auto cells_after = [&](double lengths) {
+    const double rolled = lengths * 2.0 * strips.half_length_[7];
+    strips.roll(strips.count, rolled, rolled, 1.0);
+    return std::vector(strips.memory().other(), strips.memory().other() + strips.count);
+  };
+  const auto before = cells_after(2.0 - 1e-6), beyond = cells_after(2.0 + 1e-6);
+  for (int i = 0; i < strips.count; ++i)
+    for (int cell = 0; cell < tangential::memory_cells; ++cell) {
+      const double bound = before[i].bound[tangential::memory_cells / 2 - 1];
+      EXPECT_NEAR(beyond[i].px[cell], before[i].px[cell], 1e-4 * bound) << i << " " << cell;
+      EXPECT_NEAR(beyond[i].py[cell], before[i].py[cell], 1e-4 * bound) << i << " " << cell;
+    }
 }
 
 }  // namespace

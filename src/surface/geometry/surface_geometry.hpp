@@ -48,8 +48,8 @@ Overlaps overlap_surfaces(const SurfaceGeometry& surfaces, const PlacedRail& rai
                           double angle, double margin, const OverlapScratch& scratch, const Overlaps& memory,
                           bool tops_alone = false) noexcept;
 
-/// The overlaps of strips of one face, which changes along the track. Those that are not `deep_enough` may be
-/// of tops alone [m].
+/// The overlaps of strips of one face, which changes along the track. Those that are not `deep_enough` are of
+/// tops alone [m].
 void follow_rail(const SurfaceGeometry& surfaces, const PlacedRail& rail, const RelativePose& pose,
                  FollowedStrips& strips, double deep_enough = -1.0);
 

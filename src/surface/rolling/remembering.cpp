@@ -100,7 +100,9 @@ class Rememberer {
   RememberingResult roll() {
     begin();
     find_patches();
-    if (!from_now_) {
+    if (from_now_) {
+      for (std::int32_t j = 0; j < strips_.count; ++j) tangential::complete_bounds(scratch_.strips[j]);
+    } else {
       find_lost();
       for (std::int32_t k = 0; k < runs_; ++k) roll_run(scratch_.runs[k]);
     }
@@ -194,7 +196,7 @@ class Rememberer {
         patch.first_lobe = low ? lobe(low) : 0;
         patch.end_lobe = high ? lobe(high) : cuts.count + 1;
         take_strips(first, end, low, high, patch);
-        add_patch(patch, scratch_.places[patches]);
+        add_patch(patch, scratch_.places[patches] = {});
         ++patches;
       });
       bool carries = false;

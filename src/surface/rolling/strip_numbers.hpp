@@ -32,7 +32,7 @@ struct Shared {
   struct Term {
     double constant;
     std::int64_t term;
-  } terms[SurfaceCalibration::quantities * SurfaceCalibration::terms];
+  } terms[std::int32_t{SurfaceCalibration::quantities} * SurfaceCalibration::terms];
   std::int32_t behind[SurfaceCalibration::quantities];  ///< the last one of each quantity
 };
 

@@ -261,6 +261,43 @@ struct RaysAlong {
   }
 };
 
+/// Largest overlaps of strips along the track.
+struct TopsAlong {
+  Pack x;
+  RayEnds ends;
+  BesideLargest beside;
+};
+
+/// Overlaps of contacts about their tops, in the lanes given.
+inline void take_contact(StripsOverX& strips, const surface::TopBounds<FollowedStrips::Each>& bounds,
+                         std::int32_t first, const TopsAlong& top, Mask lanes_taken,
+                         surface::StripOverlap<Pack>& o) {
+  // the parabola of the contact
+  const FollowRailTask& task = strips.task;
+  const Mask inside = (top.x > task.low) & (top.x < task.high),
+             at_end = (!inside) & (magnitude(top.x) < surface::farthest_along);
+  const surface::AtLargest<Pack> at{top.x,
+                                    top.ends.depth,
+                                    top.beside.bend,
+                                    top.beside.own,
+                                    select(at_end, top.beside.slope, 0.0),
+                                    task.high,
+                                    task.low,
+                                    load_pack(bounds.ahead + first),
+                                    load_pack(bounds.behind + first)};
+  RaysAlong rays{strips, {top.ends, top.ends, top.ends}};
+  surface::StripOverlap<Pack> contact;
+  surface::fit_along<Pack>(at, rays, contact);
+  o.depth = select(lanes_taken, contact.depth, o.depth);
+  o.centre = select(lanes_taken, contact.centre, o.centre);
+  o.curvature = select(lanes_taken, contact.curvature, o.curvature);
+  o.ny = select(lanes_taken, contact.ny, o.ny);
+  o.nz = select(lanes_taken, contact.nz, o.nz);
+  o.wy = select(lanes_taken, contact.wy, o.wy);
+  o.wz = select(lanes_taken, contact.wz, o.wz);
+  o.grade = select(lanes_taken, contact.grade, o.grade);
+}
+
 /// The strips of so many lanes from `first` on.
 inline void follow_strips(const FollowRailTask& task, std::int32_t first, FollowedStrips& s) {
   // the rays from near the largest overlap, and their ends on the wheel
@@ -282,34 +319,19 @@ inline void follow_strips(const FollowRailTask& task, std::int32_t first, Follow
   store_pack(s.nz + first, strips.nz);
 
   // the circle at the top, without the contact's chord
-  if (!any(ends.depth > task.deep_enough)) {
-    const surface::RayStart<Pack> from = strips.start(x);
-    store_pack(s.overlap.depth + first, ends.depth);
-    store_pack(s.overlap.centre + first, x);
-    store_pack(s.overlap.curvature + first, larger(-beside.bend, surface::least_curvature_left * beside.own));
-    store_pack(s.overlap.ny + first, strips.ny);
-    store_pack(s.overlap.nz + first, strips.nz);
-    store_pack(s.overlap.wy + first, from.y + ends.depth * strips.ny);
-    store_pack(s.overlap.wz + first, from.z + ends.depth * strips.nz);
-    store_pack(s.overlap.grade + first, 0.0);
-    return;
-  }
-
-  // the parabola of the contact about it
-  const Mask inside = (x > task.low) & (x < task.high),
-             at_end = (!inside) & (magnitude(x) < surface::farthest_along);
-  const surface::AtLargest<Pack> at{x,
-                                    ends.depth,
-                                    beside.bend,
-                                    beside.own,
-                                    select(at_end, beside.slope, 0.0),
-                                    task.high,
-                                    task.low,
-                                    load_pack(s.bounds.ahead + first),
-                                    load_pack(s.bounds.behind + first)};
-  RaysAlong rays{strips, {ends, ends, ends}};
+  const surface::RayStart<Pack> from = strips.start(x);
   surface::StripOverlap<Pack> o;
-  surface::fit_along<Pack>(at, rays, o);
+  o.depth = ends.depth;
+  o.centre = x;
+  o.curvature = larger(-beside.bend, surface::least_curvature_left * beside.own);
+  o.ny = strips.ny;
+  o.nz = strips.nz;
+  o.wy = from.y + ends.depth * strips.ny;
+  o.wz = from.z + ends.depth * strips.nz;
+  o.grade = 0.0;
+  // a strip's overlap depends on no other strip of its vector
+  const Mask deep = ends.depth > task.deep_enough;
+  if (any(deep)) take_contact(strips, s.bounds, first, {x, ends, beside}, deep, o);
   store_pack(s.overlap.depth + first, o.depth);
   store_pack(s.overlap.centre + first, o.centre);
   store_pack(s.overlap.curvature + first, o.curvature);

@@ -321,10 +321,12 @@ tangential::LayerOf<Number> differentiate_layer(const Differentiation& d, std::i
 }
 
 /// The same with a layer: the march with derivatives by its own numbers, times the derivatives of these.
-/// `first`: number of the first strip among those that carry load.
-void differentiate_layered(const Differentiation& d, const SurfaceRollingInputOf<Number>& rolls,
-                           const RollingArraysOf<Number>& arrays, std::int32_t first,
-                           const DualForces& forces) {
+/// `first`: number of the first strip among those that carry load. A call of its own: inlined, its numbers
+/// take stack of the march without a layer, which is the deepest.
+[[gnu::noinline]] void differentiate_layered(const Differentiation& d,
+                                             const SurfaceRollingInputOf<Number>& rolls,
+                                             const RollingArraysOf<Number>& arrays, std::int32_t first,
+                                             const DualForces& forces) {
   constexpr std::size_t numbers = tangential::LayeredNumbers::numbers;
   using OfStrip = Dual<numbers>;
   const tangential::MarchGrid& grid = *rolls.grid;

@@ -11,6 +11,8 @@ namespace wrc::tangential {
 
 using simd::RememberingStrip;
 
+inline constexpr std::int32_t half_cells = memory_cells / 2;  ///< cells up to the middle of a strip
+
 /// Memory of a strip, of the bodies rolling forwards.
 struct PastStrip {
   double y;                    ///< place on the rail [m], or number of the rail's strip
@@ -22,9 +24,9 @@ struct PastStrip {
   double slip[3];   ///< in the step, on a rail: creepages of its middle [-], spin [1/m]
   double way;       ///< rolled under these conditions over the contact's length, backwards below zero [-]
   double px[memory_cells], py[memory_cells];  ///< tractions of its cells, from the largest x on [Pa]
-  double bound[memory_cells / 2];  ///< their bounds up to the middle; the others are symmetric [Pa]
+  double bound[half_cells];  ///< their bounds up to the middle; the others are symmetric [Pa]
 };
-static_assert(sizeof(PastStrip) == (14 + 2 * memory_cells + memory_cells / 2) * sizeof(double),
+static_assert(sizeof(PastStrip) == (14 + 2 * memory_cells + half_cells) * sizeof(double),
               "no padding: its bytes are saved");
 
 /// The strips that a contact remembers, and those of the step that is being solved: behind it in memory.

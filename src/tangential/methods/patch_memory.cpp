@@ -11,7 +11,7 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells, half = cells / 2;
+constexpr std::int32_t cells = memory_cells;
 
 // Lengths of the longest strip: a step that is none; parts of a step, from its end on.
 constexpr double least_step = 1e-9;
@@ -98,16 +98,18 @@ PatchStep::PatchStep(const RollingContact& contact, const PatchStrips& strips, Y
 }
 
 void PatchStep::find_groups() {
-  // the strips within each lobe, and the one across its border to the next
+  // The strips within each lobe, and the one across its border to the next. Lobes begin where the one before
+  // ends: of a border between two strips, rounding may leave a hair of one on either side.
+  std::int32_t within = 0;
   for (std::int32_t k = 0; k < patch_count_; ++k) {
     const YieldingPatch& p = patches_[k];
     lobes_ = std::max(lobes_, p.end_lobe);
     if (p.end_lobe - p.first_lobe > 1) continue;
-    const std::int32_t first = p.first - strips_.first, end = p.end - strips_.first;
-    const std::int32_t within = first + (p.inside_first < 1.0 ? 1 : 0),
-                       border = end - (p.inside_last < 1.0 ? 1 : 0);
+    const std::int32_t end = p.end - strips_.first, border = end - (p.inside_last < 1.0 ? 1 : 0);
     if (within < border) groups_[group_count_++] = {within, border, p.first_lobe, 1.0};
-    if (border < end) groups_[group_count_++] = {border, end, p.first_lobe, p.inside_last};
+    within = std::max(within, border);
+    if (within < end) groups_[group_count_++] = {within, end, p.first_lobe, p.inside_last};
+    within = std::max(within, end);
   }
 }
 
@@ -150,7 +152,7 @@ void PatchStep::set_strips() {
     strip.kept = 1.0;
     strip.y = r.y[j] - y_;
     strip.x = r.centre[j] - x_;
-    for (std::int32_t i = 0; i < half; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
+    complete_bounds(strip);
   }
 }
 
@@ -208,10 +210,10 @@ void PatchStep::bring(double h, bool first) {
       for (std::int32_t i = 0; i < cells; ++i)
         to.share[i] = enters * (h > 0.0 ? std::min(1.0, to.half_length * (1.0 - places.at[i]) / h) : 1.0);
     }
-    std::fill_n(to.had, half, 0.0);
+    std::fill_n(to.had, half_cells, 0.0);
     const auto add = [&](const PastStrip* one, double share) {
       if (one == nullptr) return;
-      for (std::int32_t i = 0; i < half; ++i) to.had[i] += share * one->bound[i];
+      for (std::int32_t i = 0; i < half_cells; ++i) to.had[i] += share * one->bound[i];
       task.weight = share;
       if (contact_.memory.direction > 0.0)
         brought(*one, to);
@@ -221,7 +223,7 @@ void PatchStep::bring(double h, bool first) {
     };
     add(from.first, from.of_first);
     add(from.second, from.of_second);
-    for (std::int32_t i = 0; i < half; ++i) to.had[cells - 1 - i] = to.had[i];
+    for (std::int32_t i = 0; i < half_cells; ++i) to.had[cells - 1 - i] = to.had[i];
     // tractions that leave with their strip; the cells are displaced all the same
     if (to.kept == 1.0) continue;
     for (double* const numbers : {to.px, to.py, to.had})

@@ -7,15 +7,15 @@
 namespace wrc::tangential {
 namespace {
 
-constexpr std::int32_t cells = memory_cells, half = cells / 2;
+constexpr std::int32_t cells = memory_cells;
 
 /// 1 - the square of the cells' places over the half length, up to the middle.
 struct Parabola {
-  double of[half];
+  double of[half_cells];
 };
 constexpr Parabola parabola = [] {
   Parabola p{};
-  for (std::int32_t i = 0; i < half; ++i) {
+  for (std::int32_t i = 0; i < half_cells; ++i) {
     const double at = 1.0 - (2.0 * i + 1.0) / cells;
     p.of[i] = 1.0 - at * at;
   }
@@ -52,14 +52,14 @@ PressureRanks rank_pressures(const patch::Strips& region, double largest_load) {
   for (std::int32_t j = 0; j < region.count; ++j) {
     const double load = ranks.per_load * (region.peak[j] * region.half_length[j]);
     const double of_cell = region.width[j] * region.half_length[j];
-    for (std::int32_t i = 0; i < half; ++i) {
+    for (std::int32_t i = 0; i < half_cells; ++i) {
       const double square = load * parabola.of[i];
       const std::int32_t bin = static_cast<std::int32_t>(square);
       const double next = (square - bin) * of_cell;
       area[bin] += of_cell - next;
       area[bin + 1] += next;
     }
-    whole += half * of_cell;
+    whole += half_cells * of_cell;
   }
   // Mean share under the pressure: 0.4 under Hertz's, 1/3 under a cone's, as displacements d of cells that
   // begin to slide are 1 - x^2 and 1 - x. Between them it is linear in the parts of both.
@@ -81,9 +81,13 @@ PressureRanks rank_pressures(const patch::Strips& region, double largest_load) {
 }  // namespace
 
 void clear_strip(RememberingStrip& strip) {
-  std::fill_n(strip.bound, half, 0.0);
+  std::fill_n(strip.bound, half_cells, 0.0);
   strip.bounds = strip.growth_x = strip.growth_y = strip.turns = strip.arm = 0.0;
   strip.own_x = strip.own_y = strip.own_turn = 0.0;
+}
+
+void complete_bounds(RememberingStrip& strip) {
+  for (std::int32_t i = 0; i < half_cells; ++i) strip.bound[cells - 1 - i] = strip.bound[i];
 }
 
 void add_to_strips(const RollingContact& contact, const YieldingPatch& patch, const MemoryFactors& factors,
@@ -113,8 +117,8 @@ void add_to_strips(const RollingContact& contact, const YieldingPatch& patch, co
   for (std::int32_t j = 0; j < r.count; ++j) {
     RememberingStrip& strip = strips[j];
     const double weight = patch.share * patch.inside(patch.first + j), times = weight * per;
-    for (std::int32_t i = 0; i < half; ++i) strip.bound[i] += times * strip.had[i];
-    strip.bounds += times * strip.had[half];
+    for (std::int32_t i = 0; i < half_cells; ++i) strip.bound[i] += times * strip.had[i];
+    strip.bounds += times * strip.had[half_cells];
     strip.growth_x += weight * numbers.growth_x;
     strip.growth_y += weight * numbers.growth_y;
     strip.turns += weight * turns;

@@ -37,9 +37,12 @@ struct YieldingPatch {
 /// A strip without bounds and stiffness, to which patches add theirs.
 void clear_strip(RememberingStrip& strip);
 
-/// Adds bounds, stiffness and turning to those of the patch's strips, by its share. `contact` has the patch
-/// alone; `strips` begin with its first one.
+/// Adds bounds up to the middle, stiffness and turning to those of the patch's strips, by its share.
+/// `contact` has the patch alone; `strips` begin with its first one.
 void add_to_strips(const RollingContact& contact, const YieldingPatch& patch, const MemoryFactors& factors,
                    RememberingStrip* strips);
+
+/// Bounds behind a strip's middle, once all its patches have added theirs: they are symmetric.
+void complete_bounds(RememberingStrip& strip);
 
 }  // namespace wrc::tangential
