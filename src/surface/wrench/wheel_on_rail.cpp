@@ -69,8 +69,8 @@ Fault beyond_parabolas(const WheelProblem& problem, const WheelSolution& s) {
   if (model.out_of_round.rows > 0 || model.varying.faces == 0) return {};
   constexpr std::int32_t strips = 8, places = 8, beside = 8;  // looked at; to a side of the contact
   constexpr double apart_beside = 1.5e-3;                     // [m]
-  constexpr double most = 0.13;      // overlap beyond, from which the force is 5 % off [-]
-  constexpr double least_own = 0.5;  // curvature of a wheel along x on a steep face, times its radius [-]
+  constexpr double most = 0.13;    // overlap beyond, from which the force is 5 % off [-]
+  constexpr double reach = 25e-3;  // a valley counts so near [m]
   const PlacedRail& rail = problem.rail;
   const Overlaps& o = s.overlaps;
   std::int32_t second = 0;
@@ -81,13 +81,17 @@ Fault beyond_parabolas(const WheelProblem& problem, const WheelSolution& s) {
   double pressed = 0.0, beyond = 0.0, left_beside = 0.0;  // [m^3]
   for (std::int32_t k = every / 2; k < s.strips.count; k += every) {
     const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
-    if (!changes_along(model, strip)) continue;
-    const std::int32_t face = face_of(model.varying, strip);
-    if (!may_touch_twice(rail, face, least_own / model.wheel_radius)) continue;
-    StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
-                            rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
     const double width = s.strips.width[k], at = s.strips.x[k], l = s.strips.half_length[k];
     const double bends = 0.5 * o.curvature[i], apart = 2.0 * l / places;
+    pressed += width * (4.0 / 3.0) * bends * l * l * l;
+    if (!changes_along(model, strip)) continue;
+    const std::int32_t face = face_of(model.varying, strip);
+    const double here = rail.distance + at;
+    if (!(valley_between(model.varying, model.varying.face[face], eight_of(strip), here - reach,
+                         here + reach) > least_valley * magnitude(o.nz[i]) / model.wheel_radius))
+      continue;
+    StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
+                            rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
     RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
     double sum = 0.0;
     for (int n = 0; n < places; ++n) {
@@ -95,7 +99,6 @@ Fault beyond_parabolas(const WheelProblem& problem, const WheelSolution& s) {
       sum += depth_at(over, at + t, end) - (o.depth[i] - bends * t * t);
     }
     beyond += width * apart * sum;
-    pressed += width * (4.0 / 3.0) * bends * l * l * l;
     if (!one_row) continue;
     const double edge = larger(o.depth[i] - bends * l * l, 0.0);
     for (const double way : {1.0, -1.0}) {
