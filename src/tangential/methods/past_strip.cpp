@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tangential/methods/patch_numbers.hpp"
+
 namespace wrc::tangential {
 namespace {
 
@@ -35,10 +37,10 @@ void tend_to(const simd::TangentialKernels& kernels, const PastStrip& steady, do
 
 double stored_in(const simd::TangentialKernels& kernels, const PastStrip& strip, double area, double growth_x,
                  double growth_y) {
-  // 1/2 L p^2
+  // 1/2 L p^2; L of a patch whose load underflows is 0, and so is p
   double x2, y2;
   kernels.memory_squares(strip.px, x2, y2);
-  return 0.5 * area * (x2 / growth_x + y2 / growth_y);
+  return 0.5 * area * (x2 / std::max(growth_x, least_divisor) + y2 / std::max(growth_y, least_divisor));
 }
 
 double stored_by(const double yield[3], const double force[3]) {
