@@ -14,6 +14,37 @@
 namespace wrc::surface {
 namespace {
 
+/// A strip in contact, whose overlap is looked at along the track.
+struct StripInContact {
+  StripOverX<double> over;
+  RayEnd<double> top;  ///< its ray where it is deepest
+  double at, l;        ///< middle and half length of its contact [m]
+  double bends;        ///< half the curvature of its parabola [1/m]
+  double edge;         ///< overlap of the parabola at the ends of contact [m]
+  double low, high;    ///< ends of its face [m]
+
+  bool is_on_face(double x) const { return !(x < low || x > high); }
+};
+
+/// Strip k in contact, of a rail that changes along the track.
+StripInContact strip_in_contact(const WheelProblem& problem, const WheelSolution& s, std::int32_t k) {
+  const SurfaceModel& model = problem.model;
+  const PlacedRail& rail = problem.rail;
+  const Overlaps& o = s.overlaps;
+  const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
+  const std::int32_t face = face_of(model.varying, strip);
+  const double l = s.strips.half_length[k], bends = 0.5 * o.curvature[i];
+  return {{model.varying, model.wheel.curve, s.motion.pose, strip, rail.distance, rail.blend[face], o.ny[i],
+           o.nz[i]},
+          {o.piece[i], o.u[i], o.depth[i]},
+          s.strips.x[k],
+          l,
+          bends,
+          larger(o.depth[i] - bends * l * l, 0.0),
+          rail.low[face],
+          rail.high[face]};
+}
+
 /// Flags a place along the track where a strip would carry load beside those it has. Looked at is the strip
 /// of the longest contact, but for the side of its second place, if it has one. Beyond its half length l the
 /// load presses the surfaces apart by at most w l / t at the distance t, w the overlap at the contact's edge.
@@ -26,30 +57,25 @@ Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   std::int32_t k = 0;
   for (std::int32_t n = 1; n < s.strips.count; ++n)
     if (s.strips.half_length[n] > s.strips.half_length[k]) k = n;
-  const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
-  if (!changes_along(model, strip)) return {};
+  const std::int32_t i = s.strips.candidate[k];
+  if (!changes_along(model, on_rail(o.strip[i]))) return {};
 
   // the overlap at places ahead and behind, from the edge of the contact on
   constexpr double nearest = 0.5, apart = 1.5e-3;  // [-], [m]
   constexpr int to_a_side = 10;
-  const PlacedRail& rail = problem.rail;
-  const std::int32_t face = face_of(model.varying, strip);
-  StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
-                          rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
-  const double l = s.strips.half_length[k], at = s.strips.x[k];
-  const double edge = larger(o.depth[i] - 0.5 * o.curvature[i] * l * l, 0.0);
+  StripInContact strip = strip_in_contact(problem, s, k);
   const TopBounds<double> bounds = bounds_of(o.bound[i], o.top[i]);
   for (const double way : {1.0, -1.0}) {
     // the other place carries its own load
     if (way > 0.0 ? bounds.ahead < unbounded.ahead : bounds.behind > unbounded.behind) continue;
-    RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
+    RayEnd<double> end = strip.top;
     double least = o.depth[i];
     for (int n = 0; n < to_a_side; ++n) {
-      const double t = nearest * l + n * apart, x = at + way * t;
-      if (x < rail.low[face] || x > rail.high[face]) break;
-      const double depth = depth_at(over, x, end);
+      const double t = nearest * strip.l + n * apart, x = strip.at + way * t;
+      if (!strip.is_on_face(x)) break;
+      const double depth = depth_at(strip.over, x, end);
       least = smaller(least, depth);
-      if (t > l && depth * t > edge * l && depth > least)
+      if (t > strip.l && depth * t > strip.edge * strip.l && depth > least)
         return Fault::more_patches("overlap at another place along the track", {depth, "m"},
                                    "a strip has another place of contact along the track, beyond a valley: "
                                    "this one carries nothing");
@@ -58,59 +84,73 @@ Fault another_place(const WheelProblem& problem, const WheelSolution& s) {
   return {};
 }
 
+/// Overlap of a strip beyond its parabola, over the length in contact [m^2].
+double beyond_parabola(StripInContact strip, double depth) {
+  constexpr int places = 8;
+  const double apart = 2.0 * strip.l / places;
+  double sum = 0.0;
+  for (int n = 0; n < places; ++n) {
+    const double t = (n + 0.5) * apart - strip.l;
+    sum += depth_at(strip.over, strip.at + t, strip.top) - (depth - strip.bends * t * t);
+  }
+  return apart * sum;
+}
+
+/// Overlap of a strip that is left beside its contact, beyond the load's displacement w l / t
+/// (another_place()) [m^2].
+double left_beside(StripInContact strip) {
+  constexpr int places = 8;
+  constexpr double apart = 1.5e-3;  // [m]
+  double sum = 0.0;
+  for (const double way : {1.0, -1.0}) {
+    RayEnd<double> end = strip.top;
+    for (int n = 0; n < places; ++n) {
+      const double t = strip.l + (n + 0.5) * apart, x = strip.at + way * t;
+      if (!strip.is_on_face(x)) break;
+      sum += larger(depth_at(strip.over, x, end) - strip.edge * strip.l / t, 0.0);
+    }
+  }
+  return apart * sum;
+}
+
+/// Does a valley that is sharper than the wheel lie near the strip's contact? Then it may have two tops.
+bool near_valley(const WheelProblem& problem, std::int32_t strip, double at, double nz) {
+  constexpr double reach = 25e-3;  // [m]
+  const VaryingRail& varying = problem.model.varying;
+  const double here = problem.rail.distance + at;
+  return valley_between(varying, varying.face[face_of(varying, strip)], eight_of(strip), here - reach,
+                        here + reach) > least_valley * magnitude(nz) / problem.model.wheel_radius;
+}
+
 /// Flags a contact whose strips overlap by more than their parabolas carry: as on a gentle ramp, where a
 /// strip's two tops lie nearer to each other than the contact is long, and their parts of the load do not sum
 /// up to that of one contact with a saddle. Of some strips, overlaps beyond the parabolas are compared with
-/// those that the contact presses away. Without a second row, those beside the contact count a tenth, from
-/// the load's displacement w l / t on (another_place()): the top that lies there may not count.
+/// those that the contact presses away. Without a second row, those beside the contact count a tenth: the top
+/// that lies there may not count.
 Fault beyond_parabolas(const WheelProblem& problem, const WheelSolution& s) {
   const SurfaceModel& model = problem.model;
   // a wheel that is not round has its own waves there, which are not looked at
   if (model.out_of_round.rows > 0 || model.varying.faces == 0) return {};
-  constexpr std::int32_t strips = 8, places = 8, beside = 8;  // looked at; to a side of the contact
-  constexpr double apart_beside = 1.5e-3;                     // [m]
-  constexpr double most = 0.13;    // overlap beyond, from which the force is 5 % off [-]
-  constexpr double reach = 25e-3;  // a valley counts so near [m]
-  const PlacedRail& rail = problem.rail;
+  constexpr std::int32_t looked_at = 8;
+  constexpr double most = 0.13;  // overlap beyond, from which the force is 5 % off [-]
   const Overlaps& o = s.overlaps;
   std::int32_t second = 0;
   for (std::int32_t k = 0; k < s.strips.count; ++k)
     second += o.strip[s.strips.candidate[k]] < second_places ? 0 : 1;
   const bool one_row = second == 0 || second == s.strips.count;
-  const std::int32_t every = (s.strips.count + strips - 1) / strips;
-  double pressed = 0.0, beyond = 0.0, left_beside = 0.0;  // [m^3]
+
+  const std::int32_t every = (s.strips.count + looked_at - 1) / looked_at;
+  double pressed = 0.0, beyond = 0.0, beside = 0.0;  // [m^3]
   for (std::int32_t k = every / 2; k < s.strips.count; k += every) {
-    const std::int32_t i = s.strips.candidate[k], strip = on_rail(o.strip[i]);
-    const double width = s.strips.width[k], at = s.strips.x[k], l = s.strips.half_length[k];
-    const double bends = 0.5 * o.curvature[i], apart = 2.0 * l / places;
-    pressed += width * (4.0 / 3.0) * bends * l * l * l;
-    if (!changes_along(model, strip)) continue;
-    const std::int32_t face = face_of(model.varying, strip);
-    const double here = rail.distance + at;
-    if (!(valley_between(model.varying, model.varying.face[face], eight_of(strip), here - reach,
-                         here + reach) > least_valley * magnitude(o.nz[i]) / model.wheel_radius))
-      continue;
-    StripOverX<double> over{model.varying, model.wheel.curve, s.motion.pose, strip,
-                            rail.distance, rail.blend[face],  o.ny[i],       o.nz[i]};
-    RayEnd<double> end{o.piece[i], o.u[i], o.depth[i]};
-    double sum = 0.0;
-    for (int n = 0; n < places; ++n) {
-      const double t = (n + 0.5) * apart - l;
-      sum += depth_at(over, at + t, end) - (o.depth[i] - bends * t * t);
-    }
-    beyond += width * apart * sum;
-    if (!one_row) continue;
-    const double edge = larger(o.depth[i] - bends * l * l, 0.0);
-    for (const double way : {1.0, -1.0}) {
-      end = {o.piece[i], o.u[i], o.depth[i]};
-      for (int n = 0; n < beside; ++n) {
-        const double t = l + (n + 0.5) * apart_beside, x = at + way * t;
-        if (x < rail.low[face] || x > rail.high[face]) break;
-        left_beside += width * apart_beside * larger(depth_at(over, x, end) - edge * l / t, 0.0);
-      }
-    }
+    const std::int32_t i = s.strips.candidate[k], number = on_rail(o.strip[i]);
+    const double width = s.strips.width[k], l = s.strips.half_length[k];
+    pressed += width * (4.0 / 3.0) * (0.5 * o.curvature[i]) * l * l * l;
+    if (!changes_along(model, number) || !near_valley(problem, number, s.strips.x[k], o.nz[i])) continue;
+    const StripInContact strip = strip_in_contact(problem, s, k);
+    beyond += width * beyond_parabola(strip, o.depth[i]);
+    if (one_row) beside += width * left_beside(strip);
   }
-  const double all = larger(beyond, 0.0) + 0.1 * left_beside;
+  const double all = larger(beyond, 0.0) + 0.1 * beside;
   if (!(all > most * pressed)) return {};
   return Fault::more_patches("overlap beyond the parabolas of strips", {all / pressed, "", 0.0, most},
                              "two places of contact along the track lie nearer to each other than a contact "
