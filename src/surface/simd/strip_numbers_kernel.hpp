@@ -131,7 +131,7 @@ inline void strip_forces_slopes_kernel(const StripForcesSlopesTask& task) {
     const auto add = [&](const double(&slope)[results], const Number& x) {
       for (std::int32_t r = 0; r < results; ++r) f[r].add_derivatives(slope[r], x);
     };
-    // forces are proportional to bound and half length, the moment to the square of that:
+    // Forces are proportional to bound and half length, the moment to the square of that.
     // dF = F (dB / B + dl / l) + sum over the inputs of dF/dx dx
     const Number bound = number(task.bound, k), length = number(task.half_length, k);
     const double per_bound = bound.value > 0.0 ? 1.0 / bound.value : 0.0, per_length = 1.0 / length.value;
